@@ -214,7 +214,9 @@ def exact_march(
 ) -> ExactMarch:
     """March in 50 digits: each flight is sampled in double precision and its zero then refined.
 
-    Rest begins where a bounce is slower than 1e-30 and the base below uplift.
+    Rest begins where a bounce is slower than 1e-30 and the base below uplift.  A restitution of 0 or
+    less is minus a wall's, which sends the block back to its side; the other side's lean is then
+    infinite.
     """
     found = ExactMarch(side=side, angle=mp.mpf(angle), velocity=mp.mpf(velocity))
     until = mp.mpf(until)
@@ -280,7 +282,7 @@ def _exact_flight(
     found.angle = mp.mpf(0)
     found.velocity = s * v * to_lean * to_rate * restitution[row]
     found.impacts.append(ExactImpact(now, s, found.velocity))
-    found.side = -s
+    found.side = s if restitution[row] <= 0 else -s
     at = now - segment.start
     base = segment.constant + segment.slope * at
     base += segment.amplitude * mp.sin(segment.phase + segment.frequency * at)

@@ -20,6 +20,7 @@ of ``c y - q y^2/2 = H``, it is below the smaller one.  Step by step through the
 this gives upper bounds of H and of y on either side, the same for all bounces.  If at its end H is
 below the barrier, the block stands.  Bounds of a step are guessed, and taken once they confirm
 themselves; those of h and h' are the chords of the step with what a sinusoid may stand out beyond.
+Of a block against a wall its one side counts, and y of the other is 0 for ever.
 """
 
 import math
@@ -41,9 +42,9 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     Floats,
     March,
+    free_side,
     is_nonlinear,
 )
-from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 
@@ -87,19 +88,21 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     segments
         Table of a pulse, without the still base after it.
     sides
-        Of a block, shape (2, 3) or (2, 5); nothing is proved of one whose sides differ, nor while
-        the base has a vertical motion to come: H knows of none.
+        Of a block, shape (2, 3) or (2, 5); nothing is proved of one whose two sides differ, nor
+        while the base has a vertical motion to come: H knows of none.
     state
         Just after an impact, from which on the block is not followed.
     """
-    if state.angle != 0.0 or not (sides[0] == sides[1]).all():
+    free = free_side(sides)
+    if state.angle != 0.0 or (free == 0 and not (sides[0] == sides[1]).all()):
         return math.inf
     if segments.shape[1] > LIFT and segments[state.segment, LIFT_CEILING] != 0.0:
         return math.inf
-    lean, rate = sides[0, LEAN], sides[0, RATE]
+    row = 1 if free < 0 else 0
+    lean, rate = sides[row, LEAN], sides[row, RATE]
     weight, cosine, sine = 1.0, 1.0, 0.0
     if is_nonlinear(sides):
-        alpha = sides[0, ALPHA]
+        alpha = sides[row, ALPHA]
         sine, cosine = sincos_near(alpha)
         weight, sine = sine / alpha, alpha * sine
     speed = state.velocity / (lean * rate)
@@ -138,8 +141,11 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
             bend_plus, bend_minus = weight + max(high, 0.0) * sine, weight + max(-low, 0.0) * sine
             bound = energy
             for _ in range(GUESSES):
-                up = furthest(plus, bound, weight - high * cosine, bend_plus, step * rate)
-                down = furthest(minus, bound, weight + low * cosine, bend_minus, step * rate)
+                up = down = 0.0
+                if free >= 0:
+                    up = furthest(plus, bound, weight - high * cosine, bend_plus, step * rate)
+                if free <= 0:
+                    down = furthest(minus, bound, weight + low * cosine, bend_minus, step * rate)
                 grown = energy + step * max(-least * up, most * down, 0.0)
                 if grown <= bound:
                     break
@@ -152,5 +158,5 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
             base, climb = h, rise
         since = 0.0
     energy += max(base * plus, -base * minus, 0.0)
-    margin = math.sqrt(2.0 * energy) / -over_the_top(sides, ZERO, 0.0) - 1.0
+    margin = math.sqrt(2.0 * energy) / -over_the_top(sides, row, 0.0) - 1.0
     return margin if margin < 0.0 else math.inf

@@ -13,7 +13,7 @@ the other side where that is above the barrier there, ``2 sin(alpha/2)/alpha``, 
 is not, the next landing is at the speed of that launch and its own launch slower by the
 restitution, in the units of the first side.  Of a symmetric block that is below the barrier; of one
 whose sides differ it may be above.  After these two no later one is faster than the one before it
-on the same side.
+on the same side.  Against a wall all launches are to one side, and none is faster than the first.
 
 **The margin** is the largest of v + b and of the two launches less their barriers, each over the
 barrier: the block overturns where it is above 0, and -1 is that of a block at rest.  It does not
@@ -32,7 +32,15 @@ above it to another.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, Floats, is_nonlinear
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    LEAN,
+    RATE,
+    RESTITUTION,
+    Floats,
+    free_side,
+    is_nonlinear,
+)
 from rocksteady.kernels.elementary.circular import sin
 from rocksteady.kernels.machine_code.compilation import compiled
 
@@ -98,7 +106,8 @@ def fate_on_still_base(sides: Floats, side: int, angle: float, velocity: float) 
         y >= 0 and y' on that side, in its own units.
     """
     here = 0 if side > 0 else 1
-    there = 1 - here
+    one_sided = free_side(sides) != 0
+    there = here if one_sided else 1 - here
     barrier_here = -over_the_top(sides, here, 0.0)
     barrier_there = -over_the_top(sides, there, 0.0)
     rising = velocity + over_the_top(sides, here, angle)
@@ -107,13 +116,13 @@ def fate_on_still_base(sides: Floats, side: int, angle: float, velocity: float) 
         return Afterwards(min(rising, lying) / barrier_here, 0, side)
     landing = math.sqrt(max(velocity * velocity + gained_by_landing(sides, here, angle), 0.0))
     scale = sides[here, LEAN] * sides[here, RATE] / (sides[there, LEAN] * sides[there, RATE])
-    launch = sides[here, RESTITUTION] * landing
+    launch = abs(sides[here, RESTITUTION]) * landing
     first = launch * scale / barrier_there - 1.0
-    second = sides[there, RESTITUTION] * launch / barrier_here - 1.0
+    second = abs(sides[there, RESTITUTION]) * launch / barrier_here - 1.0
     margin = max(rising / barrier_here, first, second)
     if first > 0.0:
         lying = speed_of_lying(sides, there, 0.0, launch * scale) / barrier_there
-        return Afterwards(min(margin, lying), 1, -side)
+        return Afterwards(min(margin, lying), 1, side if one_sided else -side)
     if second > 0.0:
         lying = speed_of_lying(sides, here, 0.0, sides[there, RESTITUTION] * launch) / barrier_here
         return Afterwards(min(margin, lying), 2, side)

@@ -17,6 +17,7 @@ from rocksteady.kernels.core.tables import (
     SAFELY,
     SLOPE,
     Floats,
+    free_side,
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ONE, ZERO
@@ -57,6 +58,10 @@ def waits_until(hardest: Floats, sides: Floats) -> int:
     least: float = min(sides[0, LEAN], sides[1, LEAN])
     if is_nonlinear(sides):
         least = min(uplift_at(sides, ZERO), uplift_at(sides, ONE))
+    free = free_side(sides)
+    if free != 0:
+        row = ZERO if free > 0 else ONE
+        least = uplift_at(sides, row) if is_nonlinear(sides) else sides[row, LEAN]
     low, high = 0, len(hardest)
     while low < high:
         middle = (low + high) // 2

@@ -42,8 +42,8 @@ SAFELY = 1.0 - 1e-9
 
 # Columns of the side table; row 0 is the positive side, row 1 the negative one.
 RESTITUTION = 0  # velocity after over that before the impact that ends a flight on this side
-# Of a block that rocks on one side alone, against a wall behind it, minus the wall's restitution,
-# which may be 0: the side that it stays on.  The other side's row is never read for a flight.
+# Of a block that rocks on one side alone, against a wall behind it, this is minus the wall's
+# restitution, which may be 0, in the row of the side that it stays on.  No flight reads the other.
 LEAN = 1  # this side's alpha over the reference alpha
 RATE = 2  # this side's p over the reference p
 SIDE_COLUMNS = 3
@@ -171,7 +171,10 @@ def kept_passage(peaks: Floats) -> March:
 
 @inlined
 def free_side(sides: Floats2) -> int:
-    """Return the one side on which a block against a wall rocks, or 0 of a block that has two."""
+    """Return the one side on which a block against a wall rocks, or 0 of a block that has two.
+
+    A restitution of 0 marks it as well, and -0.0 is 0.
+    """
     if sides[0, RESTITUTION] <= 0.0:
         return 1
     return -1 if sides[1, RESTITUTION] <= 0.0 else 0

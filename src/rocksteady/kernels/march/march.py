@@ -334,7 +334,7 @@ def _march(
             segment += 1
             half, phase = segment_start(segments, segment)
             velocity = segments[segment, JUMP]
-            if velocity * free < 0.0:  # a wall holds it
+            if velocity * free < 0.0:  # an impulse into the wall, as any push, moves nothing
                 velocity = 0.0
             if velocity != 0.0:
                 side = 1 if velocity > 0.0 else -1
@@ -494,8 +494,11 @@ def _march(
             side = int(np.sign(velocity))
             if side * free < 0:  # into the wall
                 impacts += 1
-                side = free
-                velocity *= sides[0 if free > 0 else 1, RESTITUTION]
+                turned_back = sides[row, RESTITUTION]
+                if scattered:
+                    turned_back = restitution_of(sides, row, impacts)
+                velocity *= turned_back
+                side = free if velocity != 0.0 else 0
         if abs(angle) > beyond and velocity * side >= 0.0:
             # Nothing that is still to come can bring it back.
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)

@@ -9,7 +9,9 @@ leaves of the one that lands (eq 9)::
 
 with m arcs in h half periods of the shaking, both even or both odd.  An even chain is a whole
 orbit.  An odd one is half of a symmetric orbit: a half period later the shaking is reversed and the
-block is on its other side, so that the second half is the mirror image of the first.  F is smooth
+block is on its other side, so that the second half is the mirror image of the first.  A block
+against a wall stays on its side: its chains are whole orbits, with any number of arcs in an even
+number of half periods, and the restitution is the wall's.  F is smooth
 where orbits are created, turn unstable or graze, and its derivative is a cyclic band: F_k knows the
 phases k - 1, k and k + 1 only.
 
@@ -60,6 +62,12 @@ def side_of(row: int) -> int:
 
 
 @compiled
+def side_in(system: System, row: int) -> int:
+    """Return it of a block that may stand against a wall, where it is the free side."""
+    return side_of(row) if system.free == 0 else system.free
+
+
+@compiled
 def seen(turns: int, phase: float, side: int) -> float:
     """Return the phase of the shaking seen from a side, whole periods left out."""
     return phase if (turns % 2 == 0) == (side > 0) else phase + math.pi
@@ -87,7 +95,7 @@ def fill_chain(
     turns, phases
         Whole half cycles and the phase beyond them at each impact, shape (m,).
     half_cycles
-        h, even with m or odd with m.
+        h, even with m or odd with m; even of a block against a wall.
     table
         Shape (m, CHAIN_COLUMNS).
     """
@@ -95,8 +103,8 @@ def fill_chain(
     m = len(phases)
     table[:, ERROR:] = 0.0
     for k in range(m):
-        row = k % 2
-        side = side_of(k)
+        side = side_in(system, k)
+        row = 0 if side > 0 else 1
         forcing = forcing_of(system, side)
         after = (k + 1) % m
         halves = (turns[after] + (half_cycles if after == 0 else 0)) - turns[k]
@@ -114,7 +122,7 @@ def fill_chain(
         table[k, BY_AFTER] = unit * arc.start_by_last
         table[k, BY_AMPLITUDE] += rate * arc.start_by_amplitude
         table[k, BY_FREQUENCY] += lean * arc.start_by_frequency
-        kept = system.restitution[row]
+        kept = abs(system.restitution[row])
         table[after, ERROR] -= kept * unit * arc.landing
         table[after, BY_BEFORE] = -kept * unit * arc.landing_by_first
         table[after, BY_HERE] -= kept * unit * arc.landing_by_last
@@ -159,7 +167,7 @@ def fill_arcs(
     the arc has none.  Of an arc without a positive duration all are nan.  `shape` is (m, 3).
     """
     for k in range(len(phases)):
-        side = side_of(k)
+        side = side_in(system, k)
         forcing = forcing_of(system, side)
         rate = system.rate[0] if side > 0 else system.rate[1]
         lean = system.lean[0] if side > 0 else system.lean[1]

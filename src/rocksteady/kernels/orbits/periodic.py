@@ -295,14 +295,18 @@ def multipliers(jacobian: Jacobian, determinant: float) -> tuple[complex, comple
 
 @compiled
 def loss(system: System, side: int, passages: int, rests: int) -> float:
-    """Return the exact determinant of the Jacobian of an orbit that starts towards a side."""
+    """Return the exact determinant of the Jacobian of an orbit that starts towards a side.
+
+    It is the product of the squared restitutions of its impacts, all on one side against a wall.
+    """
     if rests > 0:
         return 0.0
     total = 1.0
     row = 0 if side > 0 else 1
     for _ in range(passages):
         total *= system.restitution[row] * system.restitution[row]
-        row = 1 - row
+        if system.free == 0:
+            row = 1 - row
     return total
 
 
@@ -322,8 +326,8 @@ def primitive(table: Floats, passages: int, periods: int) -> tuple[int, int]:
 def is_symmetric(system: System, table: Floats2, passages: int, periods: int) -> bool:
     """Return whether half of an orbit turns it into its mirror image.
 
-    Of a block whose sides differ the mirror image of a motion is none, and one that comes near its
-    own by chance is not symmetric.
+    Of a block whose sides differ, or that has one, the mirror image of a motion is none, and one
+    that comes near its own by chance is not symmetric.
     """
     if not like_sides(system):
         return False
@@ -372,7 +376,7 @@ def search(
         The shaken block.
     phases, speeds
         The grid; every state goes to the positive side, since an orbit without rest goes to either
-        side in turn.
+        side in turn, or to the one side of a block against a wall.
     most_passages, most_periods
         Longest orbits.
     mirrors
@@ -391,9 +395,10 @@ def search(
     int
         How many there are now; not more than there is room.
     """
+    side = -1 if system.free < 0 else 1
     for i in range(len(phases)):
         for j in range(len(speeds)):
-            start = shifted(Section(1, 0, 0.0, speeds[j]), phases[i], 0.0)
+            start = shifted(Section(side, 0, 0.0, speeds[j]), phases[i], 0.0)
             here = start
             for passages in range(1, most_passages + 1):
                 step = next_passage(system, here, -1.0)
@@ -410,7 +415,7 @@ def search(
                     continue
                 if primitive(table, passages, periods)[0] != passages:
                     continue
-                if known(passages, periods, mirrors, table, found, shape, count):
+                if known(passages, periods, side, mirrors, table, found, shape, count):
                     continue
                 if count == len(found):
                     return count
@@ -427,6 +432,7 @@ def search(
 def known(
     passages: int,
     periods: int,
+    side: int,
     mirrors: bool,
     table: Floats,
     found: Floats,
@@ -437,7 +443,7 @@ def known(
     for i in range(count):
         if shape[i, 0] != passages or shape[i, 1] != periods:
             continue
-        other = shifted(Section(1, 0, 0.0, found[i, 1]), found[i, 0], 0.0)
+        other = shifted(Section(side, 0, 0.0, found[i, 1]), found[i, 0], 0.0)
         for k in range(passages):
             state = state_at(table, k)
             if distance(other, state) < SAME:

@@ -1,7 +1,7 @@
 """The return map of harmonic shaking: from just after one impact to just after the next.
 
 A block that rocks under harmonic shaking is known at each impact by the side it goes to, the phase
-of the shaking and its speed just after.  `next_passage` takes such a state to the next one with the
+of the shaking and its speed just after; a block against a wall always goes to the same side.  `next_passage` takes such a state to the next one with the
 exact derivative; everything about orbits, attractors and their stability is built from it alone, so
 that another model needs another `next_passage` and nothing else.
 
@@ -162,7 +162,7 @@ def forcing_of(system: System, side: int) -> Forcing:
 
 @compiled
 def like_sides(system: System) -> bool:
-    """Return whether the two sides of a block are alike."""
+    """Return whether a block has two sides that are alike."""
     return (
         system.restitution[0] == system.restitution[1]
         and system.lean[0] == system.lean[1]
@@ -391,7 +391,8 @@ def shifted(state: Section, phase: float, speed: float) -> Section:
 def highest_after(system: System, state: Section, passage: Passage) -> tuple[float, float]:
     """Return the largest |theta|/alpha of the passage after a state, on its side and the other.
 
-    Of bounces that come to rest the first one on either side is the largest.
+    Of bounces that come to rest the first one on either side is the largest; a block against a wall
+    has but one side.
     """
     if passage.kind != UPLIFT:
         return highest_of(system, state, passage.time), 0.0
@@ -403,11 +404,13 @@ def highest_after(system: System, state: Section, passage: Passage) -> tuple[flo
     if bounce.kind != IMPACT:
         return 0.0, 0.0
     here = highest_of(system, state, bounce.time)
+    if system.free != 0:
+        return here, 0.0
     state = bounce.state
     row = 0 if state.side > 0 else 1
     flight, forcing = flight_from(system, state), forcing_of(system, state.side)
     bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
-    if system.free != 0 or bounce.kind != IMPACT:
+    if bounce.kind != IMPACT:
         return here, 0.0
     return here, highest_of(system, state, bounce.time)
 
