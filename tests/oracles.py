@@ -214,8 +214,8 @@ def exact_march(
 ) -> ExactMarch:
     """March in 50 digits: each flight is sampled in double precision and its zero then refined.
 
-    Rest begins where a bounce is slower than 1e-30 and the base below uplift.  A restitution of 0 or
-    less is minus a wall's, which sends the block back to its side; the other side's lean is then
+    Rest begins where a bounce is slower than 1e-30 and the base below uplift.  A restitution of 0
+    or less is minus a wall's, which sends the block back to its side; the other side's lean is then
     infinite.
     """
     found = ExactMarch(side=side, angle=mp.mpf(angle), velocity=mp.mpf(velocity))

@@ -19,7 +19,6 @@ from rocksteady.kernels.core.tables import (
     JUMP,
     OVERTURNED,
     PASSAGE_COLUMNS,
-    ROCKING,
     ROW_ANGLE,
     ROW_COLUMNS,
     ROW_DURATION,

@@ -1,9 +1,10 @@
 """The return map of harmonic shaking: from just after one impact to just after the next.
 
 A block that rocks under harmonic shaking is known at each impact by the side it goes to, the phase
-of the shaking and its speed just after; a block against a wall always goes to the same side.  `next_passage` takes such a state to the next one with the
-exact derivative; everything about orbits, attractors and their stability is built from it alone, so
-that another model needs another `next_passage` and nothing else.
+of the shaking and its speed just after; a block against a wall always goes to the same side.
+`next_passage` takes such a state to the next one with the exact derivative; everything about
+orbits, attractors and their stability is built from it alone, so that another model needs another
+`next_passage` and nothing else.
 
 Two passages are not a plain impact.  Chatter that is proved to die out ends in a **rest**, from
 which the block lifts at a phase of its own whatever came before: the state after it is that uplift,
