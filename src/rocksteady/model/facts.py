@@ -12,7 +12,10 @@ AnyBlock = Block | DimensionlessBlock
 
 
 def block_values(block: Block) -> dict[str, Any]:
-    """Return a block's measures in SI; of one whose sides differ those of both."""
+    """Return a block's measures in SI; of one whose sides differ those of both.
+
+    Of a block against a wall those of the side on which it rocks, with the restitution of the wall.
+    """
     positive, negative = (
         {
             "alpha_rad": side.alpha,
@@ -24,13 +27,21 @@ def block_values(block: Block) -> dict[str, Any]:
     )
     if block.symmetric:
         return positive
+    if block.one_sided:
+        positive |= {"one_sided": True, "restitution": block.restitution}
+        if block.positive == block.negative:
+            return positive
     distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
-    return {**positive, **distances, "height_m": block.height, "negative": negative}
+    found = {**positive, **distances, "height_m": block.height}
+    return found if block.one_sided else {**found, "negative": negative}
 
 
 def restitution_values(block: AnyBlock) -> dict[str, Any]:
-    """Return the restitution, or that of either impact where they differ."""
-    first, second = (restitution for restitution, _, _ in block.dimensionless().sides)
+    """Return the restitution, or that of either impact where they differ; of a wall, its own."""
+    bare = block.dimensionless()
+    if bare.one_sided:
+        return {"restitution": bare.restitution, "one_sided": True}
+    first, second = (restitution for restitution, _, _ in bare.sides)
     values = {"restitution": first}
     return values if first == second else {**values, "negative_restitution": second}
 
@@ -51,6 +62,8 @@ def harmonic_values(block: AnyBlock, motion: Harmonic) -> dict[str, Any]:
 
 def restitution_text(block: AnyBlock) -> str:
     """Return what an impact leaves, of either impact where they differ."""
+    if block.one_sided:
+        return f"against a wall, restitution {number(block.restitution, 4)}"
     values = restitution_values(block)
     return "restitution " + "/".join(number(value, 4) for value in values.values())
 
@@ -65,9 +78,8 @@ def block_text(block: AnyBlock) -> str:
     """
     if isinstance(block, DimensionlessBlock):
         return restitution_text(block)
-    alphas = dict.fromkeys(angle(side.alpha) for side in (block.positive, block.negative))
     return (
-        f"alpha {'/'.join(alphas)}, R {length(block.radius)}, p {quantity(block.p, 'rad/s')}, "
+        f"alpha {_alphas(block)}, R {length(block.radius)}, p {quantity(block.p, 'rad/s')}, "
         f"{restitution_text(block)}"
     )
 
@@ -76,9 +88,15 @@ def case_text(block: AnyBlock) -> str:
     """Return a block in the few words that a title has room for."""
     if isinstance(block, DimensionlessBlock):
         return restitution_text(block)
-    alphas = dict.fromkeys(angle(side.alpha) for side in (block.positive, block.negative))
-    rate = f", p {quantity(block.p, 'rad/s')}" if block.symmetric else ""
-    return f"{restitution_text(block)}, alpha {'/'.join(alphas)}{rate}"
+    alphas = _alphas(block)
+    rate = "" if "/" in alphas else f", p {quantity(block.p, 'rad/s')}"
+    return f"{restitution_text(block)}, alpha {alphas}{rate}"
+
+
+def _alphas(block: Block) -> str:
+    """Return the slenderness of each side on which a block rocks."""
+    sides = (block.positive,) if block.one_sided else (block.positive, block.negative)
+    return "/".join(dict.fromkeys(angle(side.alpha) for side in sides))
 
 
 def frequency_text(block: AnyBlock, frequency_ratio: float) -> str:

@@ -37,7 +37,9 @@ def case_text(values: dict[str, Any]) -> str:
 
 
 def restitution_text(values: dict[str, Any]) -> str:
-    """Return what an impact leaves, of either impact where they differ."""
+    """Return what an impact leaves, of either impact where they differ; of a wall, its own."""
+    if values.get("one_sided"):
+        return f"against a wall, restitution {values['restitution']:.4g}"
     other = values.get("negative_restitution")
     if other is None:
         return f"restitution {values['restitution']:.4g}"

@@ -22,7 +22,7 @@ from rocksteady.model.blocks.sides import (
     one_restitution,
     restitution_pair,
 )
-from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
+from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic
@@ -390,7 +390,7 @@ class BlockFlags:
         if self.restitution is None or ":" not in self.restitution:
             return []
         values = axis("restitution", self.restitution)
-        bounds = "[]" if self.one_sided else "(]"
+        bounds: Ends = "[]" if self.one_sided else "(]"
         for end in (values[0], values[-1]):
             hint = f"give an axis inside {bounds[0]}0, 1]"
             in_range("restitution", end, 0.0, 1.0, bounds, hint=hint)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.base_motion import lift
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.core.tables import free_side, is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, exp, log, sin
 from rocksteady.kernels.march.replay import fill_states
 
@@ -54,7 +54,7 @@ def growth_of(course: Course, impacts: Impacts) -> float:
     sinh/rho], [rho sinh, cosh]]`` of ``rho t``, whatever the base does; in the nonlinear one K
     follows the motion (`_nonlinear_flights`).  Through an impact they follow ``[[r, 0], [(b - r
     a)/v, r]]``, with the velocity v before it, the restitution r, and the block's acceleration a
-    before and b after it.
+    before and b after it.  Of a block against a wall r is minus the wall's, and b is a.
 
     Parameters
     ----------
@@ -77,6 +77,8 @@ def growth_of(course: Course, impacts: Impacts) -> float:
         one, other = ((a * u + b * v, c * u + d * v) for u, v in (one, other))
         if row in turns:
             ratio, kink = turns[row]
+            if ratio == 0.0 and resting[row + 1 : row + 2] == [True]:
+                continue  # a wall that takes all of the velocity keeps the block, and no difference
             one, other = ((ratio * u, kink * u + ratio * v) for u, v in (one, other))
         (u, v), (x, y) = one, other
         size = math.sqrt(u * u + v * v + x * x + y * y)
@@ -213,8 +215,9 @@ def _impacts(course: Course, impacts: Impacts) -> dict[int, tuple[float, float]]
         shares, pulls = cos(alpha), pulls * sin(alpha) / alpha
     squares = np.square(sides[:, columns.RATE])
     base = (before / squares[here] + impacts.side * weight * pulls[here]) / shares[here]
-    there = 1 - here
-    after = squares[there] * (base * shares[there] + impacts.side * weight * pulls[there])
+    there = here if free_side(sides) else 1 - here
+    back = 1.0 if free_side(sides) else -1.0  # the side after the impact over that before it
+    after = squares[there] * (base * shares[there] - back * impacts.side * weight * pulls[there])
     ratios = sides[here, columns.RESTITUTION]
     with np.errstate(divide="ignore", invalid="ignore"):
         kinks = (after - ratios * before) / impacts.velocity_before

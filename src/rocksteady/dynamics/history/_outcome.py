@@ -137,7 +137,7 @@ def _peaks(run: Described) -> Iterator[Fact]:
     block = run.block
     until = ", up to overturning" if run.overturn_time_pt is not None else ""
     alphas = (block.positive.alpha, block.negative.alpha) if isinstance(block, Block) else None
-    if block.symmetric:
+    if block.symmetric or block.one_sided:
         words = peak_words(run.peak, None if alphas is None else alphas[0])
         yield Fact("peak", run.peak, "peak", words + until)
     else:
@@ -156,7 +156,11 @@ def _peaks(run: Described) -> Iterator[Fact]:
 
 
 def _restitutions(run: Described) -> Iterator[Fact]:
-    """Yield the restitution, or that of either impact where they differ."""
+    """Yield the restitution, or that of either impact where they differ; of a wall, its own."""
+    if run.block.one_sided:
+        yield Fact("restitution", run.block.restitution)
+        yield Fact("one_sided", True)
+        return
     first, second = run.sides[:, columns.RESTITUTION].tolist()
     yield Fact("restitution", first)
     if first != second:
@@ -217,5 +221,8 @@ def _demands(run: Described) -> Iterator[Fact]:
     yield Fact("pga_g", run.pga_g)
     needed = run.friction_needed
     finite = None if needed is None or math.isinf(needed) else needed
-    shown: dict[str, Any] = {"label": "friction needed", "text": number(needed)} if needed else {}
+    text = "" if needed is None else number(needed)
+    if run.block.one_sided:
+        text += ", away from the wall"
+    shown: dict[str, Any] = {"label": "friction needed", "text": text} if needed else {}
     yield Fact("friction_needed", finite, **shown)

@@ -228,7 +228,9 @@ class Physical:
         block = self._shaken_block
         if block is None:
             return None
-        least = min(block.positive.alpha, block.negative.alpha)
+        least = block.positive.alpha
+        if not block.one_sided:
+            least = min(least, block.negative.alpha)
         ratio = tan(least) if is_nonlinear(self.sides) else least
         return float(ratio) * (block.gravity / STANDARD_GRAVITY)
 
@@ -249,7 +251,8 @@ class Physical:
 
         The largest ratio of horizontal and vertical force at the pivot while the block rocks, up
         to overturning; infinite where the vertical force vanishes.  None where `uplift_g` is, or
-        if the block never rocks.
+        if the block never rocks.  Impacts count in no block.  Of one against a wall, what the wall
+        takes of the base shear while the block rests on it does not either.
         """
         if self._shaken_block is None:
             return None

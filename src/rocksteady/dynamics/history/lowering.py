@@ -148,7 +148,10 @@ def ceilings(table: Floats) -> Floats:
 
 
 def side_table(block: DimensionlessBlock) -> Floats:
-    """Return the block's sides, shape (2, 3): restitution, alpha ratio and p ratio."""
+    """Return the block's sides, shape (2, 3): restitution, alpha ratio and p ratio.
+
+    A wall's restitution has the sign of the ratio of velocities, minus.
+    """
     return np.array(block.sides)
 
 
@@ -160,7 +163,12 @@ def symmetric_sides(restitution: Floats) -> Floats:
 
 
 def side_attributes(block: Block | DimensionlessBlock) -> dict[str, float]:
-    """Return restitution and ratios of a block's sides, as a dataset names them."""
+    """Return restitution and ratios of a block's sides, as a dataset names them.
+
+    Of a block against a wall the restitution is the wall's, and ``one_sided`` is 1.
+    """
+    if block.one_sided:
+        return {"restitution": block.restitution, "one_sided": 1.0}
     (first, _, _), (second, alpha_ratio, p_ratio) = block.dimensionless().sides
     found = {"restitution": first}
     if not block.symmetric:

@@ -50,7 +50,7 @@ class Neighbour:
     scale
         Factor of the horizontal motion.
     restitution, alpha
-        Of the positive side; alpha in radians.
+        Of the positive side, or of the wall; alpha in radians.
     sign
         +1, or -1 where the horizontal motion is reversed.
     status
@@ -168,9 +168,9 @@ def check_neighbours(trajectory: Trajectory) -> Neighbours:
     The horizontal motion times .95, 1 and 1.05; restitution -.03, as it is and +.03, but at least
     half of it and at most half-way to 1; alpha x .98, as it is and x 1.02, at the same height of
     the mass centre and radius of gyration: all 26 combinations but the case itself.  Where the sign
-    of the motion matters, for an asymmetric block or one that does not start at rest, the reversed
-    case is the 27th.  Model, vertical motion and the angle and velocity of the start, in radians
-    and seconds, are those of the case.
+    of the motion matters, for an asymmetric block, one against a wall or one that does not start at
+    rest, the reversed case is the 27th.  Model, vertical motion and the angle and velocity of the
+    start, in radians and seconds, are those of the case.
 
     Parameters
     ----------
@@ -240,11 +240,12 @@ def _neighbours(case: Trajectory, block: Block) -> Iterator[Neighbour]:
 
 def _with_restitutions(block: Block, change: float) -> Block:
     """Return the block with both restitutions changed, half-way to 0 or 1 at most."""
-    first, second = (
-        min(max(ratio + change, 0.5 * ratio), 0.5 * (1.0 + ratio))
-        for ratio in (block.positive.restitution, block.negative.restitution)
-    )
-    return block.with_restitution((first, second))
+    sides = (block,) if block.one_sided else (block.positive, block.negative)
+    ratios = [
+        min(max(side.restitution + change, 0.5 * side.restitution), 0.5 * (1.0 + side.restitution))
+        for side in sides
+    ]
+    return block.with_restitution((ratios[0], ratios[-1]) if len(ratios) > 1 else ratios[0])
 
 
 def _with_slenderness(block: Block, factor: float) -> Block:

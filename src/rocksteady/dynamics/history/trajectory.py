@@ -141,7 +141,8 @@ class Trajectory(Described):
         bounce; what this leaves out is of the order of v times that.  Of a block whose sides differ
         1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.  In the
         nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in the
-        vertical motion, a times ``cos(alpha)``.
+        vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side, and
+        those still to come last ``2 v/((1 - a) (1 - r))``.
         """
         if self.status is not Status.AT_REST:
             return None
@@ -152,6 +153,9 @@ class Trajectory(Described):
             return start
         velocity = abs(float(self.impacts.velocity_after[-1]))
         towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
+        if self.block.one_sided:
+            lost = 1.0 - self.block.restitution
+            return start + 2.0 * velocity / (self._pull(0, start, -towards) * lost)
         last = 0 if self.flights.side[first - 1] > 0 else 1
         here, there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
         near, far = self._pull(1 - last, start, towards), self._pull(last, start, -towards)
@@ -225,8 +229,10 @@ class Trajectory(Described):
     def balances(self) -> tuple[float, float]:
         """Where the block balances on the negative and on the positive side, in u = theta/alpha.
 
-        -1 and 1 of a symmetric block.
+        -1 and 1 of a symmetric block, 0 and 1 of one against a wall, on which it rests.
         """
+        if self.block.one_sided:
+            return 0.0, 1.0
         positive, negative = self.sides[:, columns.LEAN].tolist()
         return -negative, positive
 
@@ -236,8 +242,11 @@ class Trajectory(Described):
 
         In units of alpha g.  In the linear model they are the `balances`; in the nonlinear one
         those times ``tan(alpha)/alpha`` of the side, as long as the base does not move vertically.
+        No acceleration lifts a block to the side of a wall: there it is minus infinity.
         """
         negative, positive = self.balances
+        if self.block.one_sided:
+            negative = -math.inf
         if not is_nonlinear(self.sides):
             return negative, positive
         first, second = self.sides[:, columns.ALPHA].tolist()

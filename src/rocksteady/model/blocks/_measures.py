@@ -1,34 +1,136 @@
-"""Description of a block: size, slenderness, rates and restitution."""
+"""Measures of a block and their description: size, slenderness, rates and restitution."""
+
+from typing import TYPE_CHECKING
 
 from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Side
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.result import Result
 
 ROUNDED = 1e-6
 """Relative difference of moments of inertia that are the same."""
 
 
-def description_of(
-    positive: Side, negative: Side, gravity: float, housner_factor: float | None = None
-) -> Description:
-    """Return the facts of a block of two sides.
+class Measured(Result):
+    """A block of two sides as equations and descriptions see it."""
 
-    A rectangle has a width and a height; of any other body the height is not known.
+    if TYPE_CHECKING:
+        positive: Side
+        negative: Side
+        gravity: float
+        housner_factor: float | None
+        wall_restitution: float | None
+
+    @property
+    def alpha(self) -> float:
+        """Slenderness of the positive side [rad]."""
+        return self.positive.alpha
+
+    @property
+    def radius(self) -> float:
+        """Distance R from the positive side's pivot to the mass centre [m]."""
+        return self.positive.radius
+
+    @property
+    def p(self) -> float:
+        """Frequency parameter of the positive side [rad/s]."""
+        return self.positive.p
+
+    @property
+    def restitution(self) -> float:
+        """Ratio of angular velocities after and before an impact that ends positive rotation.
+
+        Of a block against a wall, that of the wall.
+        """
+        if self.wall_restitution is not None:
+            return self.wall_restitution
+        return self.positive.restitution
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether a wall stops it at angle 0, so that it rocks on its positive side alone."""
+        return self.wall_restitution is not None
+
+    @property
+    def width(self) -> float:
+        """Distance between the pivots [m]; that of a rectangle is its full width."""
+        return self.positive.distance + self.negative.distance
+
+    @property
+    def height(self) -> float:
+        """Twice the height of the mass centre [m]; that of a rectangle is its full height."""
+        return 2.0 * self.positive.centre_height
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether its two sides are equal; a block against a wall has one."""
+        return self.positive == self.negative and not self.one_sided
+
+    @property
+    def lossless(self) -> bool:
+        """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
+        if self.one_sided:
+            return self.restitution == 1.0
+        return self.positive.restitution == self.negative.restitution == 1.0
+
+    @property
+    def uplift_acceleration(self) -> float:
+        """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2].
+
+        Of an asymmetric block it is that which lifts it to the positive side; the unit of all
+        accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
+        """
+        return self.positive.alpha * self.gravity
+
+    def dimensionless(self) -> DimensionlessBlock:
+        """Return what the equation of motion sees of the block in its own units.
+
+        Those of an asymmetric block are the positive side's.
+
+        Raises
+        ------
+        InputError
+            If one side's alpha or p is more than a hundred times the other's.
+        """
+        if self.one_sided:
+            return DimensionlessBlock(restitution=self.restitution, one_sided=True)
+        one, other = self.positive, self.negative
+        return DimensionlessBlock(
+            restitution=one.restitution,
+            negative_restitution=other.restitution,
+            alpha_ratio=other.alpha / one.alpha,
+            p_ratio=other.p / one.p,
+        )
+
+    def describe(self) -> Description:
+        """Return its size, slenderness and rates, for people and under the names of JSON."""
+        return description_of(self)
+
+
+def description_of(block: Measured) -> Description:
+    """Return the facts of a block.
+
+    A rectangle has a width and a height; of any other body the height is not known.  A block
+    against a wall rocks on its positive side alone, and has no rates of the other.
     """
-    symmetric = positive == negative
-    width, height = positive.distance + negative.distance, 2.0 * positive.centre_height
-    sides = (positive, negative)[: 1 if symmetric else 2]
+    positive, negative, factor = block.positive, block.negative, block.housner_factor
+    alike = positive == negative
+    width, height = block.width, block.height
+    sides = (positive,) if alike or block.one_sided else (positive, negative)
     alphas = " and ".join(angle(side.alpha) for side in sides)
-    impacts = dict.fromkeys(number(side.restitution) for side in sides)
-    restitutions = " and ".join(impacts)
-    if housner_factor is not None:
-        restitutions += f" ({number(housner_factor)} of Housner's)"
-    size = f"{number(width)} x {number(height)} m block"
+    ratios = [block.restitution] if block.one_sided else [side.restitution for side in sides]
+    restitutions = " and ".join(dict.fromkeys(number(ratio) for ratio in ratios))
+    if factor is not None:
+        source = "that from angular momentum" if block.one_sided else "Housner's"
+        restitutions += f" ({number(factor)} of {source})"
+    noun = "block against a wall" if block.one_sided else "block"
+    size = f"{number(width)} x {number(height)} m {noun}"
     lengths = Fact("", label="size", text=f"{length(width)} x {length(height)}")
-    if not _rectangular(positive, width, height, gravity):
+    if not _rectangular(positive, width, height, block.gravity):
         centre = 0.5 * height
-        size = f"{number(width)} m wide block with its mass centre at {number(centre)} m"
+        size = f"{number(width)} m wide {noun} with its mass centre at {number(centre)} m"
         lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
     uplifts = " and ".join(quantity(tan(side.alpha), "g") for side in sides)
     facts = [
@@ -36,19 +138,23 @@ def description_of(
         Fact("alpha_rad", positive.alpha, "slenderness alpha", alphas),
         Fact("radius_m", positive.radius, "radius R", _each(sides, "radius", "m")),
         Fact("p_rad_s", positive.p, "frequency p", _each(sides, "p", "rad/s")),
-        Fact("restitution", positive.restitution, "restitution", restitutions),
+        Fact("restitution", block.restitution, "restitution", restitutions),
         Fact("", label="uplift at", text=uplifts),
     ]
-    if housner_factor is not None:
-        facts.append(Fact("housner_factor", housner_factor))
-    if not symmetric:
+    if factor is not None:
+        facts.append(Fact("housner_factor", factor))
+    if block.one_sided:
+        facts.insert(0, Fact("one_sided", True, "sides", "positive (left) alone, a wall behind"))
+    elif not alike:
         facts.insert(0, Fact("", label="sides", text="positive (left) and negative (right)"))
+    if not alike:
         facts += [
             Fact("left_m", positive.distance),
             Fact("right_m", negative.distance),
             Fact("height_m", height),
-            Fact("negative", negative.to_dict()),
         ]
+        if not block.one_sided:
+            facts.append(Fact("negative", negative.to_dict()))
     return Description(headline=f"{size}, alpha {alphas}, restitution {restitutions}", facts=facts)
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
-from rocksteady.model.blocks._measures import description_of
+from rocksteady.model.blocks._measures import Measured
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
@@ -21,7 +21,6 @@ from rocksteady.model.blocks._sizes import (
     radius_of_p,
     refuse_stocky,
 )
-from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import housner_factor, noted, restitution_of
 from rocksteady.model.blocks.sides import (
     Restitution,
@@ -44,8 +43,6 @@ from rocksteady.model.blocks.sides import (
 )
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-from rocksteady.results.description import Description
-from rocksteady.results.result import Result
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
@@ -53,7 +50,7 @@ STANDARD_GRAVITY = 9.80665
 
 @checked
 @dataclass(frozen=True, kw_only=True, repr=False)
-class Block(Result):
+class Block(Measured):
     """A free-standing rigid block, made by one of the constructors below.
 
     ==========================================  ====================================================
@@ -428,67 +425,6 @@ class Block(Result):
         side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
         return cls(positive=side, negative=side, gravity=gravity, housner_factor=noted(restitution))
 
-    @property
-    def alpha(self) -> float:
-        """Slenderness of the positive side [rad]."""
-        return self.positive.alpha
-
-    @property
-    def radius(self) -> float:
-        """Distance R from the positive side's pivot to the mass centre [m]."""
-        return self.positive.radius
-
-    @property
-    def p(self) -> float:
-        """Frequency parameter of the positive side [rad/s]."""
-        return self.positive.p
-
-    @property
-    def restitution(self) -> float:
-        """Ratio of angular velocities after and before an impact that ends positive rotation.
-
-        Of a block against a wall, that of the wall.
-        """
-        if self.wall_restitution is not None:
-            return self.wall_restitution
-        return self.positive.restitution
-
-    @property
-    def one_sided(self) -> bool:
-        """Whether a wall stops it at angle 0, so that it rocks on its positive side alone."""
-        return self.wall_restitution is not None
-
-    @property
-    def width(self) -> float:
-        """Distance between the pivots [m]; that of a rectangle is its full width."""
-        return self.positive.distance + self.negative.distance
-
-    @property
-    def height(self) -> float:
-        """Twice the height of the mass centre [m]; that of a rectangle is its full height."""
-        return 2.0 * self.positive.centre_height
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether its two sides are equal; a block against a wall has one."""
-        return self.positive == self.negative and not self.one_sided
-
-    @property
-    def lossless(self) -> bool:
-        """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
-        if self.one_sided:
-            return self.restitution == 1.0
-        return self.positive.restitution == self.negative.restitution == 1.0
-
-    @property
-    def uplift_acceleration(self) -> float:
-        """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2].
-
-        Of an asymmetric block it is that which lifts it to the positive side; the unit of all
-        accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
-        """
-        return self.positive.alpha * self.gravity
-
     def against_wall(self, restitution: Restitution = "housner") -> "Block":
         """Return the block against a wall, which it leaves on its positive side alone.
 
@@ -516,7 +452,7 @@ class Block(Result):
         if factor is None:
             ratio = wall_restitution_value(restitution)
         else:
-            ratio = restitution_of(factor, wall_ratio(self.positive, self.gravity))
+            ratio = restitution_of(factor, wall_ratio(self.positive, self.negative, self.gravity))
         return replace(self, wall_restitution=ratio, housner_factor=noted(restitution))
 
     def with_restitution(self, restitution: Restitutions) -> "Block":
@@ -533,27 +469,3 @@ class Block(Result):
         one = replace(self.positive, restitution=first)
         other = replace(self.negative, restitution=second)
         return replace(self, positive=one, negative=other, housner_factor=noted(restitution))
-
-    def dimensionless(self) -> DimensionlessBlock:
-        """Return what the equation of motion sees of the block in its own units.
-
-        Those of an asymmetric block are the positive side's.
-
-        Raises
-        ------
-        InputError
-            If one side's alpha or p is more than a hundred times the other's.
-        """
-        if self.one_sided:
-            return DimensionlessBlock(restitution=self.restitution, one_sided=True)
-        one, other = self.positive, self.negative
-        return DimensionlessBlock(
-            restitution=one.restitution,
-            negative_restitution=other.restitution,
-            alpha_ratio=other.alpha / one.alpha,
-            p_ratio=other.p / one.p,
-        )
-
-    def describe(self) -> Description:
-        """Return its size, slenderness and rates, for people and under the names of JSON."""
-        return description_of(self.positive, self.negative, self.gravity, self.housner_factor)

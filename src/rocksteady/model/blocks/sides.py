@@ -291,34 +291,38 @@ def housner_restitution(
     return ratio
 
 
-def wall_ratio(side: Side, gravity: float) -> float:
+def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:
     """Return the restitution of a block against a wall by conservation of angular momentum.
 
-    A block that falls back strikes its base, the wall and its base again, each about the edge that
-    is struck::
+    A block that falls back strikes its base at the other edge, then the wall at its top, twice as
+    high as the mass centre and above that edge, then its base at the first edge.  Each impact
+    conserves angular momentum about the point that is struck, and passes its angular velocity on to
+    the next.  Of a symmetric block::
 
-        (1 - 2 k sin^2 alpha)^2 |1 - 2 k cos^2 alpha|,    k = p^2 R/g
+        (1 - 2 k sin^2 alpha)^2 (2 k cos^2 alpha - 1),    k = p^2 R/g
 
-    with k = 3/4 of a rectangle (Sorrentino, Kunnath, Monti and Scalora 2008).  It tends to 1/2 of a
-    slender rectangle.
+    with k = 3/4 of a rectangle (Sorrentino, Kunnath, Monti and Scalora 2008; Sorrentino, AlShawa
+    and Decanini 2011).  It tends to 1/2 of a slender rectangle.  In general the two impacts on the
+    base have their own values of `impact_restitution`, and alpha and k of the wall's factor are
+    those of the edge beneath it.
 
     Raises
     ------
     InputError
-        If the block is so stocky that the wall does not turn it back.
+        If the block is so stocky that the base or the wall does not turn it back.
     """
-    share = side.p * side.p * side.radius / gravity
-    sine, cosine = float(sin(side.alpha)), float(cos(side.alpha))
+    share = negative.p * negative.p * negative.radius / gravity
+    cosine = float(cos(negative.alpha))
     wall = 2.0 * share * cosine * cosine - 1.0
-    if wall < 0.0:
+    first, second = housner_pair(positive, negative, gravity)
+    if min(first, second) <= 0.0 or wall < 0.0:
         raise InputError(
             "restitution",
             "housner",
-            f"a block of alpha = {side.alpha:.4g} rad is not turned back by a wall",
+            f"a block of alpha = {positive.alpha:.4g} rad is not turned back by a wall",
             "give the restitution as a number in [0, 1]",
         )
-    base = 1.0 - 2.0 * share * sine * sine
-    return base * base * wall
+    return first * second * wall
 
 
 def housner_ratio(

@@ -89,7 +89,7 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
     """
     block = trajectory.block
     if not isinstance(block, Block):
-        lean = -trajectory.balances[0]
+        lean = 1.0 if block.one_sided else -trajectory.balances[0]
         widest = max(lean, 1.0)  # the alpha of either side stays below a right angle
         hint = "give the slenderness in radians of the rectangle to draw"
         slenderness = in_range(

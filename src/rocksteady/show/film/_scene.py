@@ -76,10 +76,12 @@ class BlockScene:
         self.shape = shape_of(trajectory, alpha)
         self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
         self.largest = largest_acceleration(trajectory.segments)
-        negative, positive = self.uplifts = trajectory.uplifts
-        # Arrows fit in beside the marks of both uplift accelerations.
-        self.strongest_push = max(self.largest, positive, -negative)
-        self.symbol = "α" if -negative == positive else "α₊"
+        self.one_sided = trajectory.block.one_sided
+        negative, positive = trajectory.uplifts
+        self.uplifts = (positive,) if self.one_sided else (negative, positive)
+        # Arrows fit in beside the marks of all uplift accelerations.
+        self.strongest_push = max(self.largest, *map(abs, self.uplifts))
+        self.symbol = "α" if self.one_sided or -negative == positive else "α₊"
         self._view(times)
         before = set(axes.get_children())
         self._draw()
@@ -186,6 +188,8 @@ class BlockScene:
                 zorder=2.0,
             )
         )
+        if self.one_sided:
+            self._draw_wall(ground)
         surface = [((-wide, 0.0), (wide, 0.0))]
         strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
         hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
@@ -233,7 +237,7 @@ class BlockScene:
         self.rings = {
             side: axes.plot(
                 [side * b],
-                [0.0],
+                [h if self.one_sided else 0.0],  # of a wall, where the block's top strikes it
                 marker="o",
                 mfc="none",
                 mec=self.inks.impact,
@@ -254,6 +258,30 @@ class BlockScene:
         self.verdict.set_fontweight("bold")
         self.tilt.set_color(self.inks.lines[0])
         self.push.set_color(self.inks.base)
+
+    def _draw_wall(self, ground: "Transform") -> None:
+        """Make the wall behind the block, which stands on the ground and moves with it."""
+        from matplotlib.collections import LineCollection
+        from matplotlib.patches import Rectangle
+
+        axes, r, b = self.axes, self.shape.radius, self.shape.half_width
+        thick, high = 0.5 * THICKNESS * r, 1.03 * self.shape.height
+        axes.add_patch(
+            Rectangle(
+                (b, 0.0), thick, high, transform=ground, facecolor=palette.GROUND, lw=0, zorder=2.0
+            )
+        )
+        strokes = np.arange(0.11 * r, high, 0.11 * r)
+        hatching = [((b, y), (b + 0.07 * r, y - 0.07 * r)) for y in strokes]
+        face = [((b, 0.0), (b, high))]
+        for lines, colour, width in (
+            (hatching, palette.FAINT, 0.7),
+            (face, self.inks.ink, 1.2),
+        ):
+            drawn = LineCollection(
+                lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
+            )
+            axes.add_collection(drawn, autolim=False)
 
     def _written(self, line: int, size: float, side: Literal["left", "right"] = "left") -> "Text":
         """Make a text in a line above the block."""
@@ -290,8 +318,8 @@ class BlockScene:
         )
         axes.add_patch(self.arrow)
         lifts = self.arrow_length / self.strongest_push
-        negative, positive = self.uplifts
-        for x, reach in ((negative * lifts, 0.055), (0.0, 0.09), (positive * lifts, 0.055)):
+        marks = [(level * lifts, 0.055) for level in self.uplifts]
+        for x, reach in ((0.0, 0.09), *marks):
             axes.plot(
                 [x, x],
                 [self.arrow_y - reach * r, self.arrow_y + reach * r],
@@ -335,7 +363,10 @@ class BlockScene:
         return f"pt = {s:.2f}"
 
     def _flash(self, s: float) -> None:
-        """Draw a ring at each corner that has struck, wider and fainter the longer ago."""
+        """Draw a ring at each corner that has struck, wider and fainter the longer ago.
+
+        Of a block against a wall it is at the top corner, which strikes that.
+        """
         impacts = self.trajectory.impacts
         first, last = np.searchsorted(impacts.pt, [s - self.glow, s], side="right")
         age = (s - impacts.pt[first:last]) / self.glow

@@ -114,6 +114,8 @@ class Film:
             {"marker": "|", "mec": palette.FAINT, "mew": 1.0, "ms": 7.0},
         ]
         inside = "|θ| < α" if self.scene.symbol == "α" else "−α₋ < θ < α₊"
+        if self.scene.one_sided:
+            inside = "θ < α"
         words = ["mass centre", "pivot", "impact", "base acceleration a", uplift_words(self.scene)]
         if self.scene.largest == 0.0:
             looks, words = looks[:3], words[:3]
@@ -173,6 +175,8 @@ def title(scene: BlockScene) -> str:
 def uplift_words(scene: BlockScene) -> str:
     """Return which base accelerations lift the block from rest."""
     nonlinear = isinstance(scene.trajectory.model, Nonlinear)
+    if scene.one_sided:
+        return "a = g tan α: uplift" if nonlinear else "a = αg: uplift"
     if scene.symbol == "α":
         return "a = ±g tan α: uplift" if nonlinear else "a = ±αg: uplift"
     return "a = g tan α₊, −g tan α₋: uplift" if nonlinear else "a = α₊g, −α₋g: uplift"
@@ -183,11 +187,15 @@ def block_words(scene: BlockScene) -> list[str]:
     trajectory, block = scene.trajectory, scene.trajectory.block
     first, second = trajectory.sides[:, 0].tolist()
     parts = [
-        f"restitution {first:.4g}" if first == second else f"restitution {first:.3g}/{second:.3g}"
+        f"against a wall, restitution {block.restitution:.4g}"
+        if block.one_sided
+        else f"restitution {first:.4g}"
+        if first == second
+        else f"restitution {first:.3g}/{second:.3g}"
     ]
     if not isinstance(block, Block):
         return [*parts, f"drawn with {scene.symbol} = {scene.shape.alpha:.4g} rad"]
-    if block.symmetric:
+    if block.symmetric or block.one_sided:
         return [*parts, f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s"]
     return [*parts, f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"]
 

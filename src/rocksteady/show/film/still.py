@@ -27,7 +27,8 @@ def plot_block(
 
     The block stands on the corner with the black triangle; its mass centre is the white circle. As
     long as that is above the blue band between the two corners' verticals, |theta| < alpha.  A ring
-    fades at the corner that has struck last.  The arrow in the ground is the base acceleration; the
+    fades at the corner that has struck last.  A wall behind the block is hatched as the ground is,
+    and its ring is at the top of the block.  The arrow in the ground is the base acceleration; the
     marks beside its root are alpha g, which lifts a block at rest.
 
     A `rocksteady.Block` is drawn in metres, as the rectangle that it is (or that has its pivots and

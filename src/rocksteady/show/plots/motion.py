@@ -24,6 +24,8 @@ HEADROOM = 0.15
 """Part of the height of a time history that is left free above it for the legend."""
 AT_REST = "at rest throughout:\nno angle, no velocity"
 """In the phase plane of a block that never moves."""
+WALL_SHARE = 0.08
+"""Of the angles above 0: how much of the wall is shown below it."""
 CROWD = 150
 """Number of impacts from which on their marks shrink."""
 
@@ -41,7 +43,11 @@ def label_of(trajectory: Trajectory, name: str) -> str:
     """Return the label of an axis; where the block's sides differ it says whose alpha it is."""
     negative, positive = trajectory.balances
     text = palette.LABELS[name]
-    return text if -negative == positive else text.replace(r"\alpha", r"\alpha_+")
+    return (
+        text
+        if trajectory.block.one_sided or -negative == positive
+        else text.replace(r"\alpha", r"\alpha_+")
+    )
 
 
 @checked
@@ -56,7 +62,8 @@ def plot_trajectory(
     """Draw angle against time with every impact, and the rest or overturning that ends it.
 
     Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.  Each
-    line is at the alpha of its side; the unit is that of the positive one.
+    line is at the alpha of its side; the unit is that of the positive one.  A wall behind the block
+    is hatched, below angle 0.
 
     Parameters
     ----------
@@ -95,6 +102,8 @@ def plot_trajectory(
     axes.axhspan(*trajectory.balances, color=palette.SYMMETRIC, alpha=0.12, lw=0)
     for level in trajectory.balances:
         axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
+    if trajectory.block.one_sided:
+        draw_wall(axes, "y")
     axes.plot(motion.pt * scale, motion.angle, color=inks.lines[0])
     impacts = trajectory.impacts.pt
     impacts = impacts[(impacts >= start) & (impacts <= end)]
@@ -149,13 +158,25 @@ def angle_limits(
     lowest, highest = float(angle.min()), float(angle.max())
     negative, positive = trajectory.balances
     if trajectory.status is Status.OVERTURNED and (lowest < negative or highest > positive):
-        return min(1.15 * negative, 1.1 * lowest), max(1.15 * positive, 1.1 * highest)
+        high = max(1.15 * positive, 1.1 * highest)
+        wall = trajectory.block.one_sided
+        return -WALL_SHARE * high if wall else min(1.15 * negative, 1.1 * lowest), high
     # A block that hardly rocks fills the picture; one that does not move has no scale of its own.
     least = 0.0 if 0.0 < trajectory.peak < 0.6 else max(positive, -negative)
     reach = 1.12 * max(-lowest, highest, least)
     if reach == 0.0:  # at rest in this part of the run
         reach = 1.12 * trajectory.peak
+    if trajectory.block.one_sided:
+        return -WALL_SHARE * reach, reach * (1.0 + headroom)
     return -reach, reach * (1.0 + 2.0 * headroom)
+
+
+def draw_wall(axes: "Axes", angles: Literal["x", "y"]) -> None:
+    """Draw the wall at the negative angles of an axis, its face at 0."""
+    inks = inks_of(axes)
+    span, line = (axes.axhspan, axes.axhline) if angles == "y" else (axes.axvspan, axes.axvline)
+    span(-2.0, 0.0, facecolor=inks.grid, edgecolor=inks.faint, hatch="////", lw=0, alpha=0.6)
+    line(0.0, color=inks.ink, lw=1.2)
 
 
 def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float, float]:
@@ -188,7 +209,7 @@ def plot_base(
     matplotlib.axes.Axes
         The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed where a
         block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
-        their own alpha.  Impulses are arrows without a scale.
+        their own alpha, of one against a wall at 1 alone.  Impulses are arrows without a scale.
 
     Examples
     --------
@@ -213,7 +234,7 @@ def plot_base(
             axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
             heads = np.full(len(at), sign * height)
             axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
-    for level in trajectory.uplifts:
+    for level in filter(math.isfinite, trajectory.uplifts):
         axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
     axes.set(
         xlabel=label,
@@ -261,7 +282,7 @@ def plot_phase_portrait(
     mark: Literal["start", "impacts"] = "start",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw velocity against angle; impacts are the steps at angle 0.
+    """Draw velocity against angle; impacts are the steps at angle 0, where a wall is hatched.
 
     Of a block that never moves there is a text instead of a curve.
 
@@ -302,6 +323,10 @@ def plot_phase_portrait(
         axes.text(0.0, 0.12, AT_REST, ha="center", va="bottom", color=inks.ink)
         return axes
     axes.plot(angle, velocity, color=inks.lines[0], lw=0.8, alpha=0.8)
+    if trajectory.block.one_sided:
+        widest = float(angle.max())
+        draw_wall(axes, "x")
+        axes.set_xlim(-WALL_SHARE * widest, 1.05 * widest)
     if mark == "start":
         axes.plot(angle[0], velocity[0], "o", ms=4, color=inks.ink, ls="none", label="start")
     else:
