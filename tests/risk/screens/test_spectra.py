@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, Record, compute_response_spectrum
-from rocksteady.risk.screens._spectra import (
+from rocksteady.risk.screens.spectra import (
     Chain,
     RecordSpectrum,
     damping_factor,

@@ -27,7 +27,7 @@ from functools import cached_property
 
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.sides import Side
-from rocksteady.risk.screens._spectra import Chain
+from rocksteady.risk.screens.spectra import Chain
 
 LEAST = 1e-9
 """Of alpha: rotations below it are not looked at; capacity and demand do not change there."""

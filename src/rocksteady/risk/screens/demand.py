@@ -10,7 +10,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.screens._spectra import read_table, tabulated
+from rocksteady.risk.screens.spectra import read_table, tabulated
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import integrate_record
 

@@ -114,14 +114,15 @@ class TabulatedSpectrum:
         nearest is scaled by ``eta = sqrt(10/(5 + xi)) >= 0.55``, xi in per cent (EN 1998-1 eq.
         3.6), but for the row at period 0, which no damping changes.
         """
-        values, how = self._scaled(damping)
+        values, how = self.scaled(damping)
         periods = self.periods_s.copy()
         if periods[0] == 0.0:
             periods[0] = RIGID_S if periods[1] > RIGID_S else 0.5 * periods[1]
         metres = STANDARD_GRAVITY * values
         return Chain(tuple(periods.tolist()), tuple(metres.tolist())), how
 
-    def _scaled(self, damping: float) -> tuple[Floats, str]:
+    def scaled(self, damping: float) -> tuple[Floats, str]:
+        """Return the values of `at_damping` at the periods of the table [g], and how."""
         given = self.dampings
         percent = f"{100.0 * damping:.3g} %"
         for i, value in enumerate(given):

@@ -1,0 +1,250 @@
+"""Checks of a facade side by side: each limit state by each method, and why methods disagree."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final, Literal, Protocol
+
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import length, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.facades.facade import Facade
+from rocksteady.risk.facades.facade_demand import FacadeDemand, LimitState
+from rocksteady.risk.facades.mechanism import Mechanism
+from rocksteady.risk.facades.remark import Remark
+
+Method = Literal["linear", "nonlinear static", "dynamic"]
+
+PAGES: Final = "272-277"
+"""Pages of the circular, as the transcription has them."""
+
+
+class RunsUnderRecords(Protocol):
+    """Runs of a facade under records, as `FacadeRuns`."""
+
+    @property
+    def limit_state(self) -> str:
+        """The limit state that the records stand for."""
+
+    @property
+    def mean_m(self) -> float | None:
+        """Mean of the largest displacements [m]; None of too few records."""
+
+    @property
+    def beyond(self) -> tuple[str, ...]:
+        """Names of the records with a run beyond d0."""
+
+    def describe(self) -> Description:
+        """Return the runs."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Check:
+    """One check of a facade: a limit state by a method.
+
+    Attributes
+    ----------
+    limit_state
+        "SLD", "SLV" or "SLC".
+    method
+        "linear", "nonlinear static" or "dynamic".
+    formula
+        Number of the formula or of the paragraph of the circular.
+    page
+        Its pages, of the transcription.
+    quantity, unit
+        What is compared: "acceleration" in g, or "displacement" in m.
+    demand
+        What the earthquake demands; None without, infinite with a run beyond d0.
+    capacity
+        What the facade has.
+    satisfied
+        Whether the demand is at most the capacity; None without a demand.
+    remarks
+        How the demand was made, or why there is none.
+    """
+
+    limit_state: LimitState
+    method: Method
+    formula: str
+    page: str = PAGES
+    quantity: Literal["acceleration", "displacement"]
+    unit: Literal["g", "m"]
+    demand: float | None
+    capacity: float
+    satisfied: bool | None
+    remarks: tuple[Remark, ...] = ()
+
+    @property
+    def remark(self) -> str:
+        """The remarks in English."""
+        return "; ".join(map(str, self.remarks))
+
+    @property
+    def ratio(self) -> float | None:
+        """Demand over capacity; None without a demand."""
+        return None if self.demand is None else self.demand / self.capacity
+
+    def words(self, value: float | None) -> str:
+        """Return a demand or a capacity as people read it."""
+        if value is None:
+            return "—"
+        if value == float("inf"):
+            return "beyond d0"
+        return quantity(value, "g") if self.unit == "g" else length(value)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class FacadeCheck(Result):
+    """Checks of a facade by C8.7.1 of Circolare 2019 n. 7, from `rocksteady.check_facade`.
+
+    Attributes
+    ----------
+    facade, demand, runs
+        What was checked, for what, and its runs under records; None without.
+    checks
+        One for each limit state and method.
+    """
+
+    facade: Facade
+    demand: FacadeDemand
+    runs: RunsUnderRecords | None
+    checks: tuple[Check, ...]
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Overturning of the facade about its hinge."""
+        return self.facade.mechanism
+
+    def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:  # noqa: FBT001
+        """Return the checks of a limit state that accept it, or those that refuse it.
+
+        Parameters
+        ----------
+        limit_state
+            "SLD", "SLV" or "SLC".
+        satisfied
+            True for those that accept.
+        """
+        return tuple(
+            check
+            for check in self.checks
+            if check.limit_state == limit_state and check.satisfied is satisfied
+        )
+
+    @property
+    def states(self) -> tuple[LimitState, ...]:
+        """The limit states with a verdict."""
+        found = {check.limit_state: None for check in self.checks if check.satisfied is not None}
+        return tuple(found)
+
+    @property
+    def reasons(self) -> tuple[Remark, ...]:
+        """Why the methods disagree on a limit state; none where they agree."""
+        return tuple(dict.fromkeys(self._reasons()))
+
+    def _reasons(self) -> Iterator[Remark]:
+        for state in self.states:
+            accepting = {check.method for check in self.decided(state, True)}
+            refusing = {check.method for check in self.decided(state, False)}
+            if "nonlinear static" in accepting | refusing and "dynamic" in accepting | refusing:
+                if not {"nonlinear static", "dynamic"} <= accepting and not {
+                    "nonlinear static",
+                    "dynamic",
+                } <= refusing:
+                    period = self.mechanism.t_slc_s if state == "SLC" else self.mechanism.t_slv_s
+                    damping = "10" if state == "SLC" else "8"
+                    yield Remark("static_or_dynamic", (f"{period:.3g}", damping))
+            if accepting and refusing and "linear" in accepting | refusing:
+                yield Remark("linear_or_displacement")
+
+    @property
+    def verdict(self) -> str:
+        """Which checks accept and which refuse, in a line."""
+        parts = []
+        for state in self.states:
+            yes, no = self.decided(state, True), self.decided(state, False)
+            words = [f"accepted by {_listed(yes)}"] if yes else []
+            words += [f"refused by {_listed(no)}"] if no else []
+            parts.append(f"{state} {' and '.join(words)}")
+        return f"{self.facade.name}: " + (
+            "; ".join(parts) if parts else "capacity alone, no demand is given"
+        )
+
+    @property
+    def sentence(self) -> str:
+        """The verdict, and why methods disagree where they do."""
+        return " ".join([f"{self.verdict}.", *map(str, self.reasons)])
+
+    @property
+    def remarks(self) -> tuple[Remark, ...]:
+        """What a reader must know of the formulas."""
+        found = self.mechanism
+        numbers = (1.0 / found.e_star, found.alpha0, found.uplift_g, found.a0_g)
+        remarks = [
+            Remark("transcription"),
+            Remark("second_bullets"),
+            Remark("uplift", tuple(f"{value:.3g}" for value in numbers)),
+        ]
+        facade = self.facade
+        if facade.loads or facade.masses or facade.ties or facade.thrusts:
+            remarks.append(Remark("in_line"))
+        return tuple(remarks)
+
+    def describe(self) -> Description:
+        """Return the mechanism, a row for each check, the reasons and what was assumed."""
+        mechanism = self.mechanism.describe()
+        rows = [_row(check) for check in self.checks]
+        shown = [
+            {**row, "demand": check.words(check.demand), "capacity": check.words(check.capacity)}
+            for check, row in zip(self.checks, rows, strict=True)
+        ]
+        columns = [
+            Column("limit_state", "limit state", left=True),
+            Column("method", "method", left=True),
+            Column("formula", "formula", left=True),
+            Column("demand", "demand"),
+            Column("capacity", "capacity"),
+            Column("satisfied", "satisfied"),
+        ]
+        facts = [*mechanism.facts, Fact("verdict", self.sentence)]
+        if self.runs is not None:
+            facts.append(Fact("runs", self.runs.describe().to_dict()))
+        remarks = [
+            f"{check.limit_state} {check.method}: {check.remark}."
+            for check in self.checks
+            if check.remarks
+        ]
+        return Description(
+            headline=self.verdict,
+            facts=facts,
+            tables=[Table("checks", rows), Table("", shown, columns)],
+            notes=[*map(str, self.reasons), *remarks, *map(str, self.remarks)],
+        )
+
+
+def _row(check: Check) -> dict[str, object]:
+    """Return a check as plain values."""
+    return {
+        "limit_state": check.limit_state,
+        "method": check.method,
+        "formula": check.formula,
+        "page": check.page,
+        "quantity": check.quantity,
+        "unit": check.unit,
+        "demand": None if check.demand == float("inf") else check.demand,
+        "capacity": check.capacity,
+        "satisfied": check.satisfied,
+        "remark": check.remark,
+    }
+
+
+def _listed(checks: tuple[Check, ...]) -> str:
+    """Return the methods with demand and capacity."""
+    words = [
+        f"{check.method} ({check.words(check.demand)} of {check.words(check.capacity)})"
+        for check in checks
+    ]
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)

@@ -1,0 +1,68 @@
+"""Demand on a facade: a spectrum for each limit state."""
+
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+from rocksteady.model.checks.arguments import checked
+
+LimitState = Literal["SLD", "SLV", "SLC"]
+
+
+class DemandSpectrum(Protocol):
+    """What a limit state demands: an elastic spectrum, a table, or the spectra of records."""
+
+    def sa_g(self, period_s: float, damping: float) -> float:
+        """Return the spectral acceleration [g] at a period [s]; the peak at period 0."""
+
+    def displacement_m(self, period_s: float, damping: float) -> float:
+        """Return the displacement [m] that is demanded at a secant period [s]."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class FacadeDemand:
+    """Spectra at the base of a facade, one for each limit state.
+
+    Parameters
+    ----------
+    sld, slv, slc
+        `ElasticSpectrum` at the ground, `SpectrumTable` of the ground or of a floor, or
+        `RecordDemand`; None (default) where a limit state is not checked.
+
+    Raises
+    ------
+    InputError
+        If one is no spectrum.
+
+    Examples
+    --------
+    >>> from rocksteady import ElasticSpectrum
+    >>> rock = ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil="A")
+    >>> FacadeDemand(slv=rock).given
+    ('SLV',)
+    """
+
+    sld: DemandSpectrum | None = None
+    slv: DemandSpectrum | None = None
+    slc: DemandSpectrum | None = None
+
+    @property
+    def given(self) -> tuple[str, ...]:
+        """The limit states that have a demand."""
+        states = {"SLD": self.sld, "SLV": self.slv, "SLC": self.slc}
+        return tuple(state for state, spectrum in states.items() if spectrum is not None)
+
+    def of(self, limit_state: LimitState) -> DemandSpectrum | None:
+        """Return the spectrum of a limit state; None without.
+
+        Parameters
+        ----------
+        limit_state
+            "SLD", "SLV" or "SLC".
+
+        Raises
+        ------
+        InputError
+            If it is none of them.
+        """
+        return {"SLD": self.sld, "SLV": self.slv, "SLC": self.slc}[limit_state]

@@ -1,0 +1,233 @@
+"""Spectra in tables, of the ground or of a floor: Sa [g] over the period at one or more dampings."""
+
+import functools
+import math
+from bisect import bisect_right
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number
+from rocksteady.risk.facades.elastic_spectrum import damping_value, displacement_of, period_value
+from rocksteady.risk.facades.remark import Remark
+from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
+from rocksteady.risk.screens.spectra import RIGID_S, TabulatedSpectrum, damping_factor, tabulated
+
+HINT: Final = "write period_s,sa_g and a line for each period, the first one 0"
+COLUMNS: Final = Columns(
+    known=("period_s", "sa_g", "damping"),
+    needed={
+        "period_s": ("periods are in seconds", HINT),
+        "sa_g": ("spectral accelerations are in g", HINT),
+    },
+    things="points",
+    example="period_s,sa_g",
+)
+MOST_G: Final = 30.0
+"""Spectral acceleration [g] above which a table is taken for one in m/s^2 or in per cent."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SpectrumTable:
+    """Acceleration spectrum of the ground or of a floor as a table.
+
+    Between its rows ln Sa is linear in ln T; between two dampings in ln(damping).  At a damping
+    outside of those given the nearest is scaled by ``eta = sqrt(10/(5 + xi)) >= 0.55``, xi in per
+    cent, but for the row at period 0.  Beyond its rows a table is not continued.
+
+    Parameters
+    ----------
+    periods_s
+        Periods [s], ascending, shape (n,); the first is 0 where the peak is needed.
+    values_g
+        Spectral accelerations [g], shape (n,), or (n, k) for k dampings.
+    damping
+        1 being critical, as 0.05; k of them for k columns.
+
+    Raises
+    ------
+    InputError
+        If it is no such table.
+
+    Examples
+    --------
+    >>> floor = SpectrumTable(periods_s=[0.0, 0.4, 4.0], values_g=[0.3, 1.2, 0.12], damping=0.05)
+    >>> print(f"{floor.sa_g(0.0, 0.08):.3f} {floor.sa_g(1.2, 0.05):.3f}")
+    0.300 0.400
+    """
+
+    periods_s: Any
+    values_g: Any
+    damping: Any
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        table = _tabulated(self.periods_s, self.values_g, self.damping)
+        object.__setattr__(self, "periods_s", tuple(table.periods_s.tolist()))
+        object.__setattr__(self, "values_g", tuple(map(tuple, table.values_g.tolist())))
+        object.__setattr__(self, "damping", table.dampings)
+
+    @functools.cached_property
+    def _table(self) -> TabulatedSpectrum:
+        return _tabulated(self.periods_s, self.values_g, self.damping)
+
+    def sa_g(self, period_s: float, damping: float) -> float:
+        """Return the spectral acceleration [g] at a period.
+
+        Parameters
+        ----------
+        period_s
+            T [s]; 0 for the peak of the acceleration.
+        damping
+            1 being critical, in (0, 1), as 0.08.
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range.
+        ModelError
+            If the period is outside the table.
+        """
+        t, xi = period_value(period_s), damping_value(damping)
+        first, last = self.periods_s[0], self.periods_s[-1]
+        if t > last or (t < first and first > RIGID_S):
+            raise ModelError(
+                "period_s",
+                Words(f"{number(t, 4)} is outside the table"),
+                f"it goes from {number(first)} to {number(last)} s and is not continued",
+                "add rows to the table" + (", the first at period 0" if t < first else ""),
+            )
+        chain, _ = self._table.at_damping(xi, last)
+        return chain.at(t) / STANDARD_GRAVITY
+
+    def displacement_m(self, period_s: float, damping: float) -> float:
+        """Return the demand of displacement S_e T^2/(4 pi^2) [m] (C8.7.1.12).
+
+        Parameters and errors are those of `sa_g`.
+        """
+        return displacement_of(self.sa_g(period_s, damping), period_s)
+
+    def remark(self, damping: float) -> Remark:
+        """Return how a damping follows from those of the table."""
+        xi, given = damping_value(damping), self.damping
+        wanted = number(100.0 * xi)
+        if any(math.isclose(each, xi, rel_tol=1e-9) for each in given):
+            return Remark("table_as_given", (wanted,))
+        place = bisect_right(given, xi)
+        if 0 < place < len(given):
+            low, high = given[place - 1], given[place]
+            return Remark("table_between", (number(100.0 * low), number(100.0 * high), wanted))
+        nearest = given[0 if place == 0 else -1]
+        factor = damping_factor(xi) / damping_factor(nearest)
+        return Remark("table_scaled", (number(100.0 * nearest), wanted, number(factor)))
+
+
+@checked
+def read_spectrum_table(path: Path | str, *, damping: float | None = None) -> SpectrumTable:
+    """Read an acceleration spectrum from a table in CSV.
+
+    Parameters
+    ----------
+    path
+        The file: columns ``period_s`` [s], ``sa_g`` [g] and, where they are several, ``damping``.
+    damping
+        Damping of a table without that column, as 0.05.
+
+    Returns
+    -------
+    SpectrumTable
+        The spectrum.
+
+    Raises
+    ------
+    InputError
+        With line and column, if the file cannot be read or a cell is no number.
+    ModelError
+        If the damping is given twice or not at all.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "floor.csv")
+    ...     _ = file.write_text("period_s,sa_g\n0,0.3\n0.4,1.2\n4,0.12\n", "utf-8")
+    ...     floor = read_spectrum_table(file, damping=0.05)
+    >>> print(f"{floor.sa_g(0.4, 0.05):.2f}")
+    1.20
+    """
+    file = Path(path)
+    table = read_csv_table(file, COLUMNS, name="spectrum", hint=HINT)
+    several = "damping" in table.header
+    if several == (damping is not None):
+        raise ModelError(
+            f"{table.source}: damping",
+            Words("is given twice" if several else "is not given"),
+            "a table has one damping, or a column of them",
+            "leave one out" if several else "give damping, as 0.05, or add a column",
+        )
+    curves: dict[float, dict[float, float]] = {}
+    for place, cells in table.lines():
+        period = _cell(place, "period_s", cells["period_s"])
+        xi = _cell(place, "damping", cells["damping"]) if several else damping
+        assert xi is not None
+        curve = curves.setdefault(xi, {})
+        if period in curve:
+            hint = "give each period once for each damping"
+            raise InputError(f"{place}, period_s", cells["period_s"], "it occurs twice", hint)
+        curve[period] = _cell(place, "sa_g", cells["sa_g"])
+    periods = list(next(iter(curves.values())))
+    for xi, curve in curves.items():
+        if list(curve) != periods:
+            raise ModelError(
+                f"{table.source}: damping",
+                Words(f"{xi:g} has other periods than {next(iter(curves)):g}"),
+                "each damping has the same periods in the same order",
+                "give one sa_g for each period and damping",
+            )
+    rows = [[curve[period] for curve in curves.values()] for period in periods]
+    try:
+        return SpectrumTable(periods_s=periods, values_g=rows, damping=list(curves))
+    except InputError as error:
+        raise InputError(
+            f"{table.source}: {error.name}", error.value, error.valid, error.hint
+        ) from None
+
+
+def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
+    """Return a validated table."""
+    import numpy as np
+
+    hint = "give periods_s and values_g, one number or one row for each period"
+    try:
+        one, other = np.asarray(periods, np.float64), np.asarray(values, np.float64)
+        rows = np.column_stack([one, other])
+    except (TypeError, ValueError):
+        raise InputError("values_g", values, "there is one for each period", hint) from None
+    if one.ndim != 1 or other.ndim not in (1, 2) or not rows.size:
+        raise InputError("values_g", values, "there is one for each period", hint)
+    if rows[:, 1:].max() > MOST_G:
+        hint = "give values in g: divide m/s^2 by 9.81"
+        raise InputError("values_g", float(rows[:, 1:].max()), f"it is at most {MOST_G:g} g", hint)
+    dampings = list(damping) if isinstance(damping, list | tuple | np.ndarray) else [damping]
+    for each in dampings:
+        damping_value(each)
+    found = tabulated(rows.tolist(), dampings)
+    assert found is not None
+    return found
+
+
+def _cell(place: str, column: str, text: str) -> float:
+    """Return the number of a cell."""
+    try:
+        value = float(text) if text.isascii() else math.nan
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        hint = "write a point for a decimal comma" if "," in text else "write a number alone"
+        raise InputError(f"{place}, {column}", text, "it must be a number", hint)
+    return value
