@@ -8,13 +8,9 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
-from rocksteady.risk.facades.facade_check import (
-    Check,
-    FacadeCheck,
-    Method,
-    RunsUnderRecords,
-)
+from rocksteady.risk.facades.facade_check import Check, FacadeCheck, Method
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand, LimitState
+from rocksteady.risk.facades.facade_runs import FEWEST, FacadeRuns
 from rocksteady.risk.facades.mechanism import Mechanism
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
@@ -26,13 +22,11 @@ PEAK_DAMPING: Final = 0.05
 """Damping at period 0, where it changes nothing."""
 DAMPINGS: Final = {"SLV": 0.08, "SLC": 0.1}
 """Damping of the nonlinear static check by the limit state."""
-FEWEST: Final = 7
-"""Records from which on a mean counts."""
 
 
 @checked
 def check_facade(
-    facade: Facade, demand: FacadeDemand | None = None, *, runs: RunsUnderRecords | None = None
+    facade: Facade, demand: FacadeDemand | None = None, *, runs: FacadeRuns | None = None
 ) -> FacadeCheck:
     """Check a facade by the linear, nonlinear static and dynamic methods of C8.7.1.
 
@@ -74,7 +68,7 @@ def check_facade(
     >>> site = ElasticSpectrum(ag_g=0.15, f0=2.5, tc_star_s=0.35, soil="B")
     >>> found = check_facade(wall, FacadeDemand(slv=site))
     >>> print(found.verdict)
-    front: SLV accepted by linear (0.09 g of 0.0988 g) and refused by nonlinear static (107 mm of \
+    front: SLV accepted by linear (0.09 g of 0.0988 g) and refused by nonlinear static (91.2 mm of \
 80 mm)
     """
     given = FacadeDemand() if demand is None else demand
@@ -86,18 +80,12 @@ def check_facade(
     )
 
 
-def _checks(
-    mechanism: Mechanism, demand: FacadeDemand, runs: RunsUnderRecords | None
-) -> Iterator[Check]:
+def _checks(mechanism: Mechanism, demand: FacadeDemand, runs: FacadeRuns | None) -> Iterator[Check]:
     """Yield the checks in the order of the table."""
     yield _peak(mechanism, "SLD", demand.sld, "C8.7.1.8", 1.0)
     yield _peak(mechanism, "SLV", demand.slv, "C8.7.1, q = 2", BEHAVIOUR_FACTOR)
-    yield _secant(
-        "SLV", demand.slv, "C8.7.1.10, 12", mechanism.t_slv_s, mechanism.d_slv_m
-    )
-    yield _secant(
-        "SLC", demand.slc, "C8.7.1.11, 12", mechanism.t_slc_s, mechanism.d_slc_m
-    )
+    yield _secant("SLV", demand.slv, "C8.7.1.10, 12", mechanism.t_slv_s, mechanism.d_slv_m)
+    yield _secant("SLC", demand.slc, "C8.7.1.11, 12", mechanism.t_slc_s, mechanism.d_slc_m)
     yield _dynamic(mechanism, runs)
 
 
@@ -146,7 +134,7 @@ def _how(spectrum: DemandSpectrum, period: float, damping: float) -> Iterator[Re
         yield Remark("records")
 
 
-def _dynamic(mechanism: Mechanism, runs: RunsUnderRecords | None) -> Check:
+def _dynamic(mechanism: Mechanism, runs: FacadeRuns | None) -> Check:
     """Return the check of runs under records."""
     state: LimitState = "SLC" if runs is not None and runs.limit_state == "SLC" else "SLV"
     capacity = mechanism.d_slc_m if state == "SLC" else mechanism.d_slv_m

@@ -207,7 +207,7 @@ class Facade:
     ...     ties=[Tie(name="rods", force_kn=4.0, z_m=2.8)],
     ... )
     >>> print(f"a0 {tied.mechanism.a0_g:.4f} g")
-    a0 0.3391 g
+    a0 0.3543 g
     """
 
     name: str
@@ -347,8 +347,9 @@ def _check_numbers(
     thing: Facade | Load | PushingMass | Tie | Thrust, kind: str, keys: tuple[str, ...]
 ) -> None:
     """Validate the name and the numbers of a thing, and keep them as floats."""
-    if not isinstance(thing.name, str) or not thing.name.strip():
-        raise InputError("name", thing.name, "it must be a text", "give a name, as 'roof'")
+    name: object = thing.name
+    if not isinstance(name, str) or not name.strip() or "\n" in name:
+        raise InputError("name", name, "it must be a text in one line", "give a name, as 'roof'")
     place = f" of {kind} {thing.name}" if kind else ""
     for key in keys:
         low, high, ends, hint = BOUNDS[key]

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Final, Literal, Protocol
+from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -10,6 +10,7 @@ from rocksteady.results.numbers import length, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand, LimitState
+from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.mechanism import Mechanism
 from rocksteady.risk.facades.remark import Remark
 
@@ -17,25 +18,6 @@ Method = Literal["linear", "nonlinear static", "dynamic"]
 
 PAGES: Final = "272-277"
 """Pages of the circular, as the transcription has them."""
-
-
-class RunsUnderRecords(Protocol):
-    """Runs of a facade under records, as `FacadeRuns`."""
-
-    @property
-    def limit_state(self) -> str:
-        """The limit state that the records stand for."""
-
-    @property
-    def mean_m(self) -> float | None:
-        """Mean of the largest displacements [m]; None of too few records."""
-
-    @property
-    def beyond(self) -> tuple[str, ...]:
-        """Names of the records with a run beyond d0."""
-
-    def describe(self) -> Description:
-        """Return the runs."""
 
 
 @checked_result
@@ -110,7 +92,7 @@ class FacadeCheck(Result):
 
     facade: Facade
     demand: FacadeDemand
-    runs: RunsUnderRecords | None
+    runs: FacadeRuns | None
     checks: tuple[Check, ...]
 
     @property
@@ -118,7 +100,7 @@ class FacadeCheck(Result):
         """Overturning of the facade about its hinge."""
         return self.facade.mechanism
 
-    def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:  # noqa: FBT001
+    def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:
         """Return the checks of a limit state that accept it, or those that refuse it.
 
         Parameters
@@ -149,14 +131,11 @@ class FacadeCheck(Result):
         for state in self.states:
             accepting = {check.method for check in self.decided(state, True)}
             refusing = {check.method for check in self.decided(state, False)}
-            if "nonlinear static" in accepting | refusing and "dynamic" in accepting | refusing:
-                if not {"nonlinear static", "dynamic"} <= accepting and not {
-                    "nonlinear static",
-                    "dynamic",
-                } <= refusing:
-                    period = self.mechanism.t_slc_s if state == "SLC" else self.mechanism.t_slv_s
-                    damping = "10" if state == "SLC" else "8"
-                    yield Remark("static_or_dynamic", (f"{period:.3g}", damping))
+            pair = {"nonlinear static", "dynamic"}
+            if pair <= accepting | refusing and not (pair <= accepting or pair <= refusing):
+                period = self.mechanism.t_slc_s if state == "SLC" else self.mechanism.t_slv_s
+                damping = "10" if state == "SLC" else "8"
+                yield Remark("static_or_dynamic", (f"{period:.3g}", damping))
             if accepting and refusing and "linear" in accepting | refusing:
                 yield Remark("linear_or_displacement")
 

@@ -171,7 +171,9 @@ class Mechanism(Result):
         part = in_range("share", share, 0.0, 1.0, "()", hint="give d/d0, as 0.4")
         times = positive("factor", factor, hint="give the factor of pi, as 1.68")
         distance = part * self.d0_m
-        return times * math.pi * math.sqrt(distance / (STANDARD_GRAVITY * self.capacity_g(distance)))
+        return (
+            times * math.pi * math.sqrt(distance / (STANDARD_GRAVITY * self.capacity_g(distance)))
+        )
 
     def block(self) -> Block:
         """Return the equivalent block: alpha = theta0, p of the mechanism with FC.

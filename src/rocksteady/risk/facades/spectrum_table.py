@@ -1,4 +1,4 @@
-"""Spectra in tables, of the ground or of a floor: Sa [g] over the period at one or more dampings."""
+"""Spectra in tables, of the ground or of a floor: Sa [g] over the period at some dampings."""
 
 import functools
 import math
@@ -128,7 +128,7 @@ class SpectrumTable:
 
 @checked
 def read_spectrum_table(path: Path | str, *, damping: float | None = None) -> SpectrumTable:
-    """Read an acceleration spectrum from a table in CSV.
+    r"""Read an acceleration spectrum from a table in CSV.
 
     Parameters
     ----------
