@@ -13,7 +13,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess._counts import Motions
 from rocksteady.risk.assess.described.schema import ObjectDemand
-from rocksteady.risk.assess.described.validation import named
+from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.risk.screens.friction import first_side
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 

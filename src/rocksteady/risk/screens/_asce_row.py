@@ -6,8 +6,8 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
 from rocksteady.risk.screens._rows import MEMORY_HIGH, Case
-from rocksteady.risk.screens.spectra import spectrum_of
 from rocksteady.risk.screens.screen import Screen
+from rocksteady.risk.screens.spectra import spectrum_of
 
 SOURCE = (
     "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body: "

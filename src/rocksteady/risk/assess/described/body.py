@@ -9,7 +9,7 @@ from rocksteady.kernels.elementary.arrays import cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
-from rocksteady.risk.assess.described.validation import named
+from rocksteady.risk.observations.files.toml_tables import named
 
 Choose = Callable[[str, Value], float]
 """Returns the number to compute with, of a key ("content.mass_kg") and its value."""

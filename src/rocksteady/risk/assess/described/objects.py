@@ -14,10 +14,11 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
+from rocksteady.risk.assess.described._validation import validated
 from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
-from rocksteady.risk.assess.described.validation import named, validated
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
+from rocksteady.risk.observations.files.toml_tables import named
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -112,12 +112,9 @@ TABLES: dict[str, type[msgspec.Struct]] = {
 """Class of each table of the file by its name; "" is what stands above the first table."""
 
 
-def keys_of(table: str) -> tuple[str, ...]:
-    """Return the keys of a table, in the order of the documentation."""
-    kind = TABLES.get(table)
-    if kind is None:  # an inline table: of a damage state, or of a range
-        return ("name", "peak") if "damage_states" in table else ("low", "high")
-    return tuple(kind.__struct_fields__)
+def inline_keys(table: str) -> tuple[str, ...]:
+    """Return the keys of an inline table: of a damage state, or of a range."""
+    return ("name", "peak") if "damage_states" in table else ("low", "high")
 
 
 def numbers_of(given: msgspec.Struct, table: str = "") -> Iterator[tuple[str, str, object]]:

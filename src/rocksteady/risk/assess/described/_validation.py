@@ -1,12 +1,8 @@
 """Values of an object file, checked: each key, its type and its range, in one line an error."""
 
-import difflib
 import itertools
 import math
-import re
 from collections.abc import Mapping
-
-import msgspec
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.housner_forms import form_of_text
@@ -15,11 +11,12 @@ from rocksteady.risk.assess.described.schema import (
     TABLES,
     ObjectInput,
     Range,
-    keys_of,
+    inline_keys,
     numbers_of,
     own_states,
 )
 from rocksteady.risk.fragility.damage_states import DamageState
+from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.seismic.measures.scalar import Intensity
 
 LARGEST_M = 50.0
@@ -57,14 +54,7 @@ WHOLE: Mapping[str, tuple[int, int, str]] = {
     "replicates": (0, 100_000, "give the number of suites of the bands, as 1000; 0 for no bands"),
 }
 
-KINDS: Mapping[str, str] = {
-    "float": "a number",
-    "int": "a whole number",
-    "str": "a text",
-    "array": "a list",
-    "object": "a table such as { low = 0.3, high = 0.5 }",
-}
-"""Words for the types of msgspec."""
+FILE = TomlTables(kinds=TABLES, needs="an object has a name and a [geometry]", inline=inline_keys)
 
 
 def validated(values: Mapping[str, object], source: str) -> ObjectInput:
@@ -90,10 +80,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "an object has a name and a [geometry]",
             "write name = ..., [geometry], width_m = ... and height_m = ...",
         )
-    try:
-        given = msgspec.convert(dict(values), ObjectInput)
-    except msgspec.ValidationError as error:
-        raise _translated(str(error), values, source) from None
+    given = FILE.convert(values, ObjectInput, source)
     for text, key in ((given.name, "name"), (given.assessment.records, "records")):
         if text is not None and not text.strip():
             raise InputError(
@@ -113,11 +100,6 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "leave it out for the five usual ones",
         )
     return given
-
-
-def named(source: str, table: str, key: str) -> str:
-    """Return a key with its file and its table, as "desk.toml: [geometry] width_m"."""
-    return f"{source}: [{table}] {key}" if table else f"{source}: {key}"
 
 
 def _check(table: str, key: str, value: object, source: str) -> None:
@@ -155,7 +137,7 @@ def _check_restitution(given: ObjectInput, source: str) -> None:
             text,
             "it must be 'housner', a factor of it as 'housner*0.965', a number or "
             "{ low = ..., high = ... }",
-            f"leave it out for {_default('', 'restitution')}",
+            "leave it out for 'housner'",
         )
 
 
@@ -198,93 +180,3 @@ def _check_spectrum(given: ObjectInput, source: str) -> None:
             "a spectrum has two points or more, with periods that rise",
             "give one sa_g for each period_s",
         )
-
-
-def _translated(message: str, values: Mapping[str, object], source: str) -> InputError:
-    """Return the line of the package for one of msgspec."""
-    what, _, place = message.partition(" - at ")
-    path = re.sub(r"\[[^\]]*\]", "", place.strip("`").removeprefix("$").removeprefix("."))
-    word = re.findall(r"`([^`]*)`", what)
-    if "unknown field" in what:
-        return _unknown(word[0], path, source)
-    if "missing required field" in what:
-        where = path if path in TABLES else path.rpartition(".")[0]
-        inner = "" if path in TABLES else f" has no {word[0]}"
-        if inner:
-            return InputError(
-                named(source, where, path.rpartition(".")[2]),
-                Words(inner.strip()),
-                "a range has a low and a high",
-                "write { low = 0.3, high = 0.5 }, or one number",
-            )
-        return InputError(
-            f"{source}: [{word[0]}]" if word[0] in TABLES else named(source, path, word[0]),
-            Words("is missing"),
-            "an object has a name and a [geometry]" if not path else f"[{path}] needs it",
-            f"add it: the keys of {_place(path)} are {', '.join(keys_of(path))}",
-        )
-    table, _, key = path.rpartition(".")
-    value = _value_at(values, path)
-    if "Invalid enum value" in what:
-        annotation = TABLES[table].__annotations__[key]
-        valid = f"it must be one of {', '.join(annotation.__args__)}"
-        return InputError(
-            named(source, table, key), value, valid, f"leave it out for {_default(table, key)}"
-        )
-    wanted = [KINDS[kind] for kind in word[0].split(" | ") if kind in KINDS] if word else []
-    if path in TABLES or not key:
-        wanted = ["a table of keys"]
-    if not wanted:  # of an integer beyond 64 bits nothing is quoted
-        wanted = ["a number of usual size"]
-    return InputError(
-        named(source, table, key) if key else source,
-        value,
-        f"it must be {' or '.join(dict.fromkeys(wanted))}",
-        "write texts in quotes and numbers without",
-    )
-
-
-def _unknown(key: str, table: str, source: str) -> InputError:
-    """Return the refusal of a key that no table has, or another one."""
-    own = keys_of(table)
-    near = difflib.get_close_matches(key, own, n=1)
-    homes = [name for name in TABLES if key in keys_of(name) and name != table]
-    if homes:
-        hint = f"it belongs to {_place(homes[0])}"
-    elif near:
-        hint = f"did you mean {near[0]}?"
-    else:
-        every = [each for name in TABLES for each in keys_of(name)]
-        far = difflib.get_close_matches(key, every, n=1)
-        hint = f"did you mean {far[0]}?" if far else "remove it"
-    known = table in TABLES
-    return InputError(
-        named(source, table, key) if known else named(source, *_last(table)) + f": {key}",
-        Words("is unknown"),
-        f"{f'the keys of {_place(table)}' if known else 'its keys'} are {', '.join(own)}",
-        hint,
-    )
-
-
-def _last(path: str) -> tuple[str, str]:
-    table, _, key = path.rpartition(".")
-    return table, key
-
-
-def _place(table: str) -> str:
-    return f"[{table}]" if table else "the file's top"
-
-
-def _default(table: str, key: str) -> object:
-    """Return the default value of a key."""
-    kind = TABLES[table]
-    fields = {field.name: field for field in msgspec.structs.fields(kind)}
-    return repr(fields[key].default)
-
-
-def _value_at(values: Mapping[str, object], path: str) -> object:
-    """Return what stands at a place."""
-    found: object = values
-    for key in path.split(".") if path else []:
-        found = found.get(key) if isinstance(found, Mapping) else found
-    return found
