@@ -158,6 +158,8 @@ from .risk.facades.facade_demand import FacadeDemand as FacadeDemand
 from .risk.facades.facade_runs import FacadeRuns as FacadeRuns
 from .risk.facades.facade_runs import run_facade as run_facade
 from .risk.facades.mechanism import Mechanism as Mechanism
+from .risk.facades.read_facade import FacadeFile as FacadeFile
+from .risk.facades.read_facade import read_facade as read_facade
 from .risk.facades.record_demand import RecordDemand as RecordDemand
 from .risk.facades.spectrum_table import SpectrumTable as SpectrumTable
 from .risk.facades.spectrum_table import read_spectrum_table as read_spectrum_table

@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Final
 
+from rocksteady.errors import RocksteadyError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
@@ -99,7 +101,8 @@ def _peak(
     """Return a linear check: the peak of the acceleration against a0."""
     value, remarks = None, [Remark("no_demand", (state,))]
     if spectrum is not None:
-        value = spectrum.sa_g(0.0, PEAK_DAMPING) / factor
+        with _named(f"demand of {state}"):
+            value = spectrum.sa_g(0.0, PEAK_DAMPING) / factor
         records = not isinstance(spectrum, ElasticSpectrum | SpectrumTable)
         remarks = [Remark("peak_of_records")] if records else []
         remarks += [Remark("q", (f"{factor:g}",))] if factor != 1.0 else []
@@ -117,9 +120,19 @@ def _secant(
     value, remarks = None, [Remark("no_demand", (state,))]
     if spectrum is not None:
         damping = DAMPINGS[state]
-        value = spectrum.displacement_m(period, damping)
+        with _named(f"demand of {state} at T_{state}"):
+            value = spectrum.displacement_m(period, damping)
         remarks = list(_how(spectrum, period, damping))
     return _check(state, "nonlinear static", formula, value, capacity, remarks)
+
+
+@contextmanager
+def _named(name: str) -> Iterator[None]:
+    """Name the demand in the refusal of a period."""
+    try:
+        yield
+    except RocksteadyError as error:
+        raise type(error)(name, error.value, error.valid, error.hint) from None
 
 
 def _how(spectrum: DemandSpectrum, period: float, damping: float) -> Iterator[Remark]:

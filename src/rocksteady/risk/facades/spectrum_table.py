@@ -97,7 +97,7 @@ class SpectrumTable:
         if t > last or (t < first and first > RIGID_S):
             raise ModelError(
                 "period_s",
-                Words(f"{number(t, 4)} is outside the table"),
+                Words(f"lies outside its table, at {number(t, 4)} s"),
                 f"it goes from {number(first)} to {number(last)} s and is not continued",
                 "add rows to the table" + (", the first at period 0" if t < first else ""),
             )
