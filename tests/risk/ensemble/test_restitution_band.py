@@ -51,7 +51,7 @@ def test_ends_may_be_factors_of_each_sides_own_housner_value() -> None:
     "wrong",
     [
         {"low": "housner", "high": ("housner", 0.9)},
-        {"low": 0.0},
+        {"low": -0.1},
         {"high": 1.1},
         {"low": 0.9, "high": 0.8},
         {"draws": 0},
@@ -64,3 +64,17 @@ def test_ends_may_be_factors_of_each_sides_own_housner_value() -> None:
 def test_what_is_no_band_is_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="|".join(wrong)):
         RestitutionBand(**wrong)
+
+
+def test_of_a_block_against_a_wall_the_band_is_the_walls_which_may_be_0() -> None:
+    wall = BLOCK.against_wall(0.49)
+    found = RestitutionBand(draws=2).ratios(wall)
+    assert found == pytest.approx(np.array([[0.49, 0.49], [0.7, 0.7]]), rel=1e-15)
+    assert RestitutionBand(low=0.0, high=0.5, draws=3).ratios(wall)[:, 0].tolist() == [0, 0.25, 0.5]
+    # Angular momentum on base, wall and base of a rectangle.
+    square = math.sin(BLOCK.alpha) ** 2
+    own = (1.0 - 1.5 * square) ** 2 * (1.5 * (1.0 - square) - 1.0)
+    form = RestitutionBand(low=("housner", 0.9), high="housner", draws=2).ratios(wall)
+    assert form[:, 0] == pytest.approx([0.9 * own, own], rel=1e-14)
+    with pytest.raises(InputError, match=r"low .*\(0, 1\]"):
+        RestitutionBand(low=0.0, high=0.5).ratios(BLOCK)

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from rocksteady import Block
 from rocksteady.risk.screens.friction import (
     first_motion,
-    first_side,
     needed_friction,
     uplift_acceleration_g,
 )
+from rocksteady.seismic.measures.free_sides import first_side
 
 G = 9.80665
 

@@ -14,7 +14,7 @@ from rocksteady.results.numbers import number
 from rocksteady.risk.assess._counts import Motions
 from rocksteady.risk.assess.described.schema import ObjectDemand
 from rocksteady.risk.observations.files.toml_tables import named
-from rocksteady.risk.screens.friction import first_side
+from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 
 Floats = NDArray[np.float64]

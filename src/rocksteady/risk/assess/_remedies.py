@@ -24,7 +24,7 @@ from rocksteady.risk.assess._sensitivity import (
 from rocksteady.risk.assess.described.body import Body
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
-from rocksteady.risk.screens.friction import first_side
+from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Intensity
 from rocksteady.sweep.run import Run
 

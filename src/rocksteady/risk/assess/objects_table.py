@@ -31,10 +31,10 @@ from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.vector_fit import VectorFit, fit_vector
 from rocksteady.risk.screens.friction import (
     first_motion,
-    first_side,
     needed_friction,
     uplift_acceleration_g,
 )
+from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.sweep.run import Run
 
 Integers = NDArray[np.int64]

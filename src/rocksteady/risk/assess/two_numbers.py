@@ -15,10 +15,10 @@ from rocksteady.results.result import Result
 from rocksteady.risk.screens.friction import (
     Mode,
     first_motion,
-    first_side,
     needed_friction,
     uplift_acceleration_g,
 )
+from rocksteady.seismic.measures.free_sides import first_side
 
 MEDIAN, BETA = 0.757, 0.592
 """Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""

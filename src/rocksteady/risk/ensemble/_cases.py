@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import (
     GroundShaking,
+    give_restitutions,
     keys_of,
     scattered_sides,
     shaken_fates,
@@ -114,7 +114,7 @@ def fates(
     scale = level / at_one[numbers, np.array([each.record for each in ways])[way]]
     sides = np.stack([sides_in_si(each.block, model) for each in bodies])[body]
     ratios = np.stack([band.ratios(each.block) for each in bodies])
-    sides[:, :, RESTITUTION] = ratios[body, draw.astype(np.int64)]
+    give_restitutions(sides, ratios[body, draw.astype(np.int64)])
     if band.scatter > 0.0:
         keys = keys_of(band.seed, cell.astype(np.int64))
         sides = scattered_sides(sides, np.full(len(sides), band.scatter), keys)

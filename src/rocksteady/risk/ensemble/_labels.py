@@ -13,6 +13,7 @@ from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
 from rocksteady.risk.ensemble.levels import Stripes, measured
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.seismic.measures.free_sides import side_coordinates
 from rocksteady.seismic.spectra.batch import OUTPUTS
 
 if TYPE_CHECKING:
@@ -72,21 +73,13 @@ def labelled(
             {"units": "1", "long_name": "factor of all accelerations"},
         ),
     }
-    sides = [("", "positive", 0)]
-    if not all(block.symmetric for block in bodies):
-        sides.append(("negative_", "negative", 1))
-    for prefix, side, column in sides:
-        of = f" of the {side} side" if len(sides) > 1 else ""
-        for name, unit, text in (
-            ("alpha", "rad", "slenderness"),
-            ("p", "rad s-1", "frequency parameter"),
-        ):
-            values = [getattr(getattr(block, side), name) for block in bodies]
-            found[f"{prefix}{name}"] = ("block", values, {"units": unit, "long_name": text + of})
+    found |= side_coordinates(bodies)
+    two = "negative_alpha" in found
+    for prefix, side, column in (("", "positive", 0), ("negative_", "negative", 1))[: 1 + two]:
         found[f"{prefix}restitution"] = (
             ("block", "draw"),
             ratios[:, :, column],
-            {"units": "1", "long_name": "restitution" + of},
+            {"units": "1", "long_name": "restitution" + (f" of the {side} side" if two else "")},
         )
     beside = dict.fromkeys((*stripes.beside, *(() if intensity is None else (intensity,))))
     for each in beside:

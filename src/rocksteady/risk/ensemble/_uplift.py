@@ -1,6 +1,7 @@
 """Time of the first uplift from rest, in closed form on the lines of a record.
 
-A block at rest lifts to the side that the base drives when a > (g + a_v) tan alpha.  Between two
+A block at rest lifts to the side that the base drives when a > (g + a_v) tan alpha, unless a wall
+stands there.  Between two
 samples both sides of this are lines, so that the moment is a crossing of two lines.
 """
 
@@ -102,6 +103,7 @@ def uplift_times(
     alphas = [(block.positive.alpha, block.negative.alpha) for block in blocks]
     gates = np.array(alphas if linear else [[tan(one) for one in both] for both in alphas])
     limits = gates * np.array([block.gravity for block in blocks])[:, np.newaxis]
+    limits[[block.one_sided for block in blocks], 1] = np.inf  # the wall holds it
     count, records, levels = scale.shape
     found = np.full((count, records, len(directions), len(lifts), levels), np.nan)
     for record, ground in enumerate(grounds):

@@ -51,11 +51,14 @@ def _gate_of(ensemble: "xarray.Dataset", measure: Intensity) -> float | None:
     """Return the peak acceleration at which every block lifts; None without such a gate.
 
     A symmetric block at rest lifts where |a| > g tan alpha, of the linear model where
-    |a| > g alpha.  A vertical motion moves the limit, and unequal sides have two.
+    |a| > g alpha.  A vertical motion moves the limit, and unequal sides have two.  A block against
+    a wall lifts by the peak of one sign alone, which the peak acceleration need not be.
     """
     if measure.name not in ("pga_g", "pga_per_uplift"):
         return None
     if "with" in ensemble["vertical"].values.tolist():
+        return None
+    if "one_sided" in ensemble.coords:
         return None
     alphas = ensemble["alpha"].values.tolist()
     if "negative_alpha" in ensemble.coords and ensemble["negative_alpha"].values.tolist() != alphas:

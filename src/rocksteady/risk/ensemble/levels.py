@@ -13,7 +13,8 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.measures.scalar import Intensity, first_side, measure_scalar
+from rocksteady.seismic.measures.free_sides import first_side
+from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 from rocksteady.seismic.spectra.grounds import axis_values
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 

@@ -1,6 +1,7 @@
 """The restitutions of an ensemble: a band, and scatter from impact to impact."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -13,6 +14,7 @@ from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.blocks.sides import Restitution, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.seismic.measures.free_sides import impact_ratios
 
 Floats = NDArray[np.float64]
 
@@ -29,13 +31,14 @@ class RestitutionBand:
     """Band of restitutions that an ensemble covers.
 
     Blocks in tests lose less at impacts than Housner's value, as a rule, or a little more: so no
-    single value is the answer.
+    single value is the answer.  Of a block against a wall the band is that of the wall.
 
     Parameters
     ----------
     low
-        One end: in (0, 1], "housner" or ("housner", 0.965) for a factor of each block's own
-        Housner's value; by default the block's own restitution e.
+        One end: in (0, 1], or in [0, 1] for blocks against a wall, "housner" or ("housner", 0.965)
+        for a factor of each block's own value by angular momentum; by default the block's own
+        restitution e.
     high
         The other end, of the same forms; default min(0.98, sqrt(e)), which lies below e for the
         most slender blocks.
@@ -72,7 +75,9 @@ class RestitutionBand:
         for name in ("low", "high"):
             value = getattr(self, name)
             if value is not None and housner_factor(value) is None:
-                object.__setattr__(self, name, restitution_value(value, name=name))
+                hint = "give the ratio of the angular velocities after and before an impact"
+                ratio = in_range(name, value, 0.0, 1.0, "[]", hint=hint)
+                object.__setattr__(self, name, ratio)
         _check_order(self.low, self.high)
         hint = "give the number of values in the band, as 5"
         draws = whole_number("draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint=hint)
@@ -92,21 +97,26 @@ class RestitutionBand:
         >>> band = RestitutionBand(low=0.8, high=0.9, draws=2)
         >>> band.ratios(Block.from_p(alpha=0.2, p=2.0)).tolist()
         [[0.8, 0.8], [0.9, 0.9]]
+
+        Of a block against a wall it is twice that of the wall.
+
+        Raises
+        ------
+        InputError
+            If an end is 0 and the block rocks to both sides, or `low` is above `high`.
         """
+        for name in ("low", "high"):
+            if not block.one_sided and getattr(self, name) == 0.0:
+                restitution_value(0.0, name=name)  # refused
         low = block if self.low is None else block.with_restitution(self.low)
-        lows = _both(low)
-        highs = [min(HIGHEST, math.sqrt(e)) for e in _both(block)]
+        lows = impact_ratios(low)
+        highs: Sequence[float] = [min(HIGHEST, math.sqrt(e)) for e in impact_ratios(block)]
         if self.high is not None:
-            highs = _both(block.with_restitution(self.high))
+            highs = impact_ratios(block.with_restitution(self.high))
             if self.low is not None:
                 _check_order(max(lows), max(highs))
         columns = [np.linspace(*ends, self.draws) for ends in zip(lows, highs, strict=True)]
         return np.stack(columns, axis=1)
-
-
-def _both(block: Block) -> list[float]:
-    """Return the restitutions of both impacts."""
-    return [block.positive.restitution, block.negative.restitution]
 
 
 def _check_order(low: Restitution | None, high: Restitution | None) -> None:

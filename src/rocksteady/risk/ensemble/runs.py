@@ -49,7 +49,8 @@ def run_ensemble(
     Every run is what `simulate` finds for the block, its restitution and the scaled record.  Of the
     infinitely many impacts before a rest those are counted that came before it was proved, which
     `simulate` does later.  Of a symmetric block the reversed record gives the mirror image: that is
-    copied, not computed again.
+    copied, not computed again.  A block against a wall has none: the reversed record is another
+    motion of it.
 
     Parameters
     ----------
@@ -104,6 +105,8 @@ def run_ensemble(
     names = names_of(records)
     wanted = Stripes() if stripes is None else stripes
     band = RestitutionBand() if restitution is None else restitution
+    for body in bodies:
+        band.ratios(body)  # refused before anything runs
     directions = _chosen("reverse", reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
     levels = np.array(wanted.levels_for(bodies))

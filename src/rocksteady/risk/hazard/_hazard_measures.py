@@ -9,7 +9,8 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.records.core.numbers import number as read_number
-from rocksteady.seismic.measures.scalar import Intensity, first_side
+from rocksteady.seismic.measures.free_sides import first_side
+from rocksteady.seismic.measures.scalar import Intensity
 
 GROUND: Final = {"pga_g": False, "pgv_m_s": False, "sa_g": True, "sa_avg_g": True}
 """What a hazard curve can be over, and whether it has a period."""

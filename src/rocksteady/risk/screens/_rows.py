@@ -22,11 +22,11 @@ from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
     Mode,
     first_motion,
-    first_side,
     needed_friction,
     uplift_acceleration_g,
 )
 from rocksteady.risk.screens.screen import Screen, Standing
+from rocksteady.seismic.measures.free_sides import first_side
 
 MEMORY_HIGH = "from memory, high"
 CHECKED = "checked numerically"

@@ -5,14 +5,10 @@ from typing import Literal
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side
+from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 """How a block at rest answers a peak acceleration."""
-
-
-def first_side(block: Block) -> Side:
-    """Return the side that lifts first: that of the smaller critical angle."""
-    return min((block.positive, block.negative), key=lambda side: side.alpha)
 
 
 def uplift_acceleration_g(block: Block, vertical_g: float = 0.0) -> float:
@@ -50,7 +46,8 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     alpha - sin alpha): ``(A - k (A - a)) / (1 + k a (A - a))`` with k = (p^2 R/g) cos^2(alpha),
     which is Shenton's expression for p^2 R/g = 3/4.  Below uplift it is A.
 
-    Of a block whose sides differ it is the greater of both: shaking reverses.
+    Of a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
+    is that of the free side: the wall holds what is driven into it.
 
     Parameters
     ----------
@@ -73,7 +70,7 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     """
     gravity_g = block.gravity / STANDARD_GRAVITY
     ratio = pga_g / (gravity_g + vertical_g)
-    return max(_at_side(side, block.gravity, ratio) for side in (block.positive, block.negative))
+    return max(_at_side(side, block.gravity, ratio) for side in free_sides(block))
 
 
 def _at_side(side: Side, gravity: float, ratio: float) -> float:
@@ -103,7 +100,7 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     """
     ratio = pga_g / (block.gravity / STANDARD_GRAVITY + vertical_g)
     modes: list[Mode] = []
-    for side in (block.positive, block.negative):
+    for side in free_sides(block):
         slope = tan(side.alpha)
         mode: Mode = "rest" if ratio <= slope else "rocks"
         if friction < _at_side(side, block.gravity, ratio):

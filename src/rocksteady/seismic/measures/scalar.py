@@ -8,11 +8,11 @@ from typing import Final, NamedTuple
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
+from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.response_spectrum import (
     average_spectral_acceleration,
     compute_response_spectrum,
@@ -204,11 +204,6 @@ def measure_scalar(record: Record, intensity: Intensity | str, block: Block | No
         "significant_5_75_s": shorter,
         "significant_5_95_s": longer,
     }[measure.name]
-
-
-def first_side(block: Block) -> Side:
-    """Return the side of a block that lifts first."""
-    return min((block.positive, block.negative), key=lambda side: side.alpha)
 
 
 @lru_cache(maxsize=4096)

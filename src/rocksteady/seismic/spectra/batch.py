@@ -5,10 +5,11 @@ its uplift acceleration and its p.  Horizontal motion is scaled by dividing the 
 vertical motion in its columns of the table.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution, housner_ratio
+from rocksteady.model.blocks.sides import Restitution, Side, housner_ratio, wall_ratio
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -44,6 +45,9 @@ from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+
+SpectrumRestitution = Restitution | tuple[Literal["wall"], Restitution]
+"""Restitution of free blocks, or as ("wall", 0.5) that of a wall that they stand against."""
 
 DIGITS = 53
 """Binary digits of a uniform number, and of the key that is made of it."""
@@ -124,7 +128,7 @@ def shaken_fates(
     tops = np.full((count, PEAK_COLUMNS), np.nan)
     own = sides.copy()
     own[:, :, LEAN] /= scale[:, np.newaxis]
-    elastic = (sides[:, :, RESTITUTION] == 1.0).all(axis=1)
+    elastic = (np.abs(sides[:, :, RESTITUTION]) == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
     # Vertical motion is scaled in its table, where it counts in units of gravity.
     lifted = np.array([each.vertical is not None for each in grounds], dtype=np.bool_)[ground]
@@ -177,7 +181,7 @@ def rectangles_in_si(
     *,
     alpha: Floats,
     p: Floats,
-    restitution: Restitution,
+    restitution: SpectrumRestitution,
     gravity: float,
     model: Model,
 ) -> Floats:
@@ -188,32 +192,65 @@ def rectangles_in_si(
     alpha, p
         Slenderness [rad] and frequency parameter [rad/s], shape (cells,).
     restitution
-        A number, or "housner" for that of each slenderness, or ("housner", factor).
+        A number, or "housner" for that of each slenderness, or ("housner", factor); the same as
+        ("wall", ...) of rectangles against a wall.
     gravity, model
         As for `sides_in_si`, of a block whose gravity this is.
     """
-    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0, gravity=gravity), model)
-    sides = np.repeat(pattern[np.newaxis], len(alpha), axis=0)
+    one_sided, impact = wall_of(restitution)
+    pattern = Block.from_p(alpha=0.1, p=1.0, gravity=gravity)
+    if one_sided:
+        pattern = pattern.against_wall()
+    sides = np.repeat(sides_in_si(pattern, model)[np.newaxis], len(alpha), axis=0)
     sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
     sides[:, :, RATE] = p[:, np.newaxis]
     sides[:, :, ALPHA : ALPHA + 1] = alpha[:, np.newaxis, np.newaxis]  # of the nonlinear model
-    factor = housner_factor(restitution)
+    factor = housner_factor(impact)
+    ratios = np.full(len(alpha), impact if factor is None else math.nan)
     if factor is not None:
         # One by one: NumPy's sine may round as its place in the array has it.
-        ratios = factor * np.array([housner_ratio(value) for value in alpha.tolist()])
-        sides[:, :, RESTITUTION] = ratios[:, np.newaxis]
-    else:
-        sides[:, :, RESTITUTION] = restitution
+        ratio = _rectangle_at_wall if one_sided else housner_ratio
+        ratios = factor * np.array([ratio(value) for value in alpha.tolist()])
+    give_restitutions(sides, ratios[:, np.newaxis])
     return sides
+
+
+def wall_of(restitution: SpectrumRestitution) -> tuple[bool, Restitution]:
+    """Return whether blocks stand against a wall, and the restitution of their impacts."""
+    if isinstance(restitution, tuple) and restitution[0] == "wall":
+        return True, restitution[1]
+    return False, restitution
+
+
+def _rectangle_at_wall(alpha: float) -> float:
+    """Return the restitution of a slender rectangle at a wall, by angular momentum."""
+    return wall_ratio(Side(alpha=alpha, radius=0.75, p=1.0, restitution=1.0), 1.0)
+
+
+def give_restitutions(sides: Floats, ratios: Floats) -> None:
+    """Write restitutions into sides; of a block against a wall that of the wall.
+
+    Parameters
+    ----------
+    sides
+        Of the blocks, as `sides_in_si` has them, shape (cells, 2, 3) or more; changed here.
+    ratios
+        From 0 to 1, shape (cells, 2), or (cells, 1) for both sides; of a block against a wall the
+        first counts.
+    """
+    wall = sides[:, 0, RESTITUTION] <= 0.0
+    sides[:, :, RESTITUTION] = ratios
+    sides[wall, 0, RESTITUTION] *= -1.0
+    sides[wall, 1, RESTITUTION] = 1.0  # never flown
 
 
 def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
     """Return sides whose restitution scatters from impact to impact.
 
     That of an impact is ``mean + deviation z``, z standard normal, drawn again until it lies in
-    (0, (1 + mean)/2]; the mean is the side's restitution.  Its draw depends on the key and on the
-    number of the impact alone, so that cells with the same key draw the same z.  The cut lowers
-    the mean: 0.9 with a deviation of 0.1 becomes 0.849 with 0.070.
+    (0, (1 + mean)/2]; the mean is the side's restitution, or the wall's.  Its draw depends on the
+    key and on the number of the impact alone, so that cells with the same key draw the same z.  The
+    cut lowers the mean: 0.9 with a deviation of 0.1 becomes 0.849 with 0.070.
 
     Parameters
     ----------

@@ -98,6 +98,8 @@ def _headline(dataset: "xarray.Dataset") -> str:
     ratio = dataset.attrs.get("restitution")
     if ratio is not None:
         parts.append(ratio_words(ratio))
+    if "one_sided" in dataset.attrs or "one_sided" in dataset.coords:
+        parts.append("against a wall")
     if "level" in dataset.coords:
         parts.insert(0, plural(dataset.sizes.get("block", 1), "block"))
     parts.append(str(dataset.attrs["model"]))

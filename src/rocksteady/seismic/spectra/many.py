@@ -14,6 +14,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.seismic.measures.free_sides import impact_ratios, side_coordinates
 from rocksteady.seismic.spectra.batch import (
     OUTPUTS,
     load_kernel,
@@ -58,7 +59,9 @@ def simulate_many(
 ) -> "xarray.Dataset":
     """Simulate many blocks on many records at many levels, from rest.
 
-    Every cell is what `simulate` finds for the block and the scaled record.
+    Every cell is what `simulate` finds for the block and the scaled record.  A block against a wall
+    (`Block.against_wall`) feels the sign of a record: it leaves the wall where the base accelerates
+    to its positive side, and the reversed record is another motion.
 
     Parameters
     ----------
@@ -85,7 +88,7 @@ def simulate_many(
         ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``peak_velocity``
         (|d(theta/alpha)/d(p t)|) and ``impacts`` over ``block``, ``record`` and ``level``; a single
         one is no dimension.  ``pga_g`` and ``scale`` are coordinates, and so are alpha, p and
-        restitution of the blocks.
+        restitution of the blocks, of one against a wall that of the wall.
 
     Raises
     ------
@@ -265,24 +268,15 @@ def _unfolded(
 
 def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
     """Return coordinates along the axis of blocks."""
-    sides = [("", "positive")]
-    if not all(block.symmetric for block in bodies):
-        sides.append(("negative_", "negative"))
-    words = {
-        "alpha": ("rad", "slenderness"),
-        "p": ("rad s-1", "frequency parameter"),
-        "restitution": ("1", "restitution"),
-    }
+    found = side_coordinates(bodies)
+    ratios = np.array([impact_ratios(block) for block in bodies])
+    words = {"units": "1", "long_name": "restitution"}
+    found["restitution"] = ("block", ratios[:, 0], words)
+    if "negative_alpha" in found:
+        words = {**words, "long_name": "restitution of the negative side"}
+        found["negative_restitution"] = ("block", ratios[:, 1], words)
     sizes = {"width": "distance between the edges", "height": "twice that of the mass centre"}
-    return {
-        f"{prefix}{name}": (
-            "block",
-            [float(getattr(getattr(block, side), name)) for block in bodies],
-            {"units": unit, "long_name": text + (f" of the {side} side" if prefix else "")},
-        )
-        for prefix, side in sides
-        for name, (unit, text) in words.items()
-    } | {
+    return found | {
         name: (
             "block",
             [float(getattr(block, name)) for block in bodies],

@@ -299,7 +299,8 @@ def find_overturning_scales(
     Parameters
     ----------
     block
-        At rest at first.
+        At rest at first.  One against a wall falls to its free side alone: the reversed record has
+        other windows.
     motions
         A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
         by the same factor.
@@ -387,7 +388,7 @@ def _windows_of(
     found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)
-        lifts = abs(ground.record.peak_acceleration_m_s2) / block.uplift_acceleration
+        lifts = _drive(ground.record, block) / block.uplift_acceleration
         end = max(min(high, _largest_scale(table)), low)
         found["top"][cell] = end
         if end == low:
@@ -412,6 +413,13 @@ def _windows_of(
         keep(found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
         found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
     return found
+
+
+def _drive(record: Record, block: Block) -> float:
+    """Return the largest acceleration towards a side that is free [m/s^2]."""
+    if block.one_sided:
+        return max(float(record.acceleration_m_s2.max()), 0.0)
+    return abs(record.peak_acceleration_m_s2)
 
 
 def _table(block: Block, model: Model, ground: GroundShaking) -> Floats:

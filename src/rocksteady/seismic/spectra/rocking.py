@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import Restitution, alpha_value, restitution_value
+from rocksteady.model.blocks.sides import Restitution, alpha_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, chosen_model
@@ -18,10 +18,12 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.spectra.batch import (
     OUTPUTS,
+    SpectrumRestitution,
     load_kernel,
     rectangles_in_si,
     shaken_fates,
     told_apart,
+    wall_of,
 )
 from rocksteady.seismic.spectra.grounds import (
     axis_values,
@@ -49,7 +51,7 @@ def compute_rocking_spectrum(
     *,
     alpha: ArrayLike,
     periods_s: ArrayLike,
-    restitution: Restitution = "housner",
+    restitution: SpectrumRestitution = "housner",
     model: Model | None = None,
     scales: ArrayLike | None = None,
     gravity: float = STANDARD_GRAVITY,
@@ -66,14 +68,17 @@ def compute_rocking_spectrum(
     ----------
     motions
         A record or several, or `BaseMotion` of a horizontal and a vertical record.  One that is
-        reversed (`Record.reversed`) drives the other rotation first.
+        reversed (`Record.reversed`) drives the other rotation first; of a block against a wall
+        it is another motion.
     alpha
         Slenderness [rad], a number or several.
     periods_s
         Periods 2 pi/p [s], a number or several.
     restitution
         A number in (0, 1]; "housner" (default) for that of each slenderness, or
-        ("housner", 0.965) for a measured factor of it.
+        ("housner", 0.965) for a measured factor of it.  Of blocks against a wall
+        (`Block.against_wall`) that of the wall, as ("wall", "housner"), or ("wall", 0.4) for a
+        number in [0, 1].
     model
         `Linear()` or `Nonlinear()` (default), the full equations.
     scales
@@ -129,15 +134,14 @@ def compute_rocking_spectrum(
     ]
     given = 1.0 if scales is None else scales
     factors = scale_values(given)
-    factor = housner_factor(restitution)
-    ratio = restitution_value(restitution) if factor is None else restitution
+    one_sided, impact = wall_of(restitution)
+    factor = housner_factor(impact)
     # Of the grid, the corner that asks most of the records, and the shape with least restitution.
     corner, _ = (
-        Block.from_p(
-            alpha=value, p=2.0 * math.pi / min(periods), restitution=ratio, gravity=gravity
-        )
+        _rectangle(value, 2.0 * math.pi / min(periods), gravity, impact, one_sided=one_sided)
         for value in (min(slenderness), max(slenderness))
     )
+    ratio = corner.restitution if factor is None else impact
     equations = chosen_model(model, corner, grounds[0].record)
     check_grounds(grounds, [max(factors)] * len(grounds), [corner], equations)
     axes = (
@@ -154,7 +158,7 @@ def compute_rocking_spectrum(
     load_kernel(equations)
     cases = functools.partial(
         _peaks,
-        restitution=ratio,
+        restitution=("wall", ratio) if one_sided else ratio,
         gravity=corner.gravity,
         model=equations,
     )
@@ -166,6 +170,7 @@ def compute_rocking_spectrum(
         attributes={
             "model": equations.name,
             "restitution": ratio if factor is None else form_text(factor),
+            **({"one_sided": 1} if one_sided else {}),
             "gravity": corner.gravity,
             "vertical": ", ".join(names_of(ground.vertical for ground in grounds)) or "none",
         },
@@ -183,13 +188,23 @@ def compute_rocking_spectrum(
     )
 
 
+def _rectangle(
+    alpha: float, p: float, gravity: float, restitution: Restitution, *, one_sided: bool
+) -> Block:
+    """Return a rectangle, free or against a wall."""
+    if not one_sided:
+        return Block.from_p(alpha=alpha, p=p, restitution=restitution, gravity=gravity)
+    free = Block.from_p(alpha=alpha, p=p, restitution=1.0, gravity=gravity)
+    return free.against_wall(restitution)
+
+
 def _peaks(
     record: NDArray[np.object_],
     scale: Floats,
     alpha: Floats,
     period: Floats,
     *,
-    restitution: Restitution,
+    restitution: SpectrumRestitution,
     gravity: float,
     model: Model,
 ) -> dict[str, NDArray[Any]]:

@@ -127,7 +127,7 @@ def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> No
 
 def _words_of_object(assessment: Assessment) -> str:
     """Return what the drawing of the object shows."""
-    from rocksteady.risk.screens.friction import first_side
+    from rocksteady.seismic.measures.free_sides import first_side
 
     side = first_side(assessment.facts.block)
     return (

@@ -121,7 +121,7 @@ def object_rows(assessment: Assessment) -> list[Row]:
 def side_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each edge; none of an object whose sides are alike."""
     block = assessment.facts.block
-    if block.symmetric:
+    if block.symmetric or block.one_sided:
         return []
     return [
         {

@@ -5,7 +5,7 @@ import numpy as np
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.risk.assess.assessment import Assessment
-from rocksteady.risk.screens.friction import first_side
+from rocksteady.seismic.measures.free_sides import first_side
 
 PEAKS = {
     "p_pgv_per_uplift": ("pgv_m_s", "m/s of PGV"),

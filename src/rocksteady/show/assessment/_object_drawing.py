@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.results.numbers import length, number
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.described.schema import Range
-from rocksteady.risk.screens.friction import first_side
+from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.show.style import palette
 
 if TYPE_CHECKING:

@@ -4,13 +4,13 @@ from dataclasses import dataclass
 
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Range
+from rocksteady.seismic.measures.free_sides import first_side
 
 STOCKY = 0.4
 """Slenderness [rad] from which on a block on most floors slides before it rocks."""
@@ -52,7 +52,7 @@ class ObjectFacts(Result):
 
     def describe(self) -> Description:
         """Return the facts of the weaker side, and a row for each side."""
-        weaker = weaker_side(self.block)
+        weaker = first_side(self.block)
         rows = [
             {"side": name, **side.to_dict(), "uplift_pga_g": tan(side.alpha)}
             for name, side in (("left", self.block.positive), ("right", self.block.negative))
@@ -101,11 +101,6 @@ class ObjectFacts(Result):
         return ("", "") if self.mass_kg is None else ("mass", quantity(self.mass_kg, "kg"))
 
 
-def weaker_side(block: Block) -> Side:
-    """Return the side that lifts first."""
-    return min((block.positive, block.negative), key=lambda side: side.alpha)
-
-
 @checked
 def derive_facts(described: ObjectFile) -> ObjectFacts:
     """Derive slenderness, frequency, restitution and warnings of an object.
@@ -135,7 +130,7 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
     The friction is not given: with a coefficient below 0.178 the object slides.
     """
     block, body = described.block, described.body
-    side = weaker_side(block)
+    side = first_side(block)
     uplift = tan(side.alpha)
     friction = described.given.friction
     return ObjectFacts(
@@ -151,7 +146,7 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
 
 def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
     """Return sentences on what is assumed and what is unusual."""
-    given, side = described.given, weaker_side(block)
+    given, side = described.given, first_side(block)
     sentences = []
     if given.friction is None:
         sentences.append(
