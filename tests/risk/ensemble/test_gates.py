@@ -87,6 +87,33 @@ def test_unequal_sides_and_unequal_blocks_have_no_one_gate(blocks: list[Block]) 
     assert (two.gate, two.offset) == (None, 0.0)
 
 
+def test_a_block_against_a_wall_has_no_gate_in_the_peak_of_either_sign() -> None:
+    gate = math.tan(BLOCK.alpha)
+    levels = [0.9 * gate, 1.05 * gate, 1.2 * gate, 1.5 * gate, 4.0 * gate]
+    stripes = Stripes("pga_g", levels, beside=())
+    band = RestitutionBand(draws=1)
+    found = compute_fragility(
+        BLOCK.against_wall(), SUITE, stripes=stripes, restitution=band, fitting=PLAIN
+    )
+    two = found.state("overturned").two_stage
+    assert two is not None
+    assert (two.gate, two.offset) == (None, 0.0)
+    # Each record lifts it in the direction of its peak; in the other only if that peak is enough.
+    lifts = [
+        sum(
+            float((sign * r.acceleration_m_s2).max() / abs(r.peak_acceleration_m_s2)) * level > gate
+            for r in SUITE
+            for sign in (1.0, -1.0)
+        )
+        for level in levels
+    ]
+    assert [row[2] for row in found.state("overturned").points] == lifts
+    assert len(SUITE) < lifts[1] < 2 * len(SUITE)
+    free = compute_fragility(BLOCK, SUITE, stripes=stripes, restitution=band, fitting=PLAIN)
+    assert free.state("overturned").two_stage.gate == pytest.approx(gate)  # type: ignore[union-attr]
+    assert free.state("uplift").curve.median != found.state("uplift").curve.median
+
+
 def test_a_gate_that_a_run_contradicts_is_not_known() -> None:
     gate = math.tan(BLOCK.alpha)
     stripes = Stripes("pga_g", [0.8 * gate, 2.0 * gate, 4.0 * gate], beside=())

@@ -91,6 +91,94 @@ def test_each_cell_is_a_time_history() -> None:
     assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
 
 
+@pytest.mark.parametrize("model", [Linear(), None])
+def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | None) -> None:
+    block = OFF_CENTRE.against_wall()
+    motions = MOTIONS if model is None else SUITE
+    for band in (RestitutionBand(draws=2), RestitutionBand(low=0.0, high="housner", draws=3)):
+        stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+        found = run_ensemble(block, motions, stripes=stripes, restitution=band, model=model)
+        ways = (4 if model is None else 3) * 2
+        assert found.attrs["runs"] == ways * band.draws * len(LEVELS)  # no mirror images
+        for (j, motion), k, direction, draw in product(
+            enumerate(motions), range(3), (0, 1), range(band.draws)
+        ):
+            base = BaseMotion(motion) if isinstance(motion, Record) else motion
+            assert isinstance(base.horizontal, Record)
+            shaken = base.scaled(
+                LEVELS[k] / measure_scalar(base.horizontal, "pga_per_uplift", block)
+            )
+            run = simulate(
+                block.with_restitution(float(band.ratios(block)[draw, 0])),
+                shaken.reversed() if direction else shaken,
+                model=model,
+            )
+            cell = found.isel(block=0, record=j, direction=direction, draw=draw, level=k)
+            cell = cell.isel(vertical=-1)
+            assert int(cell.status) == run.status
+            assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+            lifted = np.flatnonzero(run.flights.side)
+            first = run.flights.pt[lifted[0]] / block.p if len(lifted) else np.nan
+            assert float(cell.uplift_time_s) == pytest.approx(first, rel=1e-9, nan_ok=True)
+        assert found.restitution.values[0].tolist() == band.ratios(block)[:, 0].tolist()
+
+
+def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
+    # Brute force: the samples themselves, of a record whose peaks differ by their sign.
+    walls = [block.against_wall(0.4) for block in (SYMMETRIC, OFF_CENTRE)]
+    for model, gate in ((Linear(), lambda a: a), (None, np.tan)):
+        levels = np.geomspace(0.5, 3.0, 25)
+        found = run_ensemble(
+            walls,
+            SUITE,
+            stripes=Stripes("scale", levels, beside=()),
+            restitution=RestitutionBand(draws=1),
+            model=model,
+        )
+        for (i, block), (j, record), direction in product(
+            enumerate(walls), enumerate(SUITE), (0, 1)
+        ):
+            sign = -1.0 if direction else 1.0
+            driven = levels * float((sign * record.acceleration_m_s2).max())
+            lifts = driven > block.gravity * float(gate(block.positive.alpha))
+            cells = found.isel(block=i, record=j, direction=direction, vertical=0, draw=0)
+            np.testing.assert_array_equal(cells.peak_angle.values > 0.0, lifts)
+            np.testing.assert_array_equal(np.isfinite(cells.uplift_time_s.values), lifts)
+        lifted = found.peak_angle.isel(vertical=0, draw=0) > 0.0
+        assert (lifted.isel(direction=0) != lifted.isel(direction=1)).any()
+
+
+def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_executor() -> None:
+    wall = SYMMETRIC.against_wall(0.5)
+    stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+    plain, still = (
+        run_ensemble(
+            wall,
+            SUITE,
+            stripes=stripes,
+            restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=scatter),
+            run=run,
+        )
+        for scatter, run in ((0.1, Run(executor="serial")), (0.0, None))
+    )
+    threads = run_ensemble(
+        wall,
+        SUITE,
+        stripes=stripes,
+        restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=0.1),
+        run=Run(executor="threads", workers=3),
+    )
+    for name in NAMES:
+        np.testing.assert_array_equal(plain[name], threads[name])
+    # Uplift knows no restitution, and so it is that of the runs without scatter.
+    np.testing.assert_array_equal(plain.uplift_time_s, still.uplift_time_s)
+    spread = plain.peak_angle.std("draw")
+    assert (spread > 0.0).any()
+    assert not still.peak_angle.std("draw").values.any()
+    with pytest.raises(InputError, match=r"low .*\(0, 1\]"):
+        run_ensemble(SYMMETRIC, SUITE, restitution=RestitutionBand(low=0.0, draws=1))
+
+
 def test_a_mirror_image_has_the_bits_of_its_run() -> None:
     stripes = Stripes("pga_per_uplift", LEVELS, beside=())
     band = RestitutionBand(draws=2)

@@ -360,3 +360,23 @@ def test_the_linear_model_has_no_vertical_motion() -> None:
 def test_scatter_has_bounds(arguments: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         Scatter(**arguments)
+
+
+@pytest.mark.parametrize("linear", [True, False])
+def test_each_cell_of_a_block_against_a_wall_is_a_time_history(*, linear: bool) -> None:
+    model: Model = Linear() if linear else Nonlinear()
+    tests = TESTS if linear else LIFTED
+    ratios = (0.0, 0.3, 0.6, 0.9, 0.5, 0.4)
+    walls = [block.against_wall(ratio) for block, ratio in zip(BLOCKS, ratios, strict=True)]
+    found = fates_on_records(walls, tests, gains=GAINS, model=model)
+    for (j, test), (i, block), (k, gain) in product(
+        enumerate(tests), enumerate(walls), enumerate(GAINS)
+    ):
+        run = history(test, block, gain, model)
+        cell = found.isel(test=j, block=i, gain=k, draw=0)
+        assert int(cell.status) == run.status
+        assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+        assert int(cell.impacts) <= len(run.impacts)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+    free = fates_on_records(BLOCKS, tests, gains=GAINS, model=model)
+    assert (free.status != found.status).any()

@@ -38,6 +38,13 @@ SUITE = tuple(
     for each, name in ((ground(1), None), (ground(2), "other"), (ground(3, peak=8.0), None))
 )
 LEVELS = (0.3, 0.8, 1.6)
+# Against a wall: by angular momentum, without rebound, between, and of unlike sides.
+WALLS = (
+    BLOCKS[0].against_wall(),
+    BLOCKS[0].against_wall(0.0),
+    Block.rectangle(width=0.3, height=3.0).against_wall(0.75),
+    BLOCKS[1].against_wall(0.5),
+)
 NAMES = ("status", "peak_angle", "peak_velocity", "impacts")
 
 
@@ -80,6 +87,73 @@ def test_each_cell_is_a_time_history(*, linear: bool, vertical: bool) -> None:
             assert float(cell.pga_g) == LEVELS[k]
             check_cell(cell, block, scaled(motion, factor, reverse=direction == "reversed"), model)
     assert {Status.AT_REST, Status.OVERTURNED} <= set(result.status.values.ravel().tolist())
+
+
+@pytest.mark.parametrize(("linear", "vertical"), [(True, False), (False, False), (False, True)])
+def test_each_cell_of_a_block_against_a_wall_is_a_time_history(
+    *, linear: bool, vertical: bool
+) -> None:
+    model: Model = Linear() if linear else Nonlinear()
+    motions: list[Record | BaseMotion] = list(SUITE)
+    if vertical:
+        motions[1] = BaseMotion(SUITE[1], lifting())
+    found = simulate_many(WALLS, motions, pga_g=LEVELS, reverse="both", model=model)
+    for (i, block), (j, motion), k, turned in product(
+        enumerate(WALLS), enumerate(motions), range(len(LEVELS)), (0, 1)
+    ):
+        factor = LEVELS[k] * G / SUITE[j].peak_acceleration_m_s2
+        cell = found.isel(block=i, record=j, level=k, direction=turned)
+        check_cell(cell, block, scaled(motion, factor, reverse=bool(turned)), model)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+    one, other = (found.peak_angle.isel(direction=turned) for turned in (0, 1))
+    assert (one != other).any("level").all()  # no direction is the mirror image of the other
+    assert found.one_sided.values.all()
+    assert found.restitution.values.tolist() == [block.restitution for block in WALLS]
+    assert "negative_alpha" not in found.coords
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+def test_without_loss_at_the_wall_each_status_is_that_of_a_time_history(model: Model) -> None:
+    # It rocks on for p t = 1e4, through a thousand impacts that magnify what rounding does.
+    block = WALLS[0].with_restitution(1.0)
+    found = simulate_many(block, SUITE, pga_g=LEVELS, reverse="both", model=model)
+    for j, k, turned in product(range(3), range(3), (0, 1)):
+        factor = LEVELS[k] * G / SUITE[j].peak_acceleration_m_s2
+        run = simulate(block, scaled(SUITE[j], factor, reverse=bool(turned)), model=model)
+        cell = found.isel(record=j, level=k, direction=turned)
+        assert int(cell.status) == run.status
+        assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-5)
+    assert Status.ROCKING in found.status.values
+
+
+def test_a_push_into_the_wall_moves_nothing() -> None:
+    push = Record(acceleration_m_s2=[0.0, -9.0, -9.0, 0.0], dt_s=0.2)
+    still, moved = (
+        simulate_many(WALLS, push, reverse=turned, model=model)
+        for turned, model in ((False, Nonlinear()), (True, Nonlinear()))
+    )
+    assert not still.peak_angle.values.any()
+    assert (still.status == Status.AT_REST).all()
+    assert (moved.peak_angle > 0.01).all()
+
+
+def test_beside_others_a_block_against_a_wall_has_no_negative_side() -> None:
+    found = simulate_many([BLOCKS[1], WALLS[3]], SUITE[0], pga_g=0.8)
+    assert found.one_sided.values.tolist() == [False, True]
+    assert found.negative_alpha.values[0] == BLOCKS[1].negative.alpha
+    assert np.isnan(found.negative_alpha.values[1])
+    assert found.restitution.values[1] == 0.5
+    alone = simulate_many(WALLS[3], SUITE[0], pga_g=0.8)
+    np.testing.assert_array_equal(found.peak_angle[1], alone.peak_angle)
+
+
+def test_threads_and_store_change_no_bits_at_a_wall(tmp_path: object) -> None:
+    given = {"pga_g": LEVELS, "reverse": "both"}
+    plain = simulate_many(WALLS, SUITE, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
+    for run in (Run(executor="threads", workers=3), Run(store=f"{tmp_path}/kept.zarr")):
+        other = simulate_many(WALLS, SUITE, **given, run=run)  # type: ignore[arg-type]
+        for name in NAMES:
+            np.testing.assert_array_equal(plain[name], other[name])
 
 
 def test_scales_and_the_levels_of_pga_that_they_make_give_the_same_cells() -> None:

@@ -1,7 +1,9 @@
 """Rocking spectra: against time histories, published values, symmetries, and as sweeps."""
 
 import math
+from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,6 +24,7 @@ from rocksteady import (
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.seismic.spectra.describe import describe as described
 from tests.records import FOLDER, peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
 from tests.seismic.grounds import ALPHAS, PERIODS, ground, lifting
@@ -49,6 +52,42 @@ def test_each_cell_is_a_time_history(model: Model) -> None:
             assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
             assert float(cell.peak_velocity) == pytest.approx(run.peak_velocity, rel=1e-8)
     assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+@pytest.mark.parametrize("ratio", ["housner", ("housner", 0.9), 0.0, 0.6])
+def test_each_cell_against_a_wall_is_a_time_history(model: Model, ratio: Any) -> None:
+    found = compute_rocking_spectrum(
+        [ground(), ground().reversed()],
+        alpha=ALPHAS,
+        periods_s=PERIODS,
+        restitution=("wall", ratio),
+        model=model,
+    )
+    for place, alpha, period in product((0, 1), ALPHAS, PERIODS):
+        cell = found.isel(record=place).sel(alpha=alpha, period=period)
+        block = Block.from_p(alpha=alpha, p=float(cell.p)).against_wall(ratio)
+        run = simulate(block, ground().reversed() if place else ground(), model=model)
+        assert int(cell.status) == run.status
+        assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
+        assert float(cell.peak_velocity) == pytest.approx(run.peak_velocity, rel=1e-8)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+    assert not np.array_equal(found.peak_angle[0], found.peak_angle[1])
+
+
+def test_a_spectrum_against_a_wall_is_named_and_refused_where_no_wall_turns_a_block_back() -> None:
+    found = compute_rocking_spectrum(
+        ground(), alpha=0.2, periods_s=[2.0, 3.0], restitution=("wall", 0.4)
+    )
+    assert found.attrs["one_sided"] == 1
+    assert "against a wall" in described(found).headline
+    assert found.attrs["restitution"] == 0.4
+    with pytest.raises(InputError, match="not turned back by a wall"):
+        compute_rocking_spectrum(
+            ground(), alpha=[0.2, 0.7], periods_s=2.0, restitution=("wall", "housner")
+        )
+    with pytest.raises(InputError, match="restitution"):
+        compute_rocking_spectrum(ground(), alpha=0.2, periods_s=2.0, restitution=("wall", -0.1))
 
 
 def test_suite_scale_vertical_gravity_and_restitution_reach_the_block() -> None:

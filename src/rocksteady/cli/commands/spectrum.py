@@ -43,7 +43,8 @@ HELP = (
     "on recorded ground, over their size 2 pi/p and their slenderness.\n\n"
     "Each block is at rest when the record begins, and is followed to rest or proven overturning "
     "by the full equations, or with --model linear in closed form. Of several records come median, "
-    "16 and 84 % as well, and the share that overturns. Exit code 3 where a block is undecided."
+    "16 and 84 % as well, and the share that overturns. With --one-sided the blocks stand against "
+    "a wall; --reverse then gives another motion. Exit code 3 where a block is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -53,6 +54,8 @@ EXAMPLES = (
     "0.5:10:200 --model nonlinear --plot map.png\n\n"
     "rocksteady spectrum --record one.AT2 --record two.AT2 --alpha-rad 0.2 --p-rad-s 2 --json\n\n"
     "rocksteady spectrum --record RSN77_PUL164.AT2 --width-m 0.5 --height-m 1:3:5 --scale 0.2:1:5"
+    "\n\nrocksteady spectrum --record RSN77_PUL164.AT2 --alpha-rad 0.1 --periods-s 2:10:80 "
+    "--one-sided"
 )
 DEFAULT_PERIODS = "0.5:10:100"
 MOST_PANELS = 6
@@ -140,6 +143,7 @@ def spectrum(
     width_m: WidthM = None,
     height_m: HeightM = None,
     restitution: RestitutionFlag = None,
+    one_sided: options.OneSided = None,
     model: options.Model = None,
     gravity_m_s2: options.GravityMS2 = None,
     tolerance: options.Tolerance = None,
@@ -156,7 +160,10 @@ def spectrum(
     periods: list[float] = []
     if width_m is not None or height_m is not None:
         others = (alpha_rad, alpha_deg, periods_s, p_rad_s)
-        blocks = _rectangles(width_m, height_m, others, ratio, gravity)
+        blocks = [
+            _with_impacts(block, ratio, one_sided=bool(one_sided))
+            for block in _rectangles(width_m, height_m, others, gravity)
+        ]
     else:
         slenderness = _slenderness(alpha_rad, alpha_deg)
         periods = _periods(periods_s, p_rad_s)
@@ -182,8 +189,8 @@ def spectrum(
             dataset = simulate_many(blocks, motions, **common)
         else:
             sizes: dict[str, Any] = {"alpha": slenderness, "periods_s": periods}
-            kind: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
-            dataset = compute_rocking_spectrum(motions, **sizes, **kind, **common)
+            sizes |= {"restitution": ("wall", ratio) if one_sided else ratio, "gravity": gravity}
+            dataset = compute_rocking_spectrum(motions, **sizes, **common)
     dataset = dataset.load()
     dataset.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
     described = describe(dataset)
@@ -192,6 +199,7 @@ def spectrum(
     values = {
         **described.to_dict(),
         "restitution": ratio if factor is None else form_text(factor),
+        **({"one_sided": True} if one_sided else {}),
         "gravity_m_s2": gravity,
         "records": [{"name": name, "file": str(file)} for name, file in names],
         "pga_g": recorded.pga_g,
@@ -272,10 +280,9 @@ def _rectangles(
     width_m: str | None,
     height_m: str | None,
     others: Sequence[str | None],
-    ratio: "Restitution",
     gravity: float,
 ) -> list[Block]:
-    """Return the blocks of --width-m and --height-m, every width with every height.
+    """Return blocks of --width-m and --height-m without loss, every width with every height.
 
     Raises
     ------
@@ -295,10 +302,15 @@ def _rectangles(
             valid="blocks are given by their sizes, or by slenderness and period",
         )
     return [
-        Block.rectangle(width=width, height=height, restitution=ratio, gravity=gravity)
+        Block.rectangle(width=width, height=height, restitution=1.0, gravity=gravity)
         for width in axis("--width-m", width_m)
         for height in axis("--height-m", height_m)
     ]
+
+
+def _with_impacts(block: Block, ratio: "Restitution", *, one_sided: bool) -> Block:
+    """Return a block with the restitution of its impacts, or against a wall with that of it."""
+    return block.against_wall(ratio) if one_sided else block.with_restitution(ratio)
 
 
 def _slenderness(alpha_rad: str | None, alpha_deg: str | None) -> list[float]:

@@ -303,14 +303,16 @@ class EnsembleFlags:
                 "a single value of the restitution has one draw without --scatter",
                 "give a band, as --restitution 0.85:0.95, or add --scatter 0.05",
             )
-        if body.positive.restitution != body.negative.restitution:
+        from rocksteady.seismic.measures.free_sides import impact_ratios
+
+        ratio, other = impact_ratios(body)
+        if ratio != other:
             raise FlagError(
                 "--draws",
                 self.draws,
                 "the sides of this block have two restitutions, which have one draw",
                 "give one number with --restitution, or a band",
             )
-        ratio = body.positive.restitution
         return body, self._band(1, {"low": ratio, "high": ratio})
 
     def _band(self, draws: int, ends: dict[str, Any]) -> "RestitutionBand":
