@@ -1,6 +1,5 @@
 """Demand of records on a facade: the displacement spectra of a suite, for the static checks."""
 
-import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -21,6 +20,9 @@ Floats = NDArray[np.float64]
 
 FEWEST = 7
 """Records from which on a mean counts (NTC 2018, 7.3.5)."""
+FIRST_S, LAST_S = 0.05, 8.0
+"""Periods between which the pseudo-acceleration is tabulated [s]."""
+PERIODS_S: Floats = np.geomspace(FIRST_S, LAST_S, 40)
 COARSE, FINE = 32, 9
 """Periods of the search for the largest ordinate: evenly spaced, then between its neighbours."""
 
@@ -100,10 +102,12 @@ class RecordDemand:
     def sa_g(self, period_s: float, damping: float) -> float:
         """Return the mean over the records of the pseudo-acceleration [g]; the PGA at period 0.
 
+        It is interpolated between 40 periods in equal ratios from 0.05 s to 8 s, and from the PGA.
+
         Parameters
         ----------
         period_s
-            T [s], 0 or above.
+            T [s], from 0 to 8.
         damping
             1 being critical, in [0, 1).
 
@@ -113,9 +117,20 @@ class RecordDemand:
             If a number is outside its range.
         """
         hint = "give a period in seconds, as 0.5"
-        period = in_range("period_s", period_s, 0.0, LONGEST_S, "[]", hint=hint)
-        found = [_pseudo_acceleration(record, period, damping) for record in self.records]
-        return float(np.mean(found)) / STANDARD_GRAVITY
+        period = in_range("period_s", period_s, 0.0, LAST_S, "[]", hint=hint)
+        if period == 0.0:
+            peaks = [record.peak_acceleration_m_s2 for record in self.records]
+            return float(np.mean(peaks)) / STANDARD_GRAVITY
+        if (0.0, damping) not in self._kept:
+            found = [
+                compute_response_spectrum(record, PERIODS_S, damping=damping)
+                for record in self.records
+            ]
+            mean = np.mean([each.pseudo_acceleration_m_s2 for each in found], axis=0)
+            self._kept[0.0, damping] = mean / STANDARD_GRAVITY
+        periods = np.append(0.0, PERIODS_S)
+        values = np.append(self.sa_g(0.0, damping), self._kept[0.0, damping])
+        return float(np.interp(period, periods, values))
 
 
 def _largest(record: Record, end: float, damping: float) -> float:
@@ -127,11 +142,3 @@ def _largest(record: Record, end: float, damping: float) -> float:
     between = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, COARSE - 1)], FINE)
     fine = compute_response_spectrum(record, between, damping=damping).displacement_m
     return float(max(found[top], fine.max()))
-
-
-def _pseudo_acceleration(record: Record, period: float, damping: float) -> float:
-    """Return the pseudo-acceleration of a record [m/s^2]."""
-    if period < SHORTEST * record.dt_s:
-        return record.peak_acceleration_m_s2
-    found = compute_response_spectrum(record, [period], damping=damping)
-    return float(found.displacement_m[0]) * (2.0 * math.pi / period) ** 2

@@ -1,0 +1,376 @@
+"""`rocksteady facade`: the checks of a wall that leans out, static and dynamic."""
+
+import shlex
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    announce_file,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import named_model
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
+from rocksteady.errors import InputError
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.base_motion import BaseMotion
+    from rocksteady.model.motions.record import Record
+    from rocksteady.risk.facades.check_facade import FacadeCheck
+    from rocksteady.risk.facades.facade import Facade
+    from rocksteady.risk.facades.facade_demand import FacadeDemand
+    from rocksteady.risk.facades.facade_runs import FacadeRuns
+
+HELP = (
+    "Will the wall fall outwards? Checks of a facade, parapet or gable by Circolare 2019 n. 7, "
+    "C8.7.1: linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
+    "FILE describes the wall in TOML (docs/facades.md), with loads, ties and the demand of each "
+    "limit state. --records runs the wall under ground motions, as recorded and reversed: no run "
+    "may go beyond d0, and the mean of the largest displacements has a limit. Where FILE states no "
+    "demand for their limit state, 7 records or more give the static checks theirs. --out writes a "
+    "report in English or Italian."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady facade wall.toml --records suite --pga-g 0.25\n\n"
+    "rocksteady facade wall.toml --records suite --out answer --language it\n\n"
+    "rocksteady facade wall.toml --json --check\n\n"
+    "rocksteady facade --example --plot wall.png"
+)
+T = TypeVar("T")
+NEGATIVE = 1
+"""Exit code with --check where a check is not satisfied."""
+EXAMPLE_MOTIONS = 10
+RUNS = "Runs"
+
+FacadePath = Annotated[
+    Path | None,
+    typer.Argument(metavar="FILE", help="A facade and its demand in TOML."),
+]
+Scale = Annotated[
+    str | None,
+    typer.Option(
+        "--scale",
+        metavar="S",
+        help="Multiply the accelerations of all records by a factor; default 1.",
+        rich_help_panel=RUNS,
+    ),
+]
+PgaG = Annotated[
+    str | None,
+    typer.Option(
+        "--pga-g",
+        metavar="G",
+        help="Scale each record to a peak acceleration in g (9.80665 m/s^2); instead of --scale.",
+        rich_help_panel=RUNS,
+    ),
+]
+LimitState = Annotated[
+    str,
+    typer.Option(
+        "--limit-state",
+        metavar="NAME",
+        help="Choose what the records stand for: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
+        rich_help_panel=RUNS,
+    ),
+]
+Directions = Annotated[
+    str,
+    typer.Option(
+        "--directions",
+        metavar="NAME",
+        help="Choose the signs of the records: both (default), recorded or reversed.",
+        rich_help_panel=RUNS,
+    ),
+]
+WallRestitution = Annotated[
+    str | None,
+    typer.Option(
+        "--restitution",
+        "-r",
+        metavar="E",
+        help="Set the restitution of impacts on what stands behind, in [0, 1], or 'housner'; "
+        "default that of FILE.",
+        rich_help_panel=RUNS,
+    ),
+]
+RunModel = Annotated[
+    str | None,
+    typer.Option(
+        "--model",
+        metavar="NAME",
+        help="Choose the equations of motion: nonlinear (default) or linear.",
+        rich_help_panel=RUNS,
+    ),
+]
+OutFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Write the report, the checks, the runs and the inputs with their hashes into a new "
+        "folder; --force replaces those of an earlier check.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+Language = Annotated[
+    str,
+    typer.Option(
+        "--language",
+        metavar="NAME",
+        help="Choose the language of --out and --plot: en (default) or it.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+ExampleFlag = Annotated[
+    bool,
+    typer.Option(
+        "--example",
+        help=f"Check a made-up wall, under {EXAMPLE_MOTIONS} synthetic motions: no file is needed.",
+        rich_help_panel=RUNS,
+    ),
+]
+CheckFlag = Annotated[
+    bool,
+    typer.Option(
+        "--check",
+        help="Leave with exit code 1 where a check is not satisfied.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+SIGNS: dict[str, Literal["both", "as recorded", "reversed"]] = {
+    "both": "both",
+    "recorded": "as recorded",
+    "reversed": "reversed",
+}
+STATES: dict[str, Literal["SLV", "SLC"]] = {"SLV": "SLV", "SLC": "SLC"}
+LANGUAGES: dict[str, Literal["en", "it"]] = {"en": "en", "it": "it"}
+
+
+@grouped
+def facade(
+    context: typer.Context,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    output: OutputFlags,
+    file: FacadePath = None,
+    scale: Scale = None,
+    pga_g: PgaG = None,
+    limit_state: LimitState = "SLV",
+    directions: Directions = "both",
+    restitution: WallRestitution = None,
+    model: RunModel = None,
+    out: OutFolder = None,
+    language: Language = "en",
+    example: ExampleFlag = False,
+    check: CheckFlag = False,
+) -> None:
+    """Run `rocksteady facade`; `HELP` is what its users read."""
+    from rocksteady.risk.facades.check_facade import check_facade
+    from rocksteady.risk.facades.facade_runs import run_facade
+    from rocksteady.risk.facades.read_facade import EXAMPLE, read_facade
+
+    tongue = _chosen("--language", language, LANGUAGES)
+    state, signs = (
+        _chosen("--limit-state", limit_state, STATES),
+        _chosen("--directions", directions, SIGNS),
+    )
+    equations = None if model is None else named_model(model)
+    factor, level = (
+        None if text is None else number(flag, text)
+        for flag, text in (("--scale", scale), ("--pga-g", pga_g))
+    )
+    own = {
+        "--scale": scale,
+        "--pga-g": pga_g,
+        "--limit-state": None if state == "SLV" else state,
+        "--directions": None if signs == "both" else directions,
+        "--restitution": restitution,
+        "--model": model,
+    }
+    _refuse_idle(file, recorded, reading, own, example=example)
+    if tongue != "en" and out is None and output.plot is None:
+        raise FlagError(
+            "--language",
+            language,
+            "it is that of --out and --plot, and neither is given",
+            "add --out DIR, or leave it out",
+        )
+    output.check()
+    if out is not None:
+        from rocksteady.show.facade.folder import check_facade_folder
+
+        check_facade_folder(out, force=output.force)
+    described = read_facade(EXAMPLE if file is None else file)
+    wall = _with_restitution(described.facade, restitution)
+    demand, runs, files = described.demand, None, [] if file is None else [file]
+    if recorded.records or example:
+        suite = _suite(recorded, reading, example=example)
+        files += suite.files
+        announce_compilation("records.record_fates")
+        runs = run_facade(
+            wall,
+            suite.motions,
+            scale=factor,
+            pga_g=level,
+            limit_state=state,
+            directions=signs,
+            model=equations,
+        )
+        remark_on_scale(float(runs.scale.max()), "the largest factor multiplies a record")
+        demand = _with_records(demand, suite.motions, runs)
+    output.refuse_read(files)
+    found = check_facade(wall, demand, runs=runs)
+    _write(context, found, output, out, files, language=tongue)
+    description = found.describe()
+    if output.as_json:
+        print_json("facade", {**description.to_dict(), "synthetic": example})
+    else:
+        if example:
+            words = "The wall is made up and the motions are synthetic: no earthquake made them."
+            description = replace(description, notes=[words, *description.notes])
+        print_description(description, terminal.console())
+    if check and any(each.satisfied is False for each in found.checks):
+        raise typer.Exit(NEGATIVE)
+
+
+def _chosen(flag: str, text: str, names: dict[str, T]) -> T:
+    """Return what a flag names, in either case.
+
+    Raises
+    ------
+    FlagError
+        If there is no such name.
+    """
+    folded = {name.lower(): value for name, value in names.items()}
+    if text.lower() not in folded:
+        first, *rest = names
+        raise FlagError(flag, text, f"it is one of {', '.join(names)}", f"give {first}, or {rest[0]}")
+    return folded[text.lower()]
+
+
+def _refuse_idle(
+    file: Path | None,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    own: dict[str, str | None],
+    *,
+    example: bool,
+) -> None:
+    """Refuse flags that have no meaning beside what is checked.
+
+    Raises
+    ------
+    FlagError
+        With the flag and what to do.
+    """
+    files = {
+        "--records": recorded.records[0] if recorded.records else None,
+        "--pair": recorded.pair or None,
+        **reading.given,
+    }
+    if example:
+        if file is not None:
+            raise FlagError("--example", True, f"{file} is checked already", "leave one out")
+        idle, reason, hint = files, "--example reads no files", "leave it out"
+    elif file is None:
+        raise missing(
+            "FILE",
+            valid="a facade is described in TOML",
+            hint="name it, as wall.toml, or take --example; docs/facades.md lists its keys",
+        )
+    elif not recorded.records:
+        idle = files | own
+        reason, hint = "without --records it has no meaning", "add --records DIR, or leave it out"
+    else:
+        idle, reason, hint = {}, "", ""
+    for flag, value in idle.items():
+        if value is not None:
+            raise FlagError(flag, value, reason, hint)
+    if own["--scale"] is not None and own["--pga-g"] is not None:
+        raise FlagError(
+            "--pga-g", own["--pga-g"], "--scale is the other way to set the level", "leave one out"
+        )
+
+
+def _with_restitution(wall: "Facade", text: str | None) -> "Facade":
+    """Return a facade with the restitution of --restitution, where it is given.
+
+    Raises
+    ------
+    FlagError, InputError
+        If it is no number in its range.
+    """
+    if text is None:
+        return wall
+    given: str | float = "housner" if text == "housner" else number("--restitution", text)
+    return replace(wall, restitution=given)
+
+
+def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
+    """Return the motions: of --records, or synthetic ones."""
+    if not example:
+        return recorded.suite(reading)
+    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
+
+    return Suite(motions=[*make_synthetic_suite(EXAMPLE_MOTIONS)], files=[])
+
+
+def _with_records(
+    demand: "FacadeDemand | None",
+    motions: "list[Record | BaseMotion]",
+    runs: "FacadeRuns",
+) -> "FacadeDemand | None":
+    """Return the demand with that of the records where their limit state has none."""
+    from rocksteady.risk.facades.facade_demand import FacadeDemand
+    from rocksteady.risk.facades.record_demand import RecordDemand
+    from rocksteady.seismic.spectra.grounds import grounds_of
+
+    key = runs.limit_state.lower()
+    if not runs.enough or getattr(demand, key, None) is not None:
+        return demand
+    scaled = [
+        ground.record.scaled(factor)
+        for ground, factor in zip(grounds_of(motions), runs.scale.tolist(), strict=True)
+    ]
+    own = RecordDemand(records=tuple(scaled))
+    return replace(FacadeDemand() if demand is None else demand, **{key: own})
+
+
+def _write(
+    context: typer.Context,
+    found: "FacadeCheck",
+    output: OutputFlags,
+    out: Path | None,
+    files: list[Path],
+    *,
+    language: Literal["en", "it"],
+) -> None:
+    """Write the files that the flags name."""
+    if output.csv is not None:
+        table = found.describe().tables[0]
+        write_csv(output.csv, table.header, table.records())
+    if output.plot is not None:
+        from rocksteady.show.figures.facades import facade_figure
+
+        write_figure(output.plot, facade_figure(found, language=language, page=output.page))
+    if out is not None:
+        from rocksteady.show.facade.folder import write_facade_folder
+
+        command = shlex.join(["rocksteady", *context.find_root().obj])
+        for written in write_facade_folder(
+            found, out, language=language, command=command, files=files, force=output.force
+        ):
+            announce_file(written)
