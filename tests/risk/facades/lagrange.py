@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,8 +63,8 @@ def largest_tilt(facade: Facade, record: Record, restitution: float) -> float:
     section, dt = Section(facade), record.dt_s
     samples = np.append(record.acceleration_m_s2, np.zeros(round(10.0 / dt)))
     state, most = np.zeros(2), 0.0
-    for first, last in zip(samples[:-1], samples[1:], strict=True):
-        state, most = _over(section, state, most, (float(first), float(last), dt), restitution)
+    for first, last in pairwise(samples.tolist()):
+        state, most = _over(section, state, most, (first, last, dt), restitution)
         if state[0] > 1.5:
             return math.inf
     return most
@@ -105,7 +106,13 @@ def _over(
             state = np.array([0.0, 0.0])
         begin = state if state[0] != 0.0 or state[1] != 0.0 else np.array([1e-18, 0.0])
         run = solve_ivp(
-            slope, (now, dt), begin, method="DOP853", events=(strikes, peaks), rtol=1e-11, atol=1e-13
+            slope,
+            (now, dt),
+            begin,
+            method="DOP853",
+            events=(strikes, peaks),
+            rtol=1e-11,
+            atol=1e-13,
         )
         most = max(most, float(run.y[0].max()), *(float(y[0]) for y in run.y_events[1]))
         if run.status == 1:

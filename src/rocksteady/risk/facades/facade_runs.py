@@ -1,4 +1,4 @@
-"""Runs of a facade under records: the nonlinear dynamic check of Circolare 2019 n. 7, C8.7.1.2.1.9."""
+"""Runs of a facade under records: the dynamic check of Circolare 2019 n. 7, C8.7.1.2.1.9."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -206,8 +206,8 @@ class FacadeRuns(Result):
         undecided = int((~np.isin(self.status, (*ENDED, int(Status.OVERTURNED)))).sum())
         if undecided:
             notes.append(
-                f"The end of {plural(undecided, 'run')} could not be decided, or the base fell away "
-                "under the wall: counted as beyond d0."
+                f"The end of {plural(undecided, 'run')} could not be decided, or the base fell "
+                "away under the wall: counted as beyond d0."
             )
         back = self.beyond_d0 & np.isfinite(self.share)
         if back.any():

@@ -22,7 +22,6 @@ from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
-from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
@@ -257,7 +256,9 @@ def _chosen(flag: str, text: str, names: dict[str, T]) -> T:
     folded = {name.lower(): value for name, value in names.items()}
     if text.lower() not in folded:
         first, *rest = names
-        raise FlagError(flag, text, f"it is one of {', '.join(names)}", f"give {first}, or {rest[0]}")
+        raise FlagError(
+            flag, text, f"it is one of {', '.join(names)}", f"give {first}, or {rest[0]}"
+        )
     return folded[text.lower()]
 
 

@@ -1,0 +1,227 @@
+"""Runs of a facade: the equivalent block beside `simulate`, Lagrange's equation and its laws."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    BaseMotion,
+    Facade,
+    FacadeRuns,
+    InputError,
+    Linear,
+    ModelError,
+    Nonlinear,
+    Record,
+    Run,
+    Status,
+    run_facade,
+    simulate,
+)
+from tests.risk.facades.lagrange import largest_tilt
+from tests.risk.facades.suites import BARE, LOADED, motion, motions
+
+G = 9.80665
+MODELS = (Nonlinear(), Linear())
+PARAPET = Facade(name="parapet", kind="parapet", thickness_m=0.4, height_m=2.0, restitution=0.9)
+
+
+def simulated(facade: Facade, record: Record, model: Nonlinear | Linear) -> tuple[Status, float]:
+    """Return status and peak of the equivalent block under a record times lambda."""
+    mechanism = facade.mechanism
+    run = simulate(mechanism.block(), record.scaled(mechanism.base_factor), model=model)
+    return run.status, run.peak
+
+
+@pytest.mark.parametrize("model", MODELS, ids=["nonlinear", "linear"])
+@pytest.mark.parametrize("facade", [BARE, LOADED, PARAPET], ids=lambda each: str(each.name))
+def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear) -> None:
+    records = [motion(seed, 5.0 * G * facade.mechanism.uplift_g) for seed in range(8)]
+    found = run_facade(facade, records, model=model)
+    fell = 0
+    for place, record in enumerate(records):
+        for sign, own in enumerate((record, record.reversed())):
+            status, peak = simulated(facade, own, model)
+            assert found.status[place, sign] == status
+            if status == Status.OVERTURNED:
+                fell += 1
+                assert found.share[place, sign] == math.inf
+            else:
+                assert found.share[place, sign] == pytest.approx(peak, rel=1e-12, abs=0.0)
+    assert 0 < fell < found.share.size
+    assert found.model == model.name
+
+
+@pytest.mark.parametrize(("seed", "times"), [(0, 1.2), (1, 2.4), (2, 3.0), (4, 2.0)])
+@pytest.mark.parametrize("factor", [1.0, 1.35])
+def test_a_bare_wall_follows_its_equation_of_motion(seed: int, times: float, factor: float) -> None:
+    wall = replace(BARE, confidence_factor=factor)
+    record = motion(seed, times * G * wall.mechanism.uplift_g)
+    ratio = wall.mechanism.block().restitution
+    tilt = run_facade(wall, record).share[0] * wall.mechanism.theta0_rad
+    expected = [largest_tilt(wall, each, ratio) for each in (record, record.reversed())]
+    assert min(expected) > 1e-4
+    assert tilt.tolist() == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("seed", "times", "near"), [(0, 1.2, 1e-3), (1, 2.4, 2e-3), (2, 3.6, 0.03)]
+)
+def test_a_loaded_wall_is_near_its_equation_of_motion(seed: int, times: float, near: float) -> None:
+    """Loads, ties and pushing masses are kept to the order of theta^2."""
+    record = motion(seed, times * G * LOADED.mechanism.uplift_g)
+    ratio = LOADED.mechanism.block().restitution
+    tilt = run_facade(LOADED, record).share[0] * LOADED.mechanism.theta0_rad
+    expected = [largest_tilt(LOADED, each, ratio) for each in (record, record.reversed())]
+    assert tilt.tolist() == pytest.approx(expected, rel=near)
+
+
+@pytest.mark.parametrize("model", MODELS, ids=["nonlinear", "linear"])
+def test_a_confidence_factor_is_another_clock_and_another_level(
+    model: Nonlinear | Linear,
+) -> None:
+    """theta'' = (1/FC) ... in time t is FC = 1 in t/sqrt(FC), under FC times the acceleration."""
+    factor = 1.44
+    wall, plain = replace(LOADED, confidence_factor=factor), replace(LOADED, confidence_factor=1.0)
+    suite = motions(8, 2.0 * G * wall.mechanism.uplift_g)
+    faster = [
+        Record(acceleration_m_s2=factor * each.acceleration_m_s2, dt_s=each.dt_s / 1.2)
+        for each in suite
+    ]
+    found, expected = run_facade(wall, suite, model=model), run_facade(plain, faster, model=model)
+    assert (found.status == expected.status).all()
+    assert (found.share > 0.0).all()
+    assert found.share == pytest.approx(expected.share, rel=1e-8)
+
+
+def test_displacements_means_and_the_worse_sign_follow_from_the_runs() -> None:
+    found = run_facade(BARE, motions(7, 0.2 * G), limit_state="SLC")
+    shares, d0 = found.share.tolist(), 2.0 * 0.4 / 3.0
+    worst = [d0 * max(pair) for pair in shares]
+    assert found.largest_m.tolist() == pytest.approx(worst, rel=1e-14)
+    assert found.mean_m == pytest.approx(math.fsum(worst) / 7.0, rel=1e-14)
+    assert found.limit_m == pytest.approx(0.6 * d0)
+    assert found.mean_m is not None
+    assert 0.0 < found.mean_m < found.limit_m
+    assert (found.satisfied, found.beyond) == (True, ())
+    assert found.pga_g.tolist() == pytest.approx([0.2] * 7)
+
+
+def test_one_direction_is_a_column_of_both() -> None:
+    suite = motions(7, 0.25 * G)
+    both = run_facade(BARE, suite)
+    for sign, direction in enumerate(both.directions):
+        alone = run_facade(BARE, suite, directions=direction)  # type: ignore[arg-type]
+        assert alone.directions == (direction,)
+        assert (alone.share[:, 0] == both.share[:, sign]).all()
+
+
+def test_a_mirrored_parapet_has_mirrored_runs() -> None:
+    found = run_facade(PARAPET, motions(7, 1.5 * G * PARAPET.mechanism.uplift_g))
+    assert (found.share[:, 0] == found.share[:, 1]).all()
+    assert found.share.max() > 0.0
+
+
+def test_a_fall_makes_the_mean_infinite_and_no_number_is_missing() -> None:
+    found = run_facade(BARE, [*motions(6, 0.1 * G), motion(9, 3.0 * G)])
+    assert found.beyond == ("motion 9",)
+    assert found.mean_m == math.inf
+    assert found.satisfied is False
+    assert not np.isnan(found.displacement_m).any()
+    values = found.to_dict()
+    assert (values["mean_m"], values["satisfied"], values["beyond"]) == (None, False, ["motion 9"])
+    assert "NaN" not in json.dumps(values, allow_nan=False)
+    assert "mean beyond d0" in found.summary()
+
+
+def test_a_wall_that_comes_back_from_beyond_d0_has_failed() -> None:
+    """Pushed past its balance while the base holds it up: it returns, and counts as fallen."""
+    found = run_facade(BARE, [*motions(6, 0.1 * G), returning()])
+    place = found.records.index("returning")
+    beyond = found.share[place, 0]
+    assert 1.0 < beyond < math.inf
+    assert found.status[place, 0] == Status.AT_REST
+    assert found.beyond == ("returning",)
+    assert found.satisfied is False
+    assert "tilts beyond d0 and comes back" in found.summary()
+
+
+def returning() -> Record:
+    """Return a motion that brings the bare wall past its balance and back."""
+    t = 0.01 * np.arange(400)
+    push = np.where(t < 0.6, 3.15 * np.sin(np.pi * t / 0.6), 0.0)
+    pull = np.where((t > 0.8) & (t < 1.8), -3.0, 0.0)
+    return Record(acceleration_m_s2=push + pull, dt_s=0.01, name="returning")
+
+
+def test_fewer_than_seven_records_have_runs_and_no_mean() -> None:
+    found = run_facade(BARE, motions(6, 0.2 * G))
+    assert (found.enough, found.mean_m, found.satisfied) == (False, None, None)
+    assert len(found.to_dict()["runs"]) == 12
+    assert "needs 7 records and there are 6 records" in " ".join(found.describe().notes)
+    assert run_facade(BARE, motions(7, 0.2 * G)).enough
+
+
+def test_levels_are_factors_or_peaks() -> None:
+    suite = motions(7, 0.2 * G)
+    by_peak, by_factor = run_facade(BARE, suite, pga_g=0.3), run_facade(BARE, suite, scale=1.5)
+    assert by_peak.share == pytest.approx(by_factor.share, rel=1e-9)
+    assert by_factor.pga_g.tolist() == pytest.approx([0.3] * 7)
+    # Stronger is not always farther: that is what both signs and several records are for.
+    with pytest.raises(InputError, match="both given"):
+        run_facade(BARE, suite, pga_g=0.3, scale=1.5)
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
+def test_a_level_is_above_zero(value: float) -> None:
+    for level in ({"scale": value}, {"pga_g": value}):
+        with pytest.raises(InputError):
+            run_facade(BARE, motion(0, 1.0), **level)
+
+
+def test_a_vertical_motion_is_scaled_with_gravity_alone() -> None:
+    across, up = motion(1, 0.3 * G), motion(2, 0.4 * G)
+    found = run_facade(LOADED, BaseMotion(across, up), scale=2.0)
+    mechanism = LOADED.mechanism
+    own = BaseMotion(across.scaled(2.0 * mechanism.base_factor), up.scaled(2.0))
+    for sign, each in enumerate((own, own.reversed())):
+        assert found.share[0, sign] == pytest.approx(
+            simulate(mechanism.block(), each).peak, rel=1e-12
+        )
+    assert found.vertical == (True,)
+    assert found.share[0, 0] != run_facade(LOADED, across, scale=2.0).share[0, 0]
+    with pytest.raises(ModelError, match="vertical"):
+        run_facade(LOADED, BaseMotion(across, up), model=Linear())
+
+
+def test_a_base_that_falls_away_counts_as_beyond() -> None:
+    across, up = motion(1, 0.6 * G), motion(2, 4.0 * G)
+    found = run_facade(BARE, BaseMotion(across, up))
+    assert (found.status == Status.LOST_CONTACT).any()
+    assert found.beyond == ("motion 1",)
+    assert "could not be decided" in found.summary()
+
+
+@pytest.mark.parametrize("run", [Run(executor="serial"), Run(workers=1), Run(workers=3)])
+def test_the_same_bits_for_any_workers(run: Run) -> None:
+    suite = motions(7, 0.3 * G)
+    first, again = run_facade(LOADED, suite), run_facade(LOADED, suite, run=run)
+    assert first.share.tobytes() == again.share.tobytes()
+    assert first.status.tobytes() == again.status.tobytes()
+
+
+def test_records_of_one_name_are_told_apart() -> None:
+    record = motion(0, 0.3 * G)
+    found = run_facade(BARE, [record, record])
+    assert found.records == ("motion 0", "motion 0 (2)")
+
+
+def test_a_wall_that_does_not_lift_stands() -> None:
+    found: FacadeRuns = run_facade(BARE, motions(7, 0.99 * G * BARE.mechanism.uplift_g))
+    assert (found.share == 0.0).all()
+    assert found.satisfied
+    assert not any(row["uplift"] for row in found.to_dict()["runs"])
+    assert run_facade(BARE, motion(0, 1.01 * G * BARE.mechanism.uplift_g)).share.max() > 0.0
