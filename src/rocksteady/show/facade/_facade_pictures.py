@@ -1,0 +1,115 @@
+"""Pictures of a facade's page, each with the words for those who do not see it."""
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rocksteady.risk.facades.facade_check import FacadeCheck
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.show.facade._facade_tables import length
+from rocksteady.show.plots.facades.capacity import plot_capacity
+from rocksteady.show.plots.facades.languages import Language
+from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
+from rocksteady.show.plots.facades.section import plot_facade
+from rocksteady.show.report import PHONE, picture, picture_address
+from rocksteady.show.style.page import SCREEN, Page
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+SECTION, CAPACITY = (3.5, 4.3), (4.6, 4.0)
+"""Width and height of the two pictures that stand side by side [inches]."""
+ROW, MOST_ROWS = 0.3, 40
+"""Height of a record's row [inches]; more rows than these are drawn narrower."""
+
+
+def pictures_of(check: FacadeCheck, words: Language) -> dict[str, dict[str, str]]:
+    """Return addresses and alternative text of each picture.
+
+    Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
+    """
+    code = words.code
+    found = {
+        "section": _beside(
+            lambda axes: plot_facade(check.facade, axes, language=code),
+            SECTION, _words_of_section(check, words),
+        ),
+        "capacity": _beside(
+            lambda axes: plot_capacity(check, axes, language=code),
+            CAPACITY, _words_of_capacity(check, words),
+        ),
+    }  # fmt: skip
+    runs = check.runs
+    if isinstance(runs, FacadeRuns):
+        found["runs"] = picture(
+            lambda axes: plot_facade_runs(runs, axes, language=code),
+            1.3 + ROW * min(len(runs.records), MOST_ROWS),
+            _words_of_runs(runs, words),
+        )
+    return found
+
+
+def _beside(
+    draw: "Callable[[Axes], object]", size: tuple[float, float], words: str
+) -> dict[str, str]:
+    """Return a picture that stands beside another, drawn anew for a phone."""
+    found = {"alt": words}
+    page: Page
+    for name, page in (("source", SCREEN), ("narrow", PHONE)):
+        width, height = size if name == "source" else (PHONE.width(7.2), size[1])
+        with page.figure(width, height, "") as figure:
+            draw(figure.add_subplot())
+        found[name] = picture_address(figure)
+    return found
+
+
+def _words_of_section(check: FacadeCheck, words: Language) -> str:
+    """Return what the section shows."""
+    facade = check.facade
+    return words(
+        "alt_section",
+        kind=words[facade.kind],
+        thickness=length(facade.thickness_m, words),
+        height=length(facade.height_m, words),
+        inset=length(facade.hinge_inset_m, words),
+        **{group: len(getattr(facade, group)) for group in ("loads", "masses", "ties", "thrusts")},
+    )
+
+
+def _words_of_capacity(check: FacadeCheck, words: Language) -> str:
+    """Return what the capacity curve shows."""
+    mechanism = check.mechanism
+    demands = [
+        words(
+            "alt_demand",
+            state=f"{each.limit_state}, {words[f'method_{each.method}']}",
+            demand=words["beyond_all"] if math.isinf(each.demand) else length(each.demand, words),
+        )
+        for each in check.checks
+        if each.unit == "m" and each.demand is not None
+    ]
+    return words(
+        "alt_capacity",
+        a0=words.quantity(mechanism.a0_g, "g"),
+        d0=length(mechanism.d0_m, words),
+        slv=length(mechanism.d_slv_m, words),
+        slc=length(mechanism.d_slc_m, words),
+        demands=words("alt_demands", demands="; ".join(demands)) if demands else "",
+    )
+
+
+def _words_of_runs(runs: FacadeRuns, words: Language) -> str:
+    """Return what the bars show."""
+    mean = runs.mean_m
+    if mean is None:
+        text = words["alt_no_mean"]
+    else:
+        known = words["beyond_all"] if math.isinf(mean) else length(mean, words)
+        text = words("alt_mean", mean=known)
+    return words(
+        "alt_runs",
+        records=len(runs.records),
+        signs=len(runs.directions),
+        beyond=len(runs.beyond),
+        mean=text,
+    )

@@ -1,0 +1,309 @@
+"""Rows of the tables of a facade's page, in the words of a language."""
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rocksteady.errors import InputError
+from rocksteady.outcomes import Status
+from rocksteady.results.numbers import number
+from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.risk.facades.remark import Remark
+from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.show.plots.facades.languages import Language
+
+Row = dict[str, Any]
+
+LOOKS = {True: ("satisfied", "agrees"), False: ("not_satisfied", "differs"), None: ("no_verdict", "open")}
+"""Words and look of each outcome of a check."""
+LENGTH_DIGITS = 4
+"""Digits of a size that was given."""
+
+
+def in_words(remark: Remark, words: Language) -> str:
+    """Return a remark in a language, its numbers with the decimal mark."""
+    values = [
+        words.marked(value) if re.fullmatch(r"-?[\d.e+-]+", value) else value
+        for value in remark.values
+    ]
+    return typeset(words(f"remark_{remark.key}", *values))
+
+
+def typeset(text: str) -> str:
+    """Return a text with its indices and Greek letters.
+
+    Examples
+    --------
+    >>> typeset("a0 FC and 0.4 d0, T0, theta^2, S_e(0)")
+    'a₀ FC and 0.4 d₀, T₀, θ², S_e(0)'
+    """
+    text = re.sub(r"\b([adT])0\b", "\\1₀", text)
+    return text.replace("theta^2", "θ²")
+
+
+def length(metres: float, words: Language) -> str:
+    """Return a length in millimetres below a metre, in metres from there on."""
+    if abs(metres) >= 1.0:
+        return words.quantity(metres, "m")
+    return words.quantity(1e3 * metres, "mm")
+
+
+def verdict_of(check: FacadeCheck, words: Language) -> Row:
+    """Return word and look of the badge at the top."""
+    decided = [each.satisfied for each in check.checks if each.satisfied is not None]
+    if not decided:
+        return {"word": words["no_verdict"], "look": "open"}
+    for state in check.states:
+        if check.decided(state, True) and check.decided(state, False):
+            return {"word": words["differ"], "look": "raised"}
+    word, look = LOOKS[all(decided)]
+    return {"word": words[word], "look": look}
+
+
+def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
+    """Return a sentence for each limit state with a verdict, or the one of none."""
+    mechanism = check.mechanism
+    if not check.states:
+        values = {"a0": words.quantity(mechanism.a0_g, "g"), "d0": length(mechanism.d0_m, words)}
+        return [words("sentence_none", kind=words[check.facade.kind], **values)]
+    found = []
+    for state in check.states:
+        passed, failed = (
+            words.joined([words[f"method_{each.method}"] for each in check.decided(state, which)])
+            for which in (True, False)
+        )
+        key = "differs" if passed and failed else "holds" if passed else "fails"
+        name = words[state]
+        found.append(
+            words(
+                f"sentence_{key}", state=name[:1].upper() + name[1:], passed=passed, failed=failed,
+                methods=passed or failed,
+            )
+        )  # fmt: skip
+    return found
+
+
+def check_rows(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return a row for each check."""
+    return [_check_row(each, words) for each in check.checks]
+
+
+def _check_row(each: Check, words: Language) -> Row:
+    """Return a check in words."""
+    word, look = LOOKS[each.satisfied]
+    key = f"quantity_{each.method}"
+    key = f"{key}_{each.limit_state}" if each.method == "linear" else key
+    ratio = each.ratio
+    return {
+        "state": words[f"{each.limit_state}"],
+        "method": words[f"method_{each.method}"],
+        "formula": f"{each.formula} †",
+        "page": words("pages", page=each.page.replace("-", "–")),
+        "quantity": words(key, limit=f"d_{each.limit_state}"),
+        "demand": _amount(each.demand, each.unit, words),
+        "capacity": _amount(each.capacity, each.unit, words),
+        "ratio": "—" if ratio is None else "∞" if math.isinf(ratio) else words.number(ratio),
+        "word": words[word],
+        "look": look,
+    }
+
+
+def _amount(value: float | None, unit: str, words: Language) -> str:
+    """Return a demand or a capacity with its unit."""
+    if value is None:
+        return "—"
+    if math.isinf(value):
+        return words["beyond_all"]
+    return words.quantity(value, "g") if unit == "g" else length(value, words)
+
+
+def remarks_of_checks(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return how each demand was made."""
+    rows = []
+    for each in check.checks:
+        text = "; ".join(in_words(remark, words) for remark in each.remarks)
+        if text:
+            name = f"{each.limit_state}, {words[f'method_{each.method}']}"
+            rows.append({"name": name, "words": text, "note": ""})
+    return rows
+
+
+def facade_rows(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return geometry, material and the ways it may rock."""
+    facade = check.facade
+
+    def metres(value: float) -> str:
+        return words.quantity(value, "m", LENGTH_DIGITS)
+
+    level = facade.knowledge_level
+    ratio, given = _restitution(check, words)
+    rows = [
+        ("fact_kind", words[facade.kind], ""),
+        ("fact_thickness", metres(facade.thickness_m), ""),
+        ("fact_height", metres(facade.height_m), ""),
+        ("fact_base" if facade.kind == "gable" else "fact_length", metres(facade.length_m), ""),
+        ("fact_unit_weight", words.quantity(facade.unit_weight_kn_m3, "kN/m³"), ""),
+        ("fact_weight", words.quantity(facade.weight_kn, "kN"), ""),
+        ("fact_hinge", words.quantity(1e3 * facade.hinge_inset_m, "mm"), ""),
+        (
+            "fact_fc",
+            words.number(facade.confidence_factor),
+            "" if level is None else words("fact_level", level=level),
+        ),
+        ("fact_sides", words["one_sided" if facade.one_sided else "two_sided"], ""),
+        ("fact_restitution", ratio, given),
+    ]
+    return [{"name": words[key], "words": text, "note": note} for key, text, note in rows]
+
+
+def _restitution(check: FacadeCheck, words: Language) -> tuple[str, str]:
+    """Return the restitution of the impacts, and where it is from."""
+    facade = check.facade
+    if not isinstance(facade.restitution, str):
+        return words.number(facade.restitution), ""
+    try:
+        return words.number(facade.mechanism.block().restitution), words["housner"]
+    except InputError:  # too stocky for Housner's: nothing was run
+        return "—", words["housner"]
+
+
+def acting_rows(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return a row for each load, mass, tie and thrust."""
+    facade = check.facade
+    groups: Sequence[tuple[str, Sequence[Any]]] = (
+        ("kind_load", facade.loads),
+        ("kind_mass", facade.masses),
+        ("kind_tie", facade.ties),
+        ("kind_thrust", facade.thrusts),
+    )
+    return [
+        {
+            "name": each.name,
+            "kind": words[kind],
+            "force": words.number(getattr(each, "weight_kn", None) or each.force_kn),
+            "x": words.number(getattr(each, "x_m", None), LENGTH_DIGITS),
+            "z": words.number(each.z_m, LENGTH_DIGITS),
+        }
+        for kind, group in groups
+        for each in group
+    ]
+
+
+def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return symbol, meaning, value and formula of each number of the mechanism."""
+    found = check.mechanism
+    angle = words.marked(number(math.degrees(found.theta0_rad)))
+    block = words["equivalent"]
+    rows = [
+        ("α₀", "m_alpha0", words.number(found.alpha0), "C8.7.1.1 †"),
+        ("e*", "m_e_star", words.number(found.e_star), "C8.7.1.5 †"),
+        ("M*", "m_mass", words.quantity(found.mass_kg, "kg", 4), "C8.7.1.4 †"),
+        ("FC", "m_fc", words.number(found.confidence_factor), "C8.5.4"),
+        ("a₀", "m_a0", words.quantity(found.a0_g, "g"), "C8.7.1.3 †"),
+        ("d₀", "m_d0", length(found.d0_m, words), "C8.7.1.2.1 †"),
+        ("d_SLV", "m_dslv", length(found.d_slv_m, words), "C8.7.1.2.1 †"),
+        ("d_SLC", "m_dslc", length(found.d_slc_m, words), "C8.7.1.2.1 †"),
+        ("T_SLV", "m_tslv", words.quantity(found.t_slv_s, "s"), "C8.7.1.10 †"),
+        ("T_SLC", "m_tslc", words.quantity(found.t_slc_s, "s"), "C8.7.1.11 †"),
+        ("θ₀", "m_theta0", f"{angle}°", block),
+        ("p", "m_p", words.quantity(found.p_rad_s, "rad/s"), block),
+        ("λ", "m_lambda", words.number(found.base_factor), block),
+        ("α₀ g/FC", "m_uplift", words.quantity(found.uplift_g, "g"), block),
+    ]
+    return [
+        {"symbol": symbol, "meaning": words[key], "value": value, "source": source}
+        for symbol, key, value, source in rows
+    ]
+
+
+def demand_rows(check: FacadeCheck, words: Language) -> list[Row]:
+    """Return the spectrum of each limit state in words."""
+    rows = []
+    for state in ("SLD", "SLV", "SLC"):
+        spectrum: Any = check.demand.of(state)
+        if spectrum is not None:
+            rows.append({"name": words[state], "words": _spectrum_words(spectrum, words), "note": ""})
+    return rows
+
+
+def _spectrum_words(spectrum: Any, words: Language) -> str:
+    """Return what a spectrum is made of."""
+    if isinstance(spectrum, ElasticSpectrum):
+        return words(
+            "demand_spectrum",
+            ag=words.quantity(spectrum.ag_g, "g"),
+            f0=words.number(spectrum.f0, 4),
+            tc=words.quantity(spectrum.tc_star_s, "s"),
+            s=words.number(spectrum.ss * spectrum.st),
+            cc=words.number(spectrum.tc_s / spectrum.tc_star_s),
+        )
+    if isinstance(spectrum, SpectrumTable):
+        return words(
+            "demand_table",
+            count=len(spectrum.periods_s),
+            low=words.quantity(spectrum.periods_s[0], "s"),
+            high=words.quantity(spectrum.periods_s[-1], "s"),
+            damping=words.joined([words.number(100.0 * each) for each in spectrum.damping]),
+        )
+    return words("demand_records", count=len(spectrum.records))
+
+
+def run_rows(runs: FacadeRuns, words: Language) -> list[Row]:
+    """Return a row for each record."""
+    return [
+        {
+            "name": name,
+            "vertical": runs.vertical[place],
+            "pga": words.number(float(runs.pga_g[place])),
+            "scale": words.number(float(runs.scale[place])),
+            "ends": [
+                _end(
+                    float(runs.displacement_m[place, sign]),
+                    float(runs.share[place, sign]),
+                    Status(int(runs.status[place, sign])),
+                    words,
+                )
+                for sign in range(len(runs.directions))
+            ],
+            "largest": _share(float(runs.share[place].max()), words),
+        }
+        for place, name in enumerate(runs.records)
+    ]
+
+
+def _end(displacement: float, share: float, status: Status, words: Language) -> Row:
+    """Return the largest displacement of a run, and how it ended where that is not rest."""
+    if share == 0.0:
+        return {"words": words["still"], "status": ""}
+    text = length(displacement, words) if math.isfinite(displacement) else words["beyond_all"]
+    known = words.has(f"status_{status.label}")
+    end = words[f"status_{status.label}" if known else "status_undecided"]
+    return {"words": text, "status": "" if status == Status.AT_REST else end}
+
+
+def _share(share: float, words: Language) -> str:
+    """Return a displacement over d0."""
+    return words.number(share) if math.isfinite(share) else words["beyond_all"]
+
+
+def mean_row(runs: FacadeRuns, words: Language) -> Row | None:
+    """Return the mean of the largest displacements; None without one."""
+    mean = runs.mean_m
+    if mean is None:
+        return None
+    if math.isinf(mean):
+        return {"share": words["beyond_all"], "length": ""}
+    share = mean / runs.facade.mechanism.d0_m
+    return {"share": words.number(share), "length": length(mean, words)}
+
+
+def motion_rows(manifest: Mapping[str, Any]) -> list[Row]:
+    """Return name and hash of each record."""
+    return [
+        {"name": each["name"], "sha256": each["sha256"]}
+        for each in manifest["records"]
+        if "sha256" in each
+    ]

@@ -1,0 +1,269 @@
+"""English words of the pages and plots of facades."""
+
+from typing import Final
+
+from rocksteady.risk.facades.remark import TEMPLATES
+
+ENGLISH: Final[dict[str, str]] = {
+    "and": "and",
+    # Plots
+    "wall": "wall",
+    "parapet": "parapet",
+    "gable": "gable",
+    "hinge": "hinge",
+    "axis_position": "position [m]",
+    "axis_height": "height above the hinge [m]",
+    "axis_displacement": "displacement d [mm]",
+    "axis_acceleration": "spectral acceleration a [g]",
+    "axis_share": "largest displacement d/d₀",
+    "capacity_curve": "capacity a(d)",
+    "period_of": "T_{state} = {period}",
+    "spectrum_of": "spectrum of {state}, damping {damping} %",
+    "demand_static": "{state}, static demand {demand}",
+    "demand_dynamic": "{state}, mean of the records {demand}",
+    "demand_linear": "{state}, linear demand {demand}",
+    "mean_largest": "mean of the largest {share}",
+    "sign_as recorded": "as recorded",
+    "sign_reversed": "reversed",
+    # Frame of the page
+    "lang": "en-GB",
+    "skip": "To the content",
+    "contents": "Contents",
+    "kicker": "Rocksteady · Facade checked with Circolare 2019 n. 7, C8.7.1",
+    "title": "{name}: does it hold?",
+    "footer": (
+        "Implements published equations; the engineer verifies. No statement of compliance with "
+        "any code."
+    ),
+    # Verdicts
+    "satisfied": "satisfied",
+    "not_satisfied": "not satisfied",
+    "no_verdict": "no verdict",
+    "differ": "methods disagree",
+    "SLD": "damage limitation SLD",
+    "SLV": "life safety SLV",
+    "SLC": "collapse SLC",
+    "method_linear": "linear kinematic analysis",
+    "method_nonlinear static": "nonlinear kinematic analysis",
+    "method_dynamic": "nonlinear dynamic analysis",
+    "sentence_holds": "{state}: satisfied with the {methods}.",
+    "sentence_fails": "{state}: not satisfied with the {methods}.",
+    "sentence_differs": "{state}: satisfied with the {passed}, not with the {failed}.",
+    "sentence_none": (
+        "No check: neither a demand nor records are given. The {kind} starts to move at a spectral "
+        "acceleration of {a0} and has no resistance left at a displacement of {d0}."
+    ),
+    "why_agree": "All methods that were used agree.",
+    "why_nothing": "Give a demand, or 7 records or more, for a verdict.",
+    # Table of checks
+    "checks_caption": (
+        "Each check with its formula. † Taken from an unreviewed transcription of the circular: "
+        "compare with the official text."
+    ),
+    "col_state": "limit state",
+    "col_method": "method",
+    "col_formula": "formula, page",
+    "col_quantity": "quantity",
+    "col_demand": "demand",
+    "col_capacity": "capacity",
+    "col_ratio": "demand over capacity",
+    "col_verdict": "check",
+    "pages": "pp. {page}",
+    "quantity_linear_SLD": "spectral acceleration at the base, against a₀",
+    "quantity_linear_SLV": "spectral acceleration over q = 2, against a₀",
+    "quantity_nonlinear static": "spectral displacement, against {limit}",
+    "quantity_dynamic": "mean of the largest displacements, against {limit}",
+    "beyond_all": "beyond d₀",
+    # Pictures
+    "alt_section": (
+        "Section of the {kind}, {thickness} thick and {height} high, with its hinge {inset} from "
+        "the outer face, {loads} loads, {masses} pushing masses, {ties} ties and {thrusts} thrusts."
+    ),
+    "alt_capacity": (
+        "Capacity over displacement, from {a0} at zero to zero at {d0}, with the limits {slv} of "
+        "SLV and {slc} of SLC{demands}."
+    ),
+    "alt_demand": "{state} {demand}",
+    "alt_demands": "; demands: {demands}",
+    "alt_runs": (
+        "Largest displacement over d₀ of {records} records and {signs} signs; {beyond} records go "
+        "beyond d₀; {mean}."
+    ),
+    "alt_mean": "the mean is {mean}",
+    "alt_no_mean": "there is no mean",
+    "capacity_note": (
+        "Section to scale, leaning by 5° for the eye alone. A line through the origin is a period; "
+        "a square or diamond left of its limit satisfies it. Bars or arrows at the edge lie beyond "
+        "the picture."
+    ),
+    # Sections
+    "section_why": "Why, and what to mind",
+    "section_runs": "Records",
+    "section_wall": "The facade",
+    "section_mechanism": "The mechanism",
+    "section_demand": "Demand",
+    "section_method": "Method",
+    "section_limits": "What is assumed, and what is not covered",
+    "section_inputs": "Inputs",
+    # Notes
+    "mind_linear": "The runs use the linear equations, which hold for small rotations.",
+    "remarks_caption": "How each demand was made",
+    # The facade
+    "fact_kind": "kind",
+    "fact_thickness": "thickness",
+    "fact_height": "height above the hinge",
+    "fact_length": "length",
+    "fact_base": "length of the base",
+    "fact_unit_weight": "unit weight",
+    "fact_weight": "weight",
+    "fact_hinge": "hinge, from the outer face",
+    "fact_fc": "confidence factor FC",
+    "fact_level": "knowledge level {level}",
+    "fact_sides": "rocking",
+    "one_sided": "one-sided: what stands behind stops it",
+    "two_sided": "two-sided: it rocks to both sides",
+    "fact_restitution": "restitution of the velocity",
+    "housner": "Housner: angular momentum is kept",
+    "facade_caption": "Geometry and material",
+    "acting_caption": "What acts on it, on the whole length; x inwards from the outer face, z above the hinge.",
+    "col_name": "name",
+    "col_kind": "kind",
+    "col_force": "force",
+    "col_x": "x",
+    "col_z": "z",
+    "kind_load": "load, weighs on it",
+    "kind_mass": "mass, pushes in an earthquake only",
+    "kind_tie": "tie, pulls inwards",
+    "kind_thrust": "thrust, pushes outwards",
+    # The mechanism
+    "mechanism_caption": "What follows from geometry and weights. † Unreviewed transcription.",
+    "col_symbol": "symbol",
+    "col_meaning": "meaning",
+    "col_value": "value",
+    "col_source": "from",
+    "m_alpha0": "activation multiplier",
+    "m_e_star": "share of the mass that takes part",
+    "m_mass": "mass that takes part",
+    "m_a0": "spectral acceleration of activation",
+    "m_d0": "ultimate displacement, no resistance left",
+    "m_dslv": "displacement capacity of SLV, 0.4 d₀",
+    "m_dslc": "displacement capacity of SLC, 0.6 d₀",
+    "m_tslv": "secant period of SLV",
+    "m_tslc": "secant period of SLC",
+    "m_theta0": "rotation without restoring moment, the block’s α",
+    "m_p": "frequency parameter, with FC",
+    "m_lambda": "factor of the ground acceleration, with FC",
+    "m_uplift": "ground acceleration that lifts the block, α₀/FC",
+    "m_fc": "confidence factor",
+    "equivalent": "equivalent block",
+    # Demand
+    "demand_none": "No demand is given.",
+    "demand_caption": "Demand of each limit state",
+    "demand_spectrum": (
+        "NTC 2018 elastic spectrum: a_g {ag}, F₀ {f0}, T_C* {tc}, S {s}, C_C {cc}"
+    ),
+    "demand_table": "table of {count} periods, {low} to {high}, damping {damping} %",
+    "demand_records": "{count} records, mean of their spectra",
+    # Records
+    "runs_intro": (
+        "{records} records, {signs}: the {kind} as a rigid block that leans outwards only, followed "
+        "to rest or to overturning. Of each record the larger displacement counts."
+    ),
+    "runs_intro_two_sided": (
+        "{records} records, {signs}: the {kind} as a rigid block that rocks to both sides, followed "
+        "to rest or to overturning. Of each record the larger displacement counts."
+    ),
+    "signs_2": "both signs",
+    "signs_1": "one sign",
+    "runs_caption": "Largest displacement of each record, with both signs as far as they were run.",
+    "col_record": "record",
+    "col_pga": "PGA",
+    "col_scale": "factor",
+    "col_largest": "larger, over d₀",
+    "status_at-rest": "at rest",
+    "status_rocking": "rocking",
+    "status_overturned": "overturns",
+    "status_lost-contact": "lost contact",
+    "status_undecided": "undecided",
+    "beyond": "beyond d₀",
+    "still": "does not lift",
+    "vertical": "with vertical",
+    "mean_row": "mean",
+    "runs_note": "A bar with an arrow goes beyond d₀. The thick line is the mean over the records.",
+    # Method
+    "method_1_name": "Kinematic analysis.",
+    "method_1": (
+        "The {kind} turns outwards about its hinge. With weights P that move with it, masses Q "
+        "that push it, ties T and thrusts H, the moment M = ΣP(x − x_h) + ΣTz − ΣHz holds it and "
+        "D = Σ(P + Q)z is moved: α₀ = M/D (1)†. With e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, "
+        "a₀ = α₀ g/(e* FC) (3)†, and the capacity falls along a line to zero at "
+        "d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz)."
+    ),
+    "method_2_name": "Linear check.",
+    "method_2": (
+        "SLD: the peak acceleration at the base is at most a₀ (8)†. SLV: half of it is, with the "
+        "behaviour factor q = 2†."
+    ),
+    "method_3_name": "Nonlinear static check.",
+    "method_3": (
+        "T_SLV = 1.68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1.56 π √(d_SLC/a(d_SLC)) (11)†. The demand "
+        "is S_e(T) T²/(4π²) (12)†, with a damping of 8 % for SLV and 10 % for SLC."
+    ),
+    "method_4_name": "Dynamic check.",
+    "method_4": (
+        "No run goes beyond d₀, and the mean over 7 records or more of the largest displacements "
+        "is at most d_SLV or d_SLC (C8.7.1.2.1.9)†. Between impacts a run solves "
+        "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
+        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block and no oscillator."
+    ),
+    # Assumptions
+    "assumed": "Assumed",
+    "assumed_bullets": (
+        "d_SLV = 0.4 d₀ and d_SLC = 0.6 d₀ alone, since the second bullets could not be read†."
+    ),
+    "assumed_t0": (
+        "With records the largest spectral displacement is taken from period 0 to T_SLV or "
+        "T_SLC: the lower end T₀ could not be read†. This is never less than the circular’s."
+    ),
+    "assumed_mean": (
+        "Records stand for the site and the limit state; the mean of the largest displacements "
+        "needs 7 of them. A fall in one run refuses the facade, whatever the mean."
+    ),
+    "assumed_fc": (
+        "FC divides the moment that holds the {kind} in the runs too: it lifts at α₀ g/FC and turns "
+        "back more slowly."
+    ),
+    "assumed_block": (
+        "The equivalent block is exact where all masses stand in line with the hinge and nothing "
+        "else acts; with ties, thrusts and pushing masses to the order of θ²."
+    ),
+    "assumed_balance": "A run beyond d₀ counts as a fall, even where the {kind} comes back.",
+    "assumed_restitution": (
+        "Restitution at the impact is a choice: measured values of masonry scatter, and a larger "
+        "one keeps the {kind} moving for longer."
+    ),
+    "not_covered": "Not covered",
+    "not_rigid": (
+        "One rigid, monolithic body: a wall of leaves without bond falls apart before it turns."
+    ),
+    "not_crushing": "No crushing of the masonry at the hinge beyond the inset that is given.",
+    "not_sliding": "No sliding of the {kind}, nor of what it carries.",
+    "not_diaphragm": (
+        "No flexible floors, roofs or diaphragms: loads keep their weight, and the building behind "
+        "does not move relative to the ground."
+    ),
+    "not_ties": "Ties pull with a constant force: no stretching, no yielding, no pull-out.",
+    "not_corners": "No bond with cross walls and no friction against them.",
+    "not_height": (
+        "Amplification by the building only where the demand is a floor spectrum, or the records "
+        "are of the floor."
+    ),
+    # Inputs
+    "inputs_files": "Files that were read, with the SHA-256 of their bytes.",
+    "inputs_file": "file",
+    "inputs_command": "The command that makes this page again, with the same files:",
+    "inputs_motions": "Records, with the first 16 digits of the SHA-256 of their samples.",
+    "inputs_made": "Made by rocksteady {version} (kernels {kernels}, NumPy {numpy}).",
+    # Remarks of the checks
+    **{f"remark_{key}": text for key, text in TEMPLATES.items()},
+}

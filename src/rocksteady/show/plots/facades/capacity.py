@@ -1,0 +1,204 @@
+"""Plot of a facade's capacity curve with its limits, periods and demands."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.facades.check_facade import DAMPINGS
+from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.show.plots.facades._axes import decimal_marks
+from rocksteady.show.plots.facades.languages import Language, language_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
+from rocksteady.show.style.line_colours import Inks, inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MM = 1000.0
+MOST = 1.6
+"""Largest demand that is drawn in its place, over d0; a farther one stands at the edge."""
+PERIODS = 300
+
+
+@checked
+def plot_capacity(
+    check: FacadeCheck,
+    ax: "Axes | None" = None,
+    *,
+    language: str = "en",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw the capacity curve of a facade over displacement, with limits, periods and demands.
+
+    A line through the origin is a period T, of slope (2 pi/T)^2. A demand left of its limit is
+    satisfied. Arrows at the right edge are demands beyond it.
+
+    Parameters
+    ----------
+    check
+        From `rocksteady.check_facade`.
+    ax
+        Axes to draw on; those of a new figure without.
+    language
+        "en", the default, or "it".
+    legend
+        "inside" the axes, to their "right", "below" them, the default, or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: displacement [mm], acceleration [g].
+
+    Raises
+    ------
+    InputError
+        If there is no such language.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Facade, check_facade
+    >>> wall = Facade(name="front", kind="wall", thickness_m=0.3, height_m=3.0)
+    >>> axes = plot_capacity(check_facade(wall), Figure().add_subplot())
+    >>> axes.get_xlabel()
+    'displacement d [mm]'
+    """
+    words = language_of(language)
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "below")
+    mechanism, scale = check.mechanism, line_scale(axes)
+    d0, a0 = MM * mechanism.d0_m, mechanism.a0_g
+    demands = _demands(check)
+    at_zero = _accelerations(check)
+    widest = max([d0, *(min(d, MOST * d0) for *_, d in demands)])
+    highest = max([a0, *(min(a, 2.0 * a0) for _, a in at_zero)])
+    axes.set(xlim=(0.0, 1.12 * widest), ylim=(0.0, 1.2 * highest))
+    (curve,) = axes.plot(
+        [0.0, d0], [a0, 0.0], color=inks.ink, lw=2.0 * scale, label=words["capacity_curve"],
+        zorder=3.0,
+    )  # fmt: skip
+    handles: list[Any] = [curve]
+    limits = {"SLV": MM * mechanism.d_slv_m, "SLC": MM * mechanism.d_slc_m}
+    periods = {"SLV": mechanism.t_slv_s, "SLC": mechanism.t_slc_s}
+    for k, (state, limit) in enumerate(limits.items()):
+        colour, dash = inks.lines[k], palette.DASHES[k + 1]
+        axes.axvline(limit, color=colour, lw=1.0 * scale, ls=dash, zorder=2.0)
+        axes.plot([limit], [mechanism.capacity_g(limit / MM)], "o", color=colour, ms=4.5 * scale,
+                  zorder=3.2)  # fmt: skip
+        handles += _draw_period(axes, words, (state, periods[state], colour), scale)
+        handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
+        axes.annotate(
+            f"d_{state}", (limit, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+            textcoords="offset points", ha="center", va="bottom", color=colour,
+            fontsize=text_size(axes, 8.0), annotation_clip=False,
+        )  # fmt: skip
+    handles += _draw_demands(axes, demands, words, inks, periods)
+    handles += _draw_accelerations(axes, at_zero, words, inks)
+    axes.set(xlabel=words["axis_displacement"], ylabel=words["axis_acceleration"])
+    decimal_marks(axes, words)
+    draw_legend(axes, place, handles=handles)
+    return axes
+
+
+def _demands(check: FacadeCheck) -> list[tuple[Check, str, float]]:
+    """Return the displacement demands of the nonlinear static and dynamic checks [mm]."""
+    return [
+        (each, each.limit_state, MM * each.demand)
+        for each in check.checks
+        if each.unit == "m" and each.demand is not None and math.isfinite(each.demand)
+    ]
+
+
+def _accelerations(check: FacadeCheck) -> list[tuple[Check, float]]:
+    """Return the acceleration demands of the linear checks [g]."""
+    return [
+        (each, float(each.demand))
+        for each in check.checks
+        if each.unit == "g" and each.demand is not None and math.isfinite(each.demand)
+    ]
+
+
+def _draw_period(
+    axes: "Axes", words: Language, state: tuple[str, float, str], scale: float
+) -> Sequence[Any]:
+    """Draw the line of a period through the origin."""
+    name, period, colour = state
+    slope = (2.0 * math.pi / period) ** 2 / STANDARD_GRAVITY / MM
+    return axes.plot(
+        [0.0, axes.get_xlim()[1]], [0.0, slope * axes.get_xlim()[1]], color=colour,
+        lw=0.9 * scale, zorder=2.2,
+        label=words("period_of", state=name, period=words.quantity(period, "s")),
+    )  # fmt: skip
+
+
+def _draw_spectrum(
+    axes: "Axes",
+    check: FacadeCheck,
+    words: Language,
+    state: tuple[str, float, str],
+    scale: float,
+) -> Sequence[Any]:
+    """Draw the demand spectrum of a limit state, acceleration over displacement."""
+    name, damping, colour = state
+    spectrum: Any = getattr(check.demand, name.lower())
+    if spectrum is None:
+        return []
+    period = np.geomspace(0.02, 4.0, PERIODS)
+    acceleration = np.array([float(spectrum.sa_g(each, damping)) for each in period.tolist()])
+    displacement = MM * STANDARD_GRAVITY * acceleration * (period / (2.0 * np.pi)) ** 2
+    return axes.plot(
+        displacement, acceleration, color=colour, lw=1.2 * scale, alpha=0.55, ls=(0, (1, 1)),
+        zorder=1.8, label=words("spectrum_of", state=name, damping=words.number(100.0 * damping)),
+    )  # fmt: skip
+
+
+def _draw_demands(
+    axes: "Axes",
+    demands: list[tuple[Check, str, float]],
+    words: Language,
+    inks: Inks,
+    periods: dict[str, float],
+) -> list[Any]:
+    """Draw each displacement demand on the line of its period; those of runs on the abscissa."""
+    right, top = axes.get_xlim()[1], axes.get_ylim()[1]
+    handles = []
+    for check, state, demand in demands:
+        dynamic = check.method == "dynamic"
+        colour = inks.lines[list(periods).index(state)]
+        slope = (2.0 * math.pi / periods[state]) ** 2 / STANDARD_GRAVITY / MM
+        beyond = demand > right
+        at = (min(demand, 0.985 * right), 0.0 if dynamic else min(slope * demand, 0.97 * top))
+        mark = ">" if beyond else ("D" if dynamic else "s")
+        handles += axes.plot(
+            [at[0]], [at[1]], mark, color=inks.paper if dynamic else colour, mec=colour, mew=1.4,
+            ms=7.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,
+            label=words(
+                "demand_dynamic" if dynamic else "demand_static",
+                state=state, demand=words.quantity(demand, "mm"),
+            ),
+        )  # fmt: skip
+    return handles
+
+
+def _draw_accelerations(
+    axes: "Axes", demands: list[tuple[Check, float]], words: Language, inks: Inks
+) -> list[Any]:
+    """Draw the acceleration demands of the linear checks on the ordinate."""
+    top = axes.get_ylim()[1]
+    handles = []
+    for check, demand in demands:
+        colour = inks.lines[2] if check.limit_state == "SLD" else inks.lines[0]
+        handles += axes.plot(
+            [0.0], [min(demand, 0.985 * top)], "^" if demand > top else "_", color=colour,
+            mew=2.4, ms=11.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,
+            label=words(
+                "demand_linear", state=check.limit_state, demand=words.quantity(demand, "g")
+            ),
+        )  # fmt: skip
+    return handles

@@ -1,0 +1,106 @@
+"""Plot of the largest displacements of a facade under records, of both signs."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.show.plots.facades._axes import decimal_marks
+from rocksteady.show.plots.facades.languages import language_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LIMITS = (("d_SLV", 0.4), ("d_SLC", 0.6), ("d₀", 1.0))
+"""Limits of the circular over d0."""
+EDGE = 1.16
+"""End of the bar of a run beyond d0."""
+
+
+@checked
+def plot_facade_runs(
+    runs: FacadeRuns,
+    ax: "Axes | None" = None,
+    *,
+    language: str = "en",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw the largest displacement of each record and sign over d0, with mean and limits.
+
+    Parameters
+    ----------
+    runs
+        From `rocksteady.run_facade`.
+    ax
+        Axes to draw on; those of a new figure without.
+    language
+        "en", the default, or "it".
+    legend
+        "inside" the axes, to their "right", "below" them, the default, or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: d/d0, and a row for each record. The bar of a run beyond d0 ends in an arrow.
+
+    Raises
+    ------
+    InputError
+        If there is no such language.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Facade, make_synthetic_suite, run_facade
+    >>> wall = Facade(name="front", kind="wall", thickness_m=0.3, height_m=3.0)
+    >>> runs = run_facade(wall, make_synthetic_suite(7))
+    >>> len(plot_facade_runs(runs, Figure().add_subplot()).get_yticks())
+    7
+    """
+    words = language_of(language)
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "below")
+    names, shares, over = runs.records, runs.share, runs.beyond_d0
+    count = len(runs.directions)
+    thick = 0.74 / count
+    handles: list[Any] = []
+    for k, sign in enumerate(runs.directions):
+        colour = (inks.lines[0], inks.sweeps[0])[k]
+        at = np.arange(len(names)) + (k - 0.5 * (count - 1)) * thick
+        handles.append(
+            axes.barh(
+                at, np.where(over[:, k], EDGE, shares[:, k]), height=0.9 * thick, color=colour,
+                lw=0.0, label=words[f"sign_{sign}"],
+            )
+        )  # fmt: skip
+        beyond = at[over[:, k]]
+        axes.plot(
+            np.full(len(beyond), EDGE), beyond, ">", color=colour, ms=6.0, ls="none", clip_on=False
+        )
+    for k, (name, share) in enumerate(LIMITS):
+        axes.axvline(share, color=inks.ink, lw=1.0, ls=palette.DASHES[k + 1], zorder=3.0)
+        axes.annotate(
+            name, (share, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+            textcoords="offset points", ha="center", va="bottom", annotation_clip=False,
+            fontsize=text_size(axes, 8.0), color=inks.ink,
+        )  # fmt: skip
+    mean = math.inf if runs.mean_m is None else runs.mean_m / runs.facade.mechanism.d0_m
+    if math.isfinite(mean):
+        label = words("mean_largest", share=words.number(mean))
+        handles.append(axes.axvline(mean, color=inks.impact, lw=1.8, zorder=3.2, label=label))
+    axes.set_yticks(range(len(names)), [literal(palette.shortened(name, 24)) for name in names])
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
+    axes.set(
+        xlabel=words["axis_share"], xlim=(0.0, EDGE + 0.02), ylim=(len(names) - 0.45, -0.55)
+    )
+    decimal_marks(axes, words, vertical=False)
+    draw_legend(axes, place, handles=handles)
+    return axes
