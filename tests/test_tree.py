@@ -4,6 +4,7 @@ import ast
 import importlib
 import re
 from collections import Counter, defaultdict
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -30,18 +31,24 @@ def name_of(file: Path) -> str:
     return ".".join(("rocksteady", *file.relative_to(SOURCE).with_suffix("").parts))
 
 
-MODULES = {name_of(file): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
+NAMES = frozenset(name_of(file) for file in FILES)
+
+
+@cache
+def modules() -> dict[str, ast.Module]:
+    """Return the trees of the modules by name; only tests need them, and collecting does not."""
+    return {name_of(file): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
 
 
 def imported(name: str) -> set[str]:
     """Return the modules of the package that a module imports, wherever it does so."""
     found = set()
-    for node in ast.walk(MODULES[name]):
+    for node in ast.walk(modules()[name]):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             found |= {str(node.module), *(f"{node.module}.{alias.name}" for alias in node.names)}
-    return found & set(MODULES)
+    return found & NAMES
 
 
 PUBLIC = {
@@ -50,10 +57,16 @@ PUBLIC = {
     if isinstance(node, ast.ImportFrom)
 }
 """Modules that define public names."""
-IMPORTERS: dict[str, set[str]] = defaultdict(set)
-for _name in MODULES:
-    for _other in imported(_name):
-        IMPORTERS[_other].add(_name)
+
+
+@cache
+def importers() -> dict[str, set[str]]:
+    """Return who imports each module."""
+    users: dict[str, set[str]] = defaultdict(set)
+    for name in NAMES:
+        for other in imported(name):
+            users[other].add(name)
+    return users
 
 
 def folder_of(name: str) -> str:
@@ -64,13 +77,13 @@ def is_private(name: str) -> bool:
     return name.rpartition(".")[2].startswith("_")
 
 
-@pytest.mark.parametrize("name", [name for name in MODULES if not name.endswith("__")])
+@pytest.mark.parametrize("name", [name for name in sorted(NAMES) if not name.endswith("__")])
 def test_a_module_that_only_its_own_folder_imports_has_an_underscore_and_no_other(
     name: str,
 ) -> None:
     elsewhere = {
         user
-        for user in IMPORTERS[name]
+        for user in importers()[name]
         if folder_of(user) != folder_of(name) and user != "rocksteady.__init__"
     }
     public = name in PUBLIC
@@ -107,9 +120,9 @@ def test_every_folder_says_what_it_answers() -> None:
 def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
     """The namespaces of the package and of a study are there to pass names on."""
     passed_on = []
-    for name, tree in MODULES.items():
+    for name, tree in modules().items():
         for node in ast.walk(tree):
-            if not isinstance(node, ast.ImportFrom) or node.module not in MODULES:
+            if not isinstance(node, ast.ImportFrom) or node.module not in NAMES:
                 continue
             passed_on += [
                 f"{name}: {alias.name} of {node.module}"
@@ -122,7 +135,7 @@ def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
 def defined_in(name: str) -> set[str]:
     """Return the names that a module itself defines."""
     found: set[str] = set()
-    for node in MODULES[name].body:
+    for node in modules()[name].body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             found.add(node.name)
         elif isinstance(node, ast.Assign | ast.AnnAssign | ast.For | ast.With | ast.If | ast.Try):
