@@ -21,7 +21,7 @@ from rocksteady.show.facade._facade_tables import (
     sentences_of,
     verdict_of,
 )
-from rocksteady.show.plots.facades.languages import Language, TABLES
+from rocksteady.show.plots.facades.languages import TABLES, Language
 from rocksteady.show.report import render
 from rocksteady.show.style.wording import cleaned, plain_name, sentence
 
