@@ -101,6 +101,22 @@ def one_sided(amplitude: float, frequency: float, e: float, alpha: float = 0.0) 
     return make_system(amplitude, frequency, sides)
 
 
+def landed_exactly(
+    amplitude: float, frequency: float, e: float, near: float, phase: mp.mpf, speed: mp.mpf
+) -> NDArray[np.object_]:
+    """Return phase and speed after the impact near a time, in many digits."""
+    flight = ExactFlight(-1, 0, amplitude, frequency, 0, mp.mpf(speed), phase)
+    time = flight.zero_near(near)
+    return np.array([phase + mp.mpf(frequency) * time, -mp.mpf(e) * flight.state(time)[1]])
+
+
+def landed(system: System, state: Section, phase: float, speed: float) -> Floats:
+    """Return phase and speed after the passage from a state that is moved by so much."""
+    moved = Section(state.side, 0, state.phase + phase, state.speed + speed)
+    after = next_passage(system, moved, -1.0).state
+    return np.array([math.pi * after.half_cycles + after.phase, after.speed])
+
+
 def settled_from(
     system: System, phase: float, velocity: float, periods: int = 2000
 ) -> tuple[Settled, Floats]:
@@ -156,18 +172,12 @@ def test_its_derivative_is_that_of_differences_in_many_digits() -> None:
         if passage.kind != IMPACT or passage.landing < 0.05 or passage.time > 8.0:
             continue
         first = state.half_cycles * mp.pi + mp.mpf(state.phase)
-
-        def landed(more: mp.mpf, faster: mp.mpf) -> Floats:
-            flight = ExactFlight(
-                -1, 0, amplitude, frequency, 0, mp.mpf(speed) + faster, first + more
-            )
-            time = flight.zero_near(passage.time)
-            return np.array([more + mp.mpf(frequency) * time, -mp.mpf(e) * flight.state(time)[1]])
-
-        columns = [
-            (landed(*moved) - landed(*(-m for m in moved))) / (2 * step)
-            for moved in ((step, mp.mpf(0)), (mp.mpf(0), step))
-        ]
+        shaken = (amplitude, frequency, e, passage.time)
+        columns = []
+        for more, faster in ((step, 0), (0, step)):
+            after = landed_exactly(*shaken, first + more, speed + faster)
+            before = landed_exactly(*shaken, first - more, speed - faster)
+            columns.append((after - before) / (2 * step))
         truth = np.column_stack(columns).astype(np.float64)
         got = np.array(passage.jacobian).reshape(2, 2)
         blur = 1e-12 * math.exp(passage.time) * (1.0 + frequency) * (1.0 + amplitude)
@@ -220,15 +230,12 @@ def test_it_is_that_of_differences_of_the_map_and_its_mirror_image(alpha: float)
         if here.kind != IMPACT or here.landing < 0.05:
             continue
         checked += 1
-        h = 1e-6
-
-        def landed(phase: float, speed: float, from_state: Section = state) -> Floats:
-            moved = Section(1, 0, from_state.phase + phase, from_state.speed + speed)
-            after = next_passage(systems[0], moved, -1.0).state
-            return np.array([math.pi * after.half_cycles + after.phase, after.speed])
-
+        h, system = 1e-6, systems[0]
         near = np.column_stack(
-            [landed(h, 0.0) - landed(-h, 0.0), landed(0.0, h) - landed(0.0, -h)]
+            [
+                landed(system, state, h, 0.0) - landed(system, state, -h, 0.0),
+                landed(system, state, 0.0, h) - landed(system, state, 0.0, -h),
+            ]
         ) / (2.0 * h)
         jacobian = np.array(here.jacobian).reshape(2, 2)
         np.testing.assert_allclose(near, jacobian, atol=1e-5 * np.abs(jacobian).max() ** 2)
