@@ -265,23 +265,12 @@ class BlockFlags:
         free = replace(self, one_sided=None, restitution="1").described()
         sized = isinstance(free, Block)
         ratio = one_restitution(
-            restitution_from(self.restitution, default="housner" if sized else None)
+            restitution_from(self.restitution, default="housner" if sized else None, wall=True)
         )
         if isinstance(free, Block):
             return free.against_wall(ratio)
         assert isinstance(ratio, float)  # without a size no other form is taken
         return DimensionlessBlock(restitution=ratio, one_sided=True)
-
-    def refuse_one_sided(self, valid: str, hint: str = "leave it out") -> None:
-        """Refuse a block against a wall where there is no meaning in it.
-
-        Raises
-        ------
-        FlagError
-            If --one-sided is given.
-        """
-        if self.one_sided:
-            raise FlagError(finding="--one-sided is given", valid=valid, hint=hint)
 
     def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
         """Return the block of the sizes that are given; None where they are not those of one."""

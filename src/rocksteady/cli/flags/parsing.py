@@ -95,8 +95,19 @@ def axis(flag: str, text: str) -> list[float]:
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
 
-def restitution_from(text: str | None, *, default: Restitution | None) -> Restitutions:
+def restitution_from(
+    text: str | None, *, default: Restitution | None, wall: bool = False
+) -> Restitutions:
     """Return a restitution: numbers, a form of "housner", or the default where none was given.
+
+    Parameters
+    ----------
+    text
+        What was typed, if anything.
+    default
+        In its place; none where it is needed.
+    wall
+        Whether it is that of a wall, of which there is one.
 
     Raises
     ------
@@ -118,19 +129,23 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
                 "restitution",
                 text,
                 "Housner's value follows from a block's slenderness",
-                "describe a block, or give a number in (0, 1]",
+                f"describe a block, or give a number in {'[' if wall else '('}0, 1]",
             )
         return form
     first, comma, second = text.partition(",")
     try:
         return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
+        valid = VALID_TEXT.replace("],", "], two of them,")
+        pair = " or -r 0.8,0.9"
+        if wall:
+            valid, pair = VALID_TEXT.replace("(0", "[0"), ""
         near = re.fullmatch(r"[hH][a-zA-Z]*[\s*]*([0-9]*\.?[0-9]+)", text)
         raise InputError(
             "restitution",
             text,
-            VALID_TEXT.replace("],", "], two of them,"),
-            f"write it as -r 'housner*{near[1]}'" if near else "write it as -r 0.8 or -r 0.8,0.9",
+            valid,
+            f"write it as -r 'housner*{near[1]}'" if near else f"write it as -r 0.8{pair}",
         ) from None
 
 

@@ -63,6 +63,8 @@ class Block(Measured):
     ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
     ==========================================  ====================================================
 
+    ``block.against_wall()`` is any of them against a wall, so that it rocks to one side alone.
+
     The positive side is rotation about the left edge, counterclockwise, which a positive base
     acceleration (to the right) drives.  Its alpha and p are the reference of an asymmetric block:
     angles count in units of its alpha, pivot time is its p times t, accelerations are in units of

@@ -127,8 +127,8 @@ class DimensionlessBlock(Result):
         """Return its restitution, and the ratios of its sides where they differ."""
         if self.one_sided:
             facts = [
-                Fact("restitution", self.restitution, "restitution of the wall"),
-                Fact("one_sided", True, "one-sided"),
+                Fact("restitution", self.restitution, "restitution"),
+                Fact("one_sided", True, "sides", "positive (left) alone, a wall behind"),
             ]
             return Description(
                 headline=f"dimensionless block against a wall, restitution "
