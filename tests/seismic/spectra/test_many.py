@@ -127,7 +127,7 @@ def test_without_loss_at_the_wall_each_status_is_that_of_a_time_history(model: M
 
 
 def test_a_push_into_the_wall_moves_nothing() -> None:
-    push = Record(acceleration_m_s2=[0.0, -9.0, -9.0, 0.0], dt_s=0.2)
+    push = Record(acceleration_m_s2=np.array([0.0, -9.0, -9.0, 0.0]), dt_s=0.2)
     still, moved = (
         simulate_many(WALLS, push, reverse=turned, model=model)
         for turned, model in ((False, Nonlinear()), (True, Nonlinear()))

@@ -79,7 +79,10 @@ def vary(
     ]
     if band.draws > 1:
         ends = band.ratios(base)[[0, -1]].tolist()
-        alone = [base.with_restitution((ratio, other)) for ratio, other in ends]
+        alone = [
+            base.with_restitution(ratio if base.one_sided else (ratio, other))
+            for ratio, other in ends
+        ]
         found = run_at(alone, motions, level.measure, levels, run=run)
         cases += [
             case_of("restitution", f"{max(pair):.3f} alone", each)

@@ -135,7 +135,8 @@ class ObjectsTable(Result):
         )
         source = (
             "The probability is that of the curve through the runs of all objects where there is "
-            "one, else the share of the object's own runs; each has its own restitution alone."
+            "one, else the share of the object's own runs; each has its own restitution alone. "
+            "Objects against a wall are no part of the curve."
         )
         return Description(
             headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
@@ -256,7 +257,12 @@ def assess_objects(
 def _pooled(
     blocks: Sequence[Block], pgv: float, lifted: Integers, fell: Integers
 ) -> VectorFit | None:
-    """Return P(falls | lifts) of all objects; None where too few lift, or no curve fits."""
+    """Return P(falls | lifts) of all objects that stand free of walls.
+
+    None where too few lift, or no curve fits.
+    """
+    free = np.array([not block.one_sided for block in blocks])
+    lifted = np.where(free[:, np.newaxis], lifted, 0)
     if (lifted.sum(axis=1) > 0).sum() < FEWEST:
         return None
     there = lifted > 0
@@ -298,9 +304,9 @@ def _row(
     if pga is not None:
         motion = first_motion(block, pga, 100.0 if friction is None else bounds_of(friction)[0])
     closed, fitted, counted = None, None, fell / trials
-    if pga is not None and pgv is not None:
+    if pga is not None and pgv is not None and not block.one_sided:
         closed = assess_two_numbers(block, pga, pgv).probability
-    if curve is not None and pgv is not None:
+    if curve is not None and pgv is not None and not block.one_sided:
         falls = float(curve.probability(np.array(_point(block, pgv)[: len(curve.names)])))
         fitted = None if math.isnan(falls) else falls * lifted / trials
     probability: float | None = counted if fitted is None else fitted

@@ -312,7 +312,9 @@ def _remarks(
             f"{' and '.join(outside)} lies outside the runs of this package (alpha 0.1 to "
             "0.3 rad, p 1 to 3 rad/s)."
         )
-    if not block.symmetric:
+    if block.one_sided:
+        remarks.append("The runs are of blocks that rock to both sides: the wall is left out.")
+    elif not block.symmetric:
         remarks.append("The sides differ: both are taken to be as the side that lifts first.")
     return remarks
 

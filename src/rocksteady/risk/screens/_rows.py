@@ -1,13 +1,15 @@
 """Rows of the table of screens: each formula with its source, its value and its verdict."""
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.sides import Side
+from rocksteady.model.blocks.sides import Side, wall_ratio
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._cabinets import nearest_cabinet
 from rocksteady.risk.screens._thresholds import (
@@ -26,7 +28,7 @@ from rocksteady.risk.screens.friction import (
     uplift_acceleration_g,
 )
 from rocksteady.risk.screens.screen import Screen, Standing
-from rocksteady.seismic.measures.free_sides import first_side
+from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 MEMORY_HIGH = "from memory, high"
 CHECKED = "checked numerically"
@@ -42,6 +44,7 @@ LEAST_NUMBER, MOST_NUMBER = 0.2, 2.0
 RECTANGLE_SHARE = 0.75
 """M R^2/I_0 of a homogeneous rectangle."""
 ALIKE = 1e-6
+BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
 
 
 @dataclass(frozen=True)
@@ -72,20 +75,38 @@ class Case:
     def rectangular(self) -> bool:
         """Whether it is a homogeneous rectangle."""
         share = self.side.p**2 * self.side.radius / self.block.gravity
-        return self.block.symmetric and abs(share / RECTANGLE_SHARE - 1.0) < ALIKE
+        alike = self.block.positive == self.block.negative
+        return alike and abs(share / RECTANGLE_SHARE - 1.0) < ALIKE
 
-    def rocking(self, *, remark: str = "", answered: bool | None = None, **fields: Any) -> Screen:
+    @cached_property
+    def other(self) -> Side | None:
+        """The side that lifts last; None where it is as the first, or a wall stands there."""
+        last = max(free_sides(self.block), key=lambda side: side.alpha)
+        return None if self.block.symmetric or self.block.one_sided else last
+
+    def rocking(
+        self,
+        *,
+        remark: str = "",
+        answered: bool | None = None,
+        of_walls: bool = False,
+        **fields: Any,
+    ) -> Screen:
         """Return a row that takes rocking for granted: refused where the block slides.
 
-        Its formula was made for rectangles.  It is answered where it has a value, or as given.
+        Its formula was made for rectangles, and, unless it is one `of_walls`, for rocking to both
+        sides.  It is answered where it has a value, or as given.
         """
         known = fields["value"] is not None if answered is None else answered
         status: Standing = "computed" if known else "needs input"
         if not self.rectangular:
             what = "made for homogeneous rectangles"
-            if not self.block.symmetric:
+            if self.other is not None:
                 what += "; the side that lifts first is taken, as if both were like it"
             remark = f"{remark} {what[0].upper()}{what[1:]}.".strip()
+            status = "approximate" if status == "computed" else status
+        if self.block.one_sided and not of_walls:
+            remark = f"{remark} {BOTH_WAYS}".strip()
             status = "approximate" if status == "computed" else status
         if self.mode in SLIDES and status != "needs input":
             fields |= {"verdict": REFUSED, "passes": None}
@@ -104,10 +125,12 @@ def uplift_row(case: Case) -> Screen:
         verdict, passes = f"stays down at {number(pga)} g", True
     else:
         verdict, passes = f"lifts: {number(pga)} g is {number(pga / value)} times it", False
-    sides = (case.block.positive, case.block.negative)
     scale = value / tan(case.side.alpha)
-    other = max(sides, key=lambda side: side.alpha)
-    details = () if case.block.symmetric else (("other side", scale * tan(other.alpha), "g"),)
+    remark = "To its free side." if case.block.one_sided else ""
+    details: tuple[tuple[str, float, str], ...] = ()
+    if case.other is not None:
+        details = (("other side", scale * tan(case.other.alpha), "g"),)
+        remark = "Of the side that lifts first."
     return Screen(
         name="uplift",
         equation="(g + a_v) tan(α)",
@@ -122,7 +145,7 @@ def uplift_row(case: Case) -> Screen:
         passes=passes,
         needs=needs,
         details=details,
-        remark="" if case.block.symmetric else "Of the side that lifts first.",
+        remark=remark,
     )
 
 
@@ -130,7 +153,7 @@ def friction_row(case: Case) -> Screen:
     """Return the row of the friction that rocking needs."""
     pga, friction = case.demand.pga_g, case.friction
     needs, passes = "", None
-    value = tan(max(case.block.positive.alpha, case.block.negative.alpha))
+    value = tan(max(side.alpha for side in free_sides(case.block)))
     if pga is None:
         verdict, needs = "needs a PGA; this is its least, at uplift", "pga_g"
     else:
@@ -156,12 +179,14 @@ def friction_row(case: Case) -> Screen:
         needs=needs,
         remark="A friction above width/height alone does not ensure pure rocking: the need grows "
         "with the PGA."
-        + ("" if case.block.symmetric else " The greater of both sides: shaking reverses."),
+        + ("" if case.other is None else " The greater of both sides: shaking reverses."),
     )
 
 
 def restitution_row(case: Case) -> Screen:
     """Return the row of the restitution that conserves angular momentum about the new edge."""
+    if case.block.one_sided:
+        return _wall_row(case)
     first, second = case.side, case.block.negative
     if first == second:
         second = case.block.positive
@@ -182,6 +207,27 @@ def restitution_row(case: Case) -> Screen:
         unit="",
         verdict=f"this block has {number(first.restitution)}",
         remark="Tests often exceed it, up to its square root.",
+    )
+
+
+def _wall_row(case: Case) -> Screen:
+    """Return the row of the restitution that conserves angular momentum on base, wall and base."""
+    value, own = None, number(case.block.restitution)
+    with suppress(InputError):  # of a stocky block
+        value = wall_ratio(case.side, case.block.gravity)
+    stocky = "no answer: a wall does not turn back a block so stocky"
+    return Screen(
+        name="restitution",
+        equation="momentum at wall",
+        edition="Sorrentino 2008",
+        source="L. Sorrentino, S. Kunnath, G. Monti and G. Scalora, Eng. Struct. 30, 2140-2153 "
+        "(2008): impacts on base, wall and base, (1 - 2 k sin^2 alpha)^2 |1 - 2 k cos^2 alpha|",
+        confidence=MEMORY_HIGH,
+        status="computed",
+        value=value,
+        unit="",
+        verdict=stocky if value is None else f"this block has {own}",
+        remark="Of the wall; the free block's own is not used.",
     )
 
 
@@ -290,6 +336,7 @@ def circolare_row(case: Case) -> Screen:
         if not passes and pga <= full.a0_g:
             verdict = f"{number(pga)} g passes with FC 1, not with FC 1.35"
     return case.rocking(
+        of_walls=True,
         name="Circolare rectangle",
         equation="C8.7.1 (3,10,11)",
         edition="Circ. 2019 n. 7",

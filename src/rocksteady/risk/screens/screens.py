@@ -143,7 +143,8 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     ----------
     block
         The block.  Of one whose sides differ the side that lifts first is taken, and rows made for
-        rectangles say so.
+        rectangles say so; of one against a wall its free side, and rows made for rocking to both
+        sides say so.
     demand
         Peak acceleration and velocity, and a spectrum where it is known.  A row whose input is
         missing names it.

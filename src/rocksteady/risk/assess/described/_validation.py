@@ -88,7 +88,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             )
     _check_restitution(given, source)
     for table, key, value in numbers_of(given):
-        _check(table, key, value, source)
+        _check(table, key, value, source, from_zero=key == "restitution" and given.against_wall)
     _check_spectrum(given, source)
     _check_choices(given, source)
     states = [name for name, _ in own_states(given.assessment)]
@@ -102,8 +102,8 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
     return given
 
 
-def _check(table: str, key: str, value: object, source: str) -> None:
-    """Refuse a number outside its range, and a range upside down."""
+def _check(table: str, key: str, value: object, source: str, *, from_zero: bool) -> None:
+    """Refuse a number outside its range, in which 0 may lie, and a range upside down."""
     name = named(source, table, key)
     if key in WHOLE:
         least, most, hint = WHOLE[key]
@@ -113,6 +113,7 @@ def _check(table: str, key: str, value: object, source: str) -> None:
             raise InputError(name, count, valid, hint)
         return
     low, high, ends, hint = BOUNDS.get(key, (0.0, LARGEST_M, "(]", _METRES))
+    ends = "[]" if from_zero else ends
     bounds = (value.low, value.high) if isinstance(value, Range) else (value,)
     for number in bounds:
         in_range(name, number, low, high, ends, hint=hint)  # type: ignore[arg-type]

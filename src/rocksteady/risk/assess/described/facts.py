@@ -10,7 +10,7 @@ from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Range
-from rocksteady.seismic.measures.free_sides import first_side
+from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 STOCKY = 0.4
 """Slenderness [rad] from which on a block on most floors slides before it rocks."""
@@ -52,17 +52,24 @@ class ObjectFacts(Result):
 
     def describe(self) -> Description:
         """Return the facts of the weaker side, and a row for each side."""
-        weaker = first_side(self.block)
+        weaker, walled = first_side(self.block), self.block.one_sided
         rows = [
-            {"side": name, **side.to_dict(), "uplift_pga_g": tan(side.alpha)}
-            for name, side in (("left", self.block.positive), ("right", self.block.negative))
+            {
+                "side": name,
+                **side.to_dict(),
+                **({"restitution": self.block.restitution} if walled else {}),
+                "uplift_pga_g": tan(side.alpha),
+            }
+            for name, side in zip(("left", "right"), free_sides(self.block), strict=False)
         ]
+        ratio = self.block.restitution if walled else weaker.restitution
+        whose = "restitution of the wall" if walled else "restitution"
         facts = [
             Fact("name", self.name, "object"),
             Fact("alpha_rad", weaker.alpha, "slenderness alpha", angle(weaker.alpha)),
             Fact("p_rad_s", weaker.p, "frequency p", quantity(weaker.p, "rad/s")),
             Fact("radius_m", weaker.radius, "radius R", length(weaker.radius)),
-            Fact("restitution", weaker.restitution, "restitution", number(weaker.restitution)),
+            Fact("restitution", ratio, whose, number(ratio)),
             Fact(
                 "mass_centre_height_m",
                 weaker.centre_height,
@@ -87,7 +94,7 @@ class ObjectFacts(Result):
             Column("restitution", "restitution"),
             Column("uplift_pga_g", "lifts at [g]"),
         ]
-        shown = [] if self.block.symmetric else columns
+        shown = [] if self.block.symmetric or walled else columns
         return Description(
             headline=f"{self.name}: alpha {angle(weaker.alpha)}, p {quantity(weaker.p, 'rad/s')}, "
             f"lifts at {quantity(self.uplift_pga_g, 'g')}",
@@ -152,6 +159,11 @@ def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
         sentences.append(
             f"The friction is not given: with a coefficient below {number(uplift)} the object "
             "slides."
+        )
+    if block.one_sided:
+        sentences.append(
+            "It stands against a wall, which stops it: it rocks about its left edge alone, and "
+            "each record is run with both signs."
         )
     if side.alpha > STOCKY:
         sentences.append(

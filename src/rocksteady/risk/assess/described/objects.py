@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.errors import RocksteadyError
+from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.blocks.sides import Restitution
@@ -114,7 +114,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     @property
     def restitution(self) -> Restitution:
-        """Restitution of the block: a form of "housner", a number, or the lowest of a band."""
+        """Restitution of the block or of the wall: "housner", a number, or the lowest of a band."""
         value = self.given.restitution
         if isinstance(value, str):
             return form_of_text(value) or "housner"  # checked: it is a form
@@ -126,8 +126,16 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         return self._made(self.body, self.restitution)
 
     def block_of(self, body: Body) -> Block:
-        """Return the block of a changed body, with the object's restitution and gravity."""
-        return self._made(body, self.restitution)
+        """Return the block of a changed body, with the object's restitution and gravity.
+
+        Off a wall a body that has become too stocky for angular momentum does not rebound.
+        """
+        try:
+            return self._made(body, self.restitution)
+        except InputError:
+            if not self.given.against_wall:
+                raise
+            return self._made(body, 0.0)
 
     def with_target(self, probability: float) -> "ObjectFile":
         """Return the object with another target probability, in (0, 1).
@@ -159,6 +167,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         about = [
             Fact("name", self.name, "name"),
             Fact("kind", self.given.kind, "kind"),
+            Fact("against_wall", self.given.against_wall),
             Fact("source", self.source, "from"),
             Fact("sha256", self.sha256),
             Fact("extra", dict(self.extra)),
@@ -178,8 +187,11 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     def _made(self, body: Body, restitution: Restitution) -> Block:
         """Return the block of a body; a refusal names the file."""
+        gravity = self.given.gravity_m_s2
         try:
-            return body.block(restitution, self.given.gravity_m_s2)
+            if self.given.against_wall:  # impacts on the base alone do not occur
+                return body.block(1.0, gravity).against_wall(restitution)
+            return body.block(restitution, gravity)
         except RocksteadyError as error:
             raise type(error)(
                 named(self.source, "geometry", error.name), error.value, error.valid, error.hint

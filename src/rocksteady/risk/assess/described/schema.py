@@ -95,6 +95,7 @@ class ObjectInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     kind: Kind = "other"
     friction: Value | None = None
     restitution: str | Value = "housner"
+    against_wall: bool = False
     gravity_m_s2: float = 9.80665
     content: Content | None = None
     demand: ObjectDemand = ObjectDemand()
@@ -129,7 +130,7 @@ def numbers_of(given: msgspec.Struct, table: str = "") -> Iterator[tuple[str, st
                     yield table, "peak", each.peak
                 elif not isinstance(each, str):
                     yield table, key, each
-        elif isinstance(value, float | int | Range):
+        elif isinstance(value, float | int | Range) and not isinstance(value, bool):
             yield table, key, value
 
 

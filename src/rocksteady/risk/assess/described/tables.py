@@ -11,13 +11,18 @@ from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
 from rocksteady.risk.observations.spread import parts_of
 
 COLUMNS: Mapping[str, tuple[str, str]] = {
-    **{key: ("", key) for key in ("name", "kind", "friction", "restitution", "gravity_m_s2")},
+    **{
+        key: ("", key)
+        for key in ("name", "kind", "friction", "restitution", "against_wall", "gravity_m_s2")
+    },
     **{key: ("geometry", key) for key in Geometry.__struct_fields__},
     **{f"content_{key}": ("content", key) for key in Content.__struct_fields__},
 }
 """Table and key of the object file for each column that is read."""
 
 TEXTS = ("name", "kind")
+ANSWERS = {"yes": True, "true": True, "no": False, "false": False}
+"""Words of the column against_wall."""
 
 DEMANDS = ("pga_g", "pgv_m_s")
 
@@ -44,10 +49,10 @@ def read_objects(path: Path | str) -> list[ObjectFile]:
     path
         The file, in UTF-8, with the names of the columns in its first line: ``name``, and the keys
         of ``[geometry]`` of an object file, as ``width_m`` and ``height_m``; further ``kind``,
-        ``friction``, ``restitution``, ``gravity_m_s2``, ``content_mass_kg`` and
-        ``content_mass_centre_height_m``.  A cell holds a number, a range as ``0.3:0.5``, or
-        nothing.  Cells are separated by commas, semicolons or tabs; other columns are kept in
-        `ObjectFile.extra`.
+        ``friction``, ``restitution``, ``against_wall`` (yes or no), ``gravity_m_s2``,
+        ``content_mass_kg`` and ``content_mass_centre_height_m``.  A cell holds a number, a range as
+        ``0.3:0.5``, or nothing.  Cells are separated by commas, semicolons or tabs; other columns
+        are kept in `ObjectFile.extra`.
 
     Returns
     -------
@@ -93,15 +98,20 @@ def _object(cells: Mapping[str, str], source: str, sha256: str) -> ObjectFile:
             place = values
             if table:
                 place = values.setdefault(table, {})  # type: ignore[assignment]
-            place[key] = cell if column in TEXTS else _value(cell, f"{source}, {column}")
+            place[key] = _value(column, cell, f"{source}, {column}")
     values.setdefault("geometry", {})
     return ObjectFile(values=values, source=source, extra=extra, sha256=sha256)
 
 
-def _value(cell: str, name: str) -> object:
-    """Return the number or the range of a cell; a form of "housner" stays."""
-    if "housner" in cell:  # of which the validation of the values knows more
+def _value(column: str, cell: str, name: str) -> object:
+    """Return the number or the range of a cell; a text or a form of "housner" stays."""
+    if column in TEXTS or "housner" in cell:  # of which the validation of the values knows more
         return cell
+    if column == "against_wall":
+        if cell.lower() not in ANSWERS:
+            hint = "write yes where a wall stands behind the object, or leave the cell empty"
+            raise InputError(name, cell, "it must be yes or no", hint)
+        return ANSWERS[cell.lower()]
     parts = parts_of(cell)
     if parts is None or parts[1] == "+-":
         comma = "write a point for a decimal comma" if "," in cell else "leave units to the column"
