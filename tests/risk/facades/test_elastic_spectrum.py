@@ -18,12 +18,12 @@ def test_soil_b_by_hand() -> None:
     """S_S = 1.4 - .4 2.5 .2 = 1.2, C_C = 1.1 .3^-.2, TC = 1.1 .3^.8 = .4198457 s, TD = 2.4 s."""
     site = ElasticSpectrum(**SITE, soil="B")
     assert site.ss == pytest.approx(1.2, rel=1e-14)
-    assert site.tc_s == pytest.approx(0.4198457, rel=2e-7)
+    assert site.tc_s == pytest.approx(0.4198457, rel=1.5e-7)
     assert site.td_s == pytest.approx(2.4)
     assert site.peak_g == pytest.approx(0.24)
-    points = {0.0: 0.24, 0.1: 0.4972376, 0.3: 0.6, 1.0: 0.2519074, 3.0: 0.06717531}
+    points = {0.0: 0.24, 0.1: 0.4972374, 0.3: 0.6, 1.0: 0.2519074, 3.0: 0.06717531}
     for period, value in points.items():
-        assert site.sa_g(period, 0.05) == pytest.approx(value, rel=2e-7)
+        assert site.sa_g(period, 0.05) == pytest.approx(value, rel=1.5e-7)
 
 
 def test_eight_per_cent_lowers_all_but_the_peak() -> None:

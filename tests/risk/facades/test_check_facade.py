@@ -1,0 +1,188 @@
+"""Checks of a facade: each formula by hand, side by side, and why methods disagree."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady.errors import RocksteadyError
+from rocksteady.outcomes import Status
+from rocksteady.risk.facades.check_facade import check_facade
+from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.facades.facade import Facade, Tie
+from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.risk.facades.facade_demand import FacadeDemand
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.risk.facades.spectrum_table import SpectrumTable
+
+WALL = Facade(name="front", thickness_m=0.3, height_m=3.0)
+
+
+def rock(ag_g: float) -> ElasticSpectrum:
+    return ElasticSpectrum(ag_g=ag_g, f0=2.5, tc_star_s=0.3, soil="A")
+
+
+def everywhere(ag_g: float) -> FacadeDemand:
+    return FacadeDemand(sld=rock(ag_g), slv=rock(ag_g), slc=rock(ag_g))
+
+
+def runs(share: list[float], limit_state: str = "SLV", facade: Facade = WALL) -> FacadeRuns:
+    """Return runs in one direction with these largest displacements over d0."""
+    count = len(share)
+    return FacadeRuns(
+        facade=facade,
+        limit_state=limit_state,
+        model="nonlinear",
+        records=tuple(f"r{k}" for k in range(count)),
+        directions=("as recorded",),
+        pga_g=np.full(count, 0.2),
+        scale=np.ones(count),
+        vertical=(False,) * count,
+        status=np.full((count, 1), int(Status.AT_REST)),
+        share=np.array(share)[:, None],
+    )
+
+
+def line(check: FacadeCheck, state: str, method: str) -> Check:
+    (found,) = [each for each in check.checks if (each.limit_state, each.method) == (state, method)]
+    return found
+
+
+def test_each_line_by_hand() -> None:
+    """a_g .15 g, rock: eta(8 %) = .877058, eta(10 %) = .816497, TC = .3 s, TD = 2.2 s.
+
+    S_e(1.958239) = .15 .877058 2.5 .3/1.958239 = .0503867 g, d = S_e T^2/(4 pi^2) = 47.9963 mm;
+    beyond TD d = .15 .816497 2.5 .3 2.2 9.80665/(4 pi^2) = 50.1985 mm.
+    """
+    found = check_facade(WALL, everywhere(0.15))
+    lines = [
+        (check.limit_state, check.method, check.formula, check.satisfied) for check in found.checks
+    ]
+    assert lines == [
+        ("SLD", "linear", "C8.7.1.8", False),
+        ("SLV", "linear", "C8.7.1, q = 2", True),
+        ("SLV", "nonlinear static", "C8.7.1.10, 12", True),
+        ("SLC", "nonlinear static", "C8.7.1.11, 12", True),
+        ("SLV", "dynamic", "C8.7.1.2.1.9", None),
+    ]
+    demands = [check.demand for check in found.checks]
+    assert demands[:4] == pytest.approx([0.15, 0.075, 0.04799627, 0.05019847], rel=1e-7)
+    capacities = [check.capacity for check in found.checks]
+    assert capacities == pytest.approx([0.0987654, 0.0987654, 0.08, 0.12, 0.08], rel=1e-6)
+    assert {check.unit for check in found.checks if check.method == "linear"} == {"g"}
+    assert all(check.page == "272-277" for check in found.checks)
+
+
+def test_without_a_demand_there_are_capacities_alone() -> None:
+    found = check_facade(WALL)
+    assert [check.satisfied for check in found.checks] == [None] * 5
+    assert [check.demand for check in found.checks] == [None] * 5
+    assert found.states == ()
+    assert found.verdict == "front: capacity alone, no demand is given"
+    assert "no demand is given for SLD" in found.summary()
+
+
+@pytest.mark.parametrize(
+    ("share", "state", "demand", "satisfied"),
+    [
+        ([0.1] * 6 + [0.8], "SLV", 0.2 * 0.2, True),  # mean 1.4/7 = .2 of d0 = .2 m
+        ([0.5] * 7, "SLV", 0.5 * 0.2, False),
+        ([0.5] * 7, "SLC", 0.5 * 0.2, True),
+        ([0.0] * 9 + [math.inf], "SLV", math.inf, False),
+        ([0.0] * 9 + [1.01], "SLC", math.inf, False),
+        ([0.1] * 6, "SLV", None, None),
+    ],
+)
+def test_the_dynamic_check_is_the_mean_and_no_run_beyond_d0(
+    share: list[float], state: str, demand: float | None, satisfied: bool | None
+) -> None:
+    found = line(check_facade(WALL, runs=runs(share, state)), state, "dynamic")
+    assert found.demand == (None if demand is None else pytest.approx(demand))
+    assert found.satisfied is satisfied
+    assert found.satisfied is runs(share, state).satisfied
+    if satisfied is None:
+        assert "7 records or more" in found.remark
+
+
+def test_methods_that_disagree_are_named_with_the_reason() -> None:
+    """At .3 g: a_Z/2 = .15 > .0988 g, d = 96 > 80 mm; the runs stay small."""
+    found = check_facade(WALL, everywhere(0.3), runs=runs([0.1] * 7))
+    assert [each.method for each in found.decided("SLV", True)] == ["dynamic"]
+    assert [each.method for each in found.decided("SLV", False)] == ["linear", "nonlinear static"]
+    keys = [reason.key for reason in found.reasons]
+    assert keys == ["static_or_dynamic", "linear_or_displacement"]
+    assert "SLV accepted by dynamic (20 mm of 80 mm) and refused by linear (" in found.verdict
+    assert "1.96 s and 8 % damping" in found.sentence
+    other = check_facade(WALL, everywhere(0.15), runs=runs([0.0] * 6 + [math.inf]))
+    assert "refused by dynamic (beyond d0 of 80 mm)" in other.verdict
+    assert [reason.key for reason in other.reasons] == [
+        "static_or_dynamic",
+        "linear_or_displacement",
+    ]
+
+
+def test_methods_that_agree_have_no_reasons() -> None:
+    for ag, share, word in ((0.01, 0.0, "accepted"), (1.0, 0.9, "refused")):
+        found = check_facade(WALL, everywhere(ag), runs=runs([share] * 7))
+        assert found.reasons == ()
+        assert found.verdict.count(word) == len(found.states) == 3
+        assert found.sentence == f"{found.verdict}."
+
+
+def test_what_the_transcription_leaves_open_is_stated() -> None:
+    text = " ".join(check_facade(WALL, everywhere(0.15)).describe().notes)
+    for words in ("unreviewed transcription", "272-277", "could not be read", "1/e* = 1.33 times"):
+        assert words in text
+    assert "theta^2" not in text
+    tied = Facade(
+        name="tied", thickness_m=0.3, height_m=3.0, ties=(Tie(name="t", force_kn=1.0, z_m=3.0),)
+    )
+    assert "theta^2" in " ".join(check_facade(tied).describe().notes)
+
+
+def test_beyond_4_s_the_remark_says_so_and_tables_say_how() -> None:
+    tall = Facade(name="tall", thickness_m=0.9, height_m=9.0)
+    found = check_facade(tall, FacadeDemand(slc=rock(0.2)))
+    assert "T = 4.72 s is beyond 4 s" in line(found, "SLC", "nonlinear static").remark
+    floor = SpectrumTable(periods_s=[0.0, 0.3, 6.0], values_g=[0.2, 0.5, 0.02], damping=0.05)
+    again = check_facade(tall, FacadeDemand(slc=floor))
+    assert "scaled to 10 % by 0.816" in line(again, "SLC", "nonlinear static").remark
+
+
+def test_a_table_that_ends_too_early_is_refused_with_the_limit_state() -> None:
+    floor = SpectrumTable(periods_s=[0.0, 0.3, 2.0], values_g=[0.2, 0.5, 0.1], damping=0.05)
+    with pytest.raises(RocksteadyError, match=r"demand of SLC at T_SLC lies outside .* 2\.728 s"):
+        check_facade(WALL, FacadeDemand(slc=floor))
+    late = SpectrumTable(periods_s=[0.1, 0.3, 2.0], values_g=[0.2, 0.5, 0.1], damping=0.05)
+    with pytest.raises(RocksteadyError, match="demand of SLD lies outside its table"):
+        check_facade(WALL, FacadeDemand(sld=late))
+
+
+def test_json_has_its_keys_and_no_number_that_json_has_not() -> None:
+    found = check_facade(WALL, everywhere(0.15), runs=runs([0.0] * 6 + [math.inf]))
+    values = json.loads(json.dumps(found.to_dict(), allow_nan=False))
+    for key in ("a0_g", "d0_m", "t_slv_s", "t_slc_s"):
+        assert values[key] == getattr(found.mechanism, key)
+    assert len(values["checks"]) == 5
+    assert set(values["checks"][0]) == {
+        "limit_state", "method", "formula", "page", "quantity", "unit", "demand", "capacity",
+        "satisfied", "remark",
+    }  # fmt: skip
+    assert values["checks"][4]["demand"] is None
+    assert values["checks"][4]["satisfied"] is False
+    assert values["verdict"] == found.sentence
+    assert len(found.to_dataframe()) == 5
+
+
+@given(st.floats(0.02, 0.4), st.floats(1.01, 2.0))
+def test_more_shaking_never_accepts_what_less_refused(ag: float, factor: float) -> None:
+    less, more = check_facade(WALL, everywhere(ag)), check_facade(WALL, everywhere(ag * factor))
+    for one, other in zip(less.checks[:4], more.checks[:4], strict=True):
+        assert one.demand is not None
+        assert other.demand is not None
+        assert other.demand > one.demand
+        assert bool(one.satisfied) >= bool(other.satisfied)
+        assert one.ratio == pytest.approx(one.demand / one.capacity)
