@@ -148,6 +148,7 @@ USUAL = {
     ],
     "restitution": [[*BLOCK, "--peaks", "peaks.csv"]],
     "assess": [[*BLOCK, "--pga-g", "0.3", "--pgv-m-s", "0.4"]],
+    "facade": [["wall.toml"], ["wall.toml", "--records", "a.at2"]],
     "paper": [["--only", "10", "--out", "out"]],
     "study atlas": [["-A", "1:3:3", "-W", "2:6:3", "-n", "1", "--out", "out"]],
 }
@@ -158,7 +159,7 @@ VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "
 )
 NAMED = re.compile(
-    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess) = |.*; see rocksteady.*--help$)"
+    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|facade) = |.*; see rocksteady.*--help$)"
 )
 
 
@@ -190,6 +191,10 @@ def fill(folder: Path) -> None:
     (folder / "table.csv").write_text("t,acc\n0,1\n.1,2\n.2,1\n")
     (folder / "peaks.csv").write_text("peak_rad\n.1\n.08\n.07\n.06\n")
     (folder / "spectrum.txt").write_text("0 0.3\n0.1 0.8\n1 0.3\n4 0.02\n")
+    (folder / "wall.toml").write_text(
+        '[facade]\nname = "wall"\nthickness_m = 0.5\nheight_m = 4\n'
+        '[demand.slv]\nag_g = 0.1\nf0 = 2.5\ntc_star_s = 0.3\nsoil = "A"\n'
+    )
     (folder / "there.csv").write_text("precious")
     (folder / "folder").mkdir()
 

@@ -31,7 +31,7 @@ from rocksteady.cli.commands import (
     study,
 )
 from rocksteady.cli.commands.observations import back_analyse, calibrate, predict, restitution
-from rocksteady.cli.commands.risk import assess, fragility, screens
+from rocksteady.cli.commands.risk import assess, facade, fragility, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
@@ -73,6 +73,7 @@ COMMANDS = (
     spectrum,
     fragility,
     assess,
+    facade,
     screens,
     calibrate,
     predict,

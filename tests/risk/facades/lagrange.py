@@ -114,6 +114,8 @@ def _over(
             rtol=1e-11,
             atol=1e-13,
         )
+        assert run.t_events is not None
+        assert run.y_events is not None
         most = max(most, float(run.y[0].max()), *(float(y[0]) for y in run.y_events[1]))
         if run.status == 1:
             now, speed = float(run.t_events[0][0]), float(run.y_events[0][0][1])

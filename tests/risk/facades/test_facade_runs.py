@@ -177,9 +177,10 @@ def test_levels_are_factors_or_peaks() -> None:
 
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
 def test_a_level_is_above_zero(value: float) -> None:
-    for level in ({"scale": value}, {"pga_g": value}):
-        with pytest.raises(InputError):
-            run_facade(BARE, motion(0, 1.0), **level)
+    with pytest.raises(InputError):
+        run_facade(BARE, motion(0, 1.0), scale=value)
+    with pytest.raises(InputError):
+        run_facade(BARE, motion(0, 1.0), pga_g=value)
 
 
 def test_a_vertical_motion_is_scaled_with_gravity_alone() -> None:

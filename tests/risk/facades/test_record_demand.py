@@ -30,9 +30,7 @@ def test_the_demand_is_the_mean_of_the_largest_ordinate_of_each_record(damping: 
     end = 1.6
     found = DEMAND.displacements_m(end, damping)
     for place, record in enumerate(DEMAND.records[:3]):
-        dense = max(
-            swing(record, period, damping) for period in np.linspace(0.1, end, 31).tolist()
-        )
+        dense = max(swing(record, period, damping) for period in np.linspace(0.1, end, 31).tolist())
         assert dense <= found[place] * (1.0 + 2e-3)
         assert found[place] == pytest.approx(dense, rel=0.01)
     assert DEMAND.displacement_m(end, damping) == pytest.approx(math.fsum(found) / 7.0)

@@ -22,13 +22,15 @@ from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
+from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
     from rocksteady.model.motions.record import Record
-    from rocksteady.risk.facades.check_facade import FacadeCheck
+    from rocksteady.results.description import Description
     from rocksteady.risk.facades.facade import Facade
+    from rocksteady.risk.facades.facade_check import FacadeCheck
     from rocksteady.risk.facades.facade_demand import FacadeDemand
     from rocksteady.risk.facades.facade_runs import FacadeRuns
 
@@ -209,12 +211,13 @@ def facade(
         )
     output.check()
     if out is not None:
-        from rocksteady.show.facade.folder import check_facade_folder
+        from rocksteady.show.facade.facade_folder import check_facade_folder
 
         check_facade_folder(out, force=output.force)
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
     demand, runs, files = described.demand, None, [] if file is None else [file]
+    suite = Suite(motions=[], files=[])
     if recorded.records or example:
         suite = _suite(recorded, reading, example=example)
         files += suite.files
@@ -232,15 +235,17 @@ def facade(
         demand = _with_records(demand, suite.motions, runs)
     output.refuse_read(files)
     found = check_facade(wall, demand, runs=runs)
-    _write(context, found, output, out, files, language=tongue)
-    description = found.describe()
+    _write(context, found, output, out, (suite.motions, files), language=tongue)
     if output.as_json:
-        print_json("facade", {**description.to_dict(), "synthetic": example})
+        values = {
+            **found.to_dict(),
+            "synthetic": example,
+            "files": [str(each) for each in files],
+            "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
+        }
+        print_json("facade", values)
     else:
-        if example:
-            words = "The wall is made up and the motions are synthetic: no earthquake made them."
-            description = replace(description, notes=[words, *description.notes])
-        print_description(description, terminal.console())
+        print_description(_in_text(found, example=example), terminal.console())
     if check and any(each.satisfied is False for each in found.checks):
         raise typer.Exit(NEGATIVE)
 
@@ -316,8 +321,8 @@ def _with_restitution(wall: "Facade", text: str | None) -> "Facade":
     """
     if text is None:
         return wall
-    given: str | float = "housner" if text == "housner" else number("--restitution", text)
-    return replace(wall, restitution=given)
+    form = form_of_text(text)
+    return replace(wall, restitution=number("--restitution", text) if form is None else form)
 
 
 def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
@@ -330,24 +335,37 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
 
 
 def _with_records(
-    demand: "FacadeDemand | None",
+    demand: "FacadeDemand",
     motions: "list[Record | BaseMotion]",
     runs: "FacadeRuns",
-) -> "FacadeDemand | None":
+) -> "FacadeDemand":
     """Return the demand with that of the records where their limit state has none."""
-    from rocksteady.risk.facades.facade_demand import FacadeDemand
     from rocksteady.risk.facades.record_demand import RecordDemand
     from rocksteady.seismic.spectra.grounds import grounds_of
 
     key = runs.limit_state.lower()
-    if not runs.enough or getattr(demand, key, None) is not None:
+    if not runs.enough or getattr(demand, key) is not None:
         return demand
     scaled = [
         ground.record.scaled(factor)
         for ground, factor in zip(grounds_of(motions), runs.scale.tolist(), strict=True)
     ]
     own = RecordDemand(records=tuple(scaled))
-    return replace(FacadeDemand() if demand is None else demand, **{key: own})
+    return replace(demand, **{key: own})
+
+
+def _in_text(found: "FacadeCheck", *, example: bool) -> "Description":
+    """Return what people read: the checks, a row for each record, and the notes of both."""
+    description = found.describe()
+    tables, notes = [*description.tables], [*description.notes]
+    if found.runs is not None:
+        runs = found.runs.describe()
+        tables += runs.tables
+        notes += [note for note in runs.notes if note not in notes]
+    if example:
+        words = "The wall is made up and the motions are synthetic: no earthquake made them."
+        notes.insert(0, words)
+    return replace(description, tables=tables, notes=notes)
 
 
 def _write(
@@ -355,23 +373,32 @@ def _write(
     found: "FacadeCheck",
     output: OutputFlags,
     out: Path | None,
-    files: list[Path],
+    read: "tuple[list[Record | BaseMotion], list[Path]]",
     *,
     language: Literal["en", "it"],
 ) -> None:
-    """Write the files that the flags name."""
+    """Write the files that the flags name, with hashes of the motions and files that were read."""
+    motions, files = read
     if output.csv is not None:
         table = found.describe().tables[0]
         write_csv(output.csv, table.header, table.records())
     if output.plot is not None:
         from rocksteady.show.figures.facades import facade_figure
 
-        write_figure(output.plot, facade_figure(found, language=language, page=output.page))
+        write_figure(
+            output.plot, facade_figure(found, found.verdict, language=language, page=output.page)
+        )
     if out is not None:
-        from rocksteady.show.facade.folder import write_facade_folder
+        from rocksteady.show.facade.facade_folder import write_facade_folder
 
         command = shlex.join(["rocksteady", *context.find_root().obj])
         for written in write_facade_folder(
-            found, out, language=language, command=command, files=files, force=output.force
+            found,
+            out,
+            language=language,
+            motions=motions,
+            command=command,
+            files=files,
+            force=output.force,
         ):
             announce_file(written)
