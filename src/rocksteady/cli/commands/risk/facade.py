@@ -221,6 +221,8 @@ def facade(
     if recorded.records or example:
         suite = _suite(recorded, reading, example=example)
         files += suite.files
+    output.refuse_read(files)
+    if suite.motions:
         announce_compilation("records.record_fates")
         runs = run_facade(
             wall,
@@ -233,7 +235,6 @@ def facade(
         )
         remark_on_scale(float(runs.scale.max()), "the largest factor multiplies a record")
         demand = _with_records(demand, suite.motions, runs)
-    output.refuse_read(files)
     found = check_facade(wall, demand, runs=runs)
     _write(context, found, output, out, (suite.motions, files), language=tongue)
     if output.as_json:

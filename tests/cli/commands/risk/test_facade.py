@@ -1,0 +1,238 @@
+"""`rocksteady facade`: its contract, its runs, its files and its refusals."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import make_synthetic_suite, read_record, run_facade
+from rocksteady.risk.facades.read_facade import read_facade
+from tests.cli.motion_files import at2
+from tests.cli.program import refused, rocksteady
+from tests.descriptions import fits
+
+BARE = '[facade]\nname = "front"\nthickness_m = 0.3\nheight_m = 3.0\n'
+SITE = 'f0 = 2.5\ntc_star_s = 0.35\nsoil = "B"\n'
+WALL = f"{BARE}[demand.slv]\nag_g = 0.15\n{SITE}"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with walls, and with a suite of seven motions and one of three."""
+    made = tmp_path_factory.mktemp("facade")
+    (made / "wall.toml").write_text(WALL)
+    (made / "bare.toml").write_text(BARE)
+    (made / "stout.toml").write_text(BARE.replace("0.3", "1.0"))
+    (made / "wrong.toml").write_text(WALL.replace("thickness_m", "thicknes_m"))
+    (made / "bytes.toml").write_bytes(bytes(range(256)))
+    (made / "empty.toml").touch()
+    (made / "empty").mkdir()
+    for name, count in (("seven", 7), ("three", 3)):
+        (made / name).mkdir()
+        for number, record in enumerate(make_synthetic_suite(count, seed=4), start=1):
+            at2(
+                made / name / f"m{number}.AT2", (record.acceleration_m_s2[:2500] / 9.80665).tolist()
+            )
+    return made
+
+
+def test_the_worked_wall_has_the_keys_of_the_contract(folder: Path) -> None:
+    ran = rocksteady("facade --json", folder / "wall.toml")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["schema"] == "rocksteady/facade/1"
+    # The worked wall of FC 1.35.
+    assert values["a0_g"] == pytest.approx(0.098765, abs=5e-7)
+    assert values["d0_m"] == pytest.approx(0.2)
+    assert values["t_slv_s"] == pytest.approx(1.958239, abs=5e-7)
+    assert values["t_slc_s"] == pytest.approx(2.727547, abs=5e-7)
+    assert {"formula", "page", "demand", "capacity", "satisfied"} <= set(values["checks"][0])
+    (dynamic,) = [each for each in values["checks"] if each["method"] == "dynamic"]
+    assert (dynamic["demand"], dynamic["satisfied"]) == (None, None)
+
+
+def test_runs_are_those_of_run_facade_on_the_files(folder: Path) -> None:
+    ran = rocksteady("facade --json --scale 0.5 --records", folder / "seven", folder / "wall.toml")
+    assert (ran.code, ran.err) == (0, "")
+    records = [read_record(folder / "seven" / f"m{number}.AT2") for number in range(1, 8)]
+    expected = run_facade(read_facade(folder / "wall.toml").facade, records, scale=0.5)
+    assert ran.json["runs"] == json.loads(json.dumps(expected.to_dict()))
+    assert len(ran.json["files"]) == 8
+    (dynamic,) = [each for each in ran.json["checks"] if each["method"] == "dynamic"]
+    assert dynamic["satisfied"] == expected.satisfied
+    assert expected.mean_m is not None
+    if math.isfinite(expected.mean_m):
+        assert dynamic["demand"] == pytest.approx(expected.mean_m)
+
+
+def test_records_give_the_static_checks_a_demand_where_the_file_has_none(folder: Path) -> None:
+    command = "facade --json --pga-g 0.1 --records"
+    own = rocksteady(command, folder / "seven", folder / "bare.toml").json
+    given = rocksteady(command, folder / "seven", folder / "wall.toml").json
+
+    def demand(values: dict[str, object], method: str) -> float:
+        checks = values["checks"]
+        assert isinstance(checks, list)
+        (check,) = [
+            each for each in checks if (each["limit_state"], each["method"]) == ("SLV", method)
+        ]
+        assert isinstance(check["demand"], float)
+        return check["demand"]
+
+    assert demand(own, "linear") == pytest.approx(0.1 / 2.0)
+    assert demand(own, "nonlinear static") != demand(given, "nonlinear static")
+    assert demand(own, "dynamic") == demand(given, "dynamic")
+
+
+def test_three_records_are_run_and_have_no_verdict(folder: Path) -> None:
+    ran = rocksteady("facade --records", folder / "three", folder / "bare.toml")
+    assert ran.code == 0
+    assert "needs 7 records and there are 3 records" in " ".join(ran.out.split())
+    values = rocksteady("facade --json --check --records", folder / "three", folder / "bare.toml")
+    assert values.code == 0, "what has no verdict is not refused"
+    assert len(values.json["runs"]["runs"]) == 6
+
+
+@pytest.mark.parametrize(("pga", "code"), [("0.05", 0), ("2", 1)])
+def test_check_is_negative_where_a_check_is_not_satisfied(
+    folder: Path, pga: str, code: int
+) -> None:
+    command = f"facade --pga-g {pga} --records"
+    assert rocksteady(command, folder / "seven", folder / "stout.toml").code == 0
+    assert rocksteady(command, folder / "seven", folder / "stout.toml", "--check").code == code
+
+
+def test_flags_reach_the_runs(folder: Path) -> None:
+    command = "facade --json --pga-g 0.4 --records"
+    files = (folder / "seven", folder / "stout.toml")
+
+    def shares(*flags: str) -> list[float]:
+        ran = rocksteady(command, *files, *flags)
+        assert ran.code == 0, ran.err
+        return [row["share_d0"] for row in ran.json["runs"]["runs"]]
+
+    both = shares()
+    assert all(both), "every run lifts"
+    assert both[::2] == shares("--directions", "recorded")
+    assert both[1::2] == shares("--directions", "Reversed")
+    assert both != shares("--restitution", "0.9")
+    assert both != shares("--model", "linear")
+    assert both == pytest.approx(shares("--model", "linear"), abs=0.1)
+    assert rocksteady(command, *files, "--limit-state", "SLC").json["runs"][
+        "limit_m"
+    ] == pytest.approx(0.6 * 2.0 / 3.0)
+
+
+def test_the_example_runs_without_a_file_and_fits(tmp_path: Path) -> None:
+    ran = rocksteady("facade --example")
+    assert ran.code == 0
+    assert fits(ran.out)
+    assert "The wall is made up and the motions are synthetic" in ran.out
+    assert "synthetic 10" in ran.out
+    out = tmp_path / "answer"
+    assert rocksteady("facade --example --language it --json --out", out).json["synthetic"]
+    assert {"report.html", "checks.csv", "runs.csv", "facade.json", "run.json"} == {
+        file.name for file in out.iterdir()
+    }
+    assert '<html lang="it"' in (out / "report.html").read_text(encoding="utf-8")
+    assert "--force" in refused("facade --example --out", out)
+    assert rocksteady("facade --example --force --out", out).code == 0
+
+
+def test_figure_and_table_are_written(folder: Path, tmp_path: Path) -> None:
+    picture, table = tmp_path / "wall.svg", tmp_path / "checks.csv"
+    ran = rocksteady("facade", folder / "wall.toml", "--plot", picture, "--csv", table)
+    assert ran.code == 0
+    assert picture.read_text(encoding="utf-8").count("<path") > 10
+    lines = table.read_text(encoding="utf-8").splitlines()
+    assert lines[0].startswith("limit_state,method,formula")
+    assert len(lines) == 6
+
+
+def test_a_file_that_is_no_record_is_named_and_left_out(folder: Path, tmp_path: Path) -> None:
+    suite = tmp_path / "suite"
+    suite.mkdir()
+    for file in (folder / "seven").iterdir():
+        (suite / file.name).write_bytes(file.read_bytes())
+    (suite / "notes.txt").write_text("nothing")
+    ran = rocksteady("facade --json --records", suite, folder / "wall.toml")
+    assert ran.code == 0
+    assert "notes.txt is left out" in ran.err
+    assert ran.json["left_out"][0]["file"].endswith("notes.txt")
+
+
+HOSTILE = [
+    ("", ["FILE is not given", "--example"]),
+    ("no.toml", ["no.toml", "No such file"]),
+    ("seven", ["seven"]),
+    ("wrong.toml", ["wrong.toml", "thicknes_m", "thickness_m"]),
+    ("bytes.toml", ["bytes.toml"]),
+    ("empty.toml", ["empty.toml", "is empty"]),
+    ("wall.toml bare.toml", ["unexpected", "bare.toml"]),
+    ("wall.toml --example", ["--example", "wall.toml"]),
+    ("--example --records seven", ["--records", "reads no files"]),
+    ("--example --pair", ["--pair", "reads no files"]),
+    ("--example --units g", ["--units", "reads no files"]),
+    ("wall.toml --scale 2", ["--scale", "--records"]),
+    ("wall.toml --pga-g 0.3", ["--pga-g", "--records"]),
+    ("wall.toml --restitution 0.5", ["--restitution", "--records"]),
+    ("wall.toml --model linear", ["--model", "--records"]),
+    ("wall.toml --directions reversed", ["--directions", "--records"]),
+    ("wall.toml --limit-state SLC", ["--limit-state", "--records"]),
+    ("wall.toml --units g", ["--units", "--records"]),
+    ("wall.toml --pair", ["--pair", "--records"]),
+    ("wall.toml --records gone", ["--records", "gone", "does not exist"]),
+    ("wall.toml --records empty", ["--records", "empty"]),
+    ("wall.toml --records wall.toml", ["--records", "wall.toml"]),
+    ("wall.toml --records seven --scale 0", ["--scale", "0.0"]),
+    ("wall.toml --records seven --scale -1", ["--scale", "-1"]),
+    ("wall.toml --records seven --scale nan", ["--scale", "nan"]),
+    ("wall.toml --records seven --scale 1:2:3", ["--scale", "1:2:3"]),
+    ("wall.toml --records seven --scale 1e60", ["--scale", "1e+60"]),
+    ("wall.toml --records seven --pga-g 0", ["--pga-g", "0.0"]),
+    ("wall.toml --records seven --pga-g inf", ["--pga-g", "inf"]),
+    ("wall.toml --records seven --pga-g g", ["--pga-g", "'g'"]),
+    ("wall.toml --records seven --scale 2 --pga-g 0.3", ["--pga-g", "--scale"]),
+    ("wall.toml --records seven --scale 2 --scale 3", ["--scale", "more than once"]),
+    ("wall.toml --records seven --restitution 1.1", ["--restitution", "1.1"]),
+    ("wall.toml --records seven --restitution -0.1", ["--restitution", "-0.1"]),
+    ("wall.toml --records seven --restitution 0.8,0.9", ["--restitution", "0.8,0.9"]),
+    ("wall.toml --records seven --model cubic", ["--model", "cubic"]),
+    ("wall.toml --records seven --directions up", ["--directions", "up", "both"]),
+    ("wall.toml --records seven --limit-state SLD", ["--limit-state", "SLD", "SLC"]),
+    ("wall.toml --language fr", ["--language", "fr"]),
+    ("wall.toml --language it", ["--language", "--out"]),
+    ("wall.toml --out wall.toml", ["--out", "wall.toml"]),
+    ("wall.toml --out no/such/folder", ["--out", "no/such"]),
+    ("wall.toml --plot wall.bmp", ["--plot", ".png"]),
+    ("wall.toml --plot no/such.png", ["--plot", "no"]),
+    ("wall.toml --csv wall.toml", ["--csv", "wall.toml"]),
+    ("wall.toml --csv wall.toml --force", ["--csv", "wall.toml", "reads"]),
+    ("wall.toml --width 84mm", ["--width", "--plot"]),
+    ("wall.toml --width-m 0.4", ["--width-m"]),
+    ("wall.toml --units", ["--units"]),
+]
+
+
+@pytest.mark.parametrize(("flags", "words"), HOSTILE, ids=[flags for flags, _ in HOSTILE])
+def test_a_hostile_command_line_is_refused_in_a_line(
+    flags: str, words: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder)
+    before = {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+    line = refused(f"facade {flags}")
+    assert all(word in line for word in words), line
+    assert before == {file: file.read_bytes() for file in folder.rglob("*") if file.is_file()}
+
+
+def test_help_shows_examples() -> None:
+    text = rocksteady("facade --help").out
+    assert "rocksteady facade --example" in text
+    assert "--limit-state" in text
+
+
+def test_the_motions_of_the_fixture_shake(folder: Path) -> None:
+    record = read_record(folder / "seven" / "m1.AT2")
+    assert np.abs(record.acceleration_m_s2).max() > 1.0
