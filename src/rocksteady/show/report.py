@@ -11,6 +11,7 @@ from rocksteady.show.style.page import SCREEN, Page
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+    from markupsafe import Markup
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -30,6 +31,9 @@ COLOURS = {
     "open": palette.NUMBER,
 }
 """The page's colours by their part; the base template makes a CSS property of each."""
+
+INDEXED = re.compile(r"\b([dT])_(SLV|SLC|C)\b|\b([SaCx])_([eDgCh])\b")
+"""Symbols of codes with an index."""
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -126,6 +130,25 @@ def prose(text: str) -> str:
     return re.sub(r"(?<=\S) ([=<>≤≥≈]) (?=\S)", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text)
 
 
+def indexed(text: str) -> "Markup":
+    """Return a text as markup, escaped, with the indices of symbols of codes lowered.
+
+    Examples
+    --------
+    >>> str(indexed("T_SLV <= 2 s, a_g, T_C*"))
+    'T<sub>SLV</sub> &lt;= 2 s, a<sub>g</sub>, T<sub>C</sub>*'
+    """
+    from markupsafe import Markup, escape
+
+    return Markup(INDEXED.sub(_lowered, str(escape(text))))
+
+
+def _lowered(found: "re.Match[str]") -> str:
+    """Return a symbol with its index lowered."""
+    letter, index = [each for each in found.groups() if each]
+    return f"{letter}<sub>{index}</sub>"
+
+
 def anchor(text: str) -> str:
     """Return a text as a part of an ``id`` and of the link to it.
 
@@ -174,6 +197,7 @@ def _environment(package: str) -> "Environment":
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"anchor": anchor, "duration": duration, "prose": prose}
+    environment.filters |= {"anchor": anchor, "duration": duration}
+    environment.filters |= {"indexed": indexed, "prose": prose}
     environment.globals["colours"] = COLOURS
     return environment

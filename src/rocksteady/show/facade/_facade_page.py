@@ -12,18 +12,21 @@ from rocksteady.show.facade._facade_tables import (
     check_rows,
     demand_rows,
     facade_rows,
+    headline_of,
     in_words,
     mean_row,
     mechanism_rows,
     motion_rows,
+    places,
     remarks_of_checks,
     run_rows,
     sentences_of,
     verdict_of,
+    whole_sentence,
 )
 from rocksteady.show.plots.facades.languages import TABLES, Language
 from rocksteady.show.report import render
-from rocksteady.show.style.wording import cleaned, plain_name, sentence
+from rocksteady.show.style.wording import cleaned, plain_name
 
 SECTIONS = ("why", "runs", "wall", "mechanism", "demand", "method", "limits", "inputs")
 ASSUMED = ("bullets", "t0", "mean", "fc", "block", "balance", "restitution")
@@ -46,28 +49,28 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
     """
     facade = check.facade
     runs = check.runs if isinstance(check.runs, FacadeRuns) else None
-    kind = words[facade.kind]
+    named = places(facade, words)
     made = provenance(manifest)
     sentences = sentences_of(check, words)
     there = [each for each in SECTIONS if each != "runs" or runs is not None]
     values: dict[str, Any] = {
         "acting": acting_rows(check, words),
-        "assumed": [words(f"assumed_{each}", kind=kind) for each in ASSUMED],
+        "assumed": [words(f"assumed_{each}", **named) for each in ASSUMED],
         "checks": check_rows(check, words),
         "check_remarks": remarks_of_checks(check, words),
         "demand": demand_rows(check, words),
         "facts": facade_rows(check, words),
-        "headline": sentences[0] if len(sentences) == 1 else "",
+        "headline": headline_of(check, words) or " ".join(sentences),
         "made": words("inputs_made", **{key: made[key] for key in ("version", "kernels", "numpy")}),
         "mean": None if runs is None else mean_row(runs, words),
         "mechanism": mechanism_rows(check, words),
         "method": [
-            {"name": words[f"method_{k}_name"], "words": words(f"method_{k}", kind=kind)}
+            {"name": words[f"method_{k}_name"], "words": words(f"method_{k}", **named)}
             for k in range(1, 5)
         ],
         "motions": motion_rows(manifest),
         "name": facade.name,
-        "not_covered": [words(f"not_{each}", kind=kind) for each in NOT_COVERED],
+        "not_covered": [words(f"not_{each}", **named) for each in NOT_COVERED],
         "provenance": made,
         "remarks": _remarks(check, words),
         "running": plain_name(facade.name),
@@ -75,10 +78,10 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
         "runs_intro": "" if runs is None else _runs_intro(runs, words),
         "run_signs": [] if runs is None else [words[f"sign_{each}"] for each in runs.directions],
         "sections": [
-            {"id": each, "number": place, "words": words[f"section_{each}"]}
+            {"id": each, "number": place, "words": words[_section(each, check)]}
             for place, each in enumerate(there, 1)
         ],
-        "sentences": sentences,
+        "sentences": sentences if headline_of(check, words) else [],
         "title": words("title", name=facade.name),
         "verdict": verdict_of(check, words),
         "w": TABLES[words.code],
@@ -86,6 +89,11 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
     return render(
         __package__, "facade.html.j2", **cleaned(values), pictures=pictures_of(check, words)
     )
+
+
+def _section(name: str, check: FacadeCheck) -> str:
+    """Return the key of the heading of a section."""
+    return f"section_{check.facade.kind if name == 'wall' else name}"
 
 
 def _remarks(check: FacadeCheck, words: Language) -> list[str]:
@@ -98,11 +106,11 @@ def _remarks(check: FacadeCheck, words: Language) -> list[str]:
     notes = [in_words(each, words) for each in check.remarks]
     if isinstance(check.runs, FacadeRuns) and check.runs.model == "linear":
         notes.append(words["mind_linear"])
-    return [sentence(each) for each in (*reasons, *notes)]
+    return [whole_sentence(each) for each in (*reasons, *notes)]
 
 
 def _runs_intro(runs: FacadeRuns, words: Language) -> str:
     """Return what was run."""
     key = "runs_intro" if runs.facade.one_sided else "runs_intro_two_sided"
     signs = words[f"signs_{len(runs.directions)}"]
-    return words(key, records=len(runs.records), signs=signs, kind=words[runs.facade.kind])
+    return words(key, records=len(runs.records), signs=signs, **places(runs.facade, words))

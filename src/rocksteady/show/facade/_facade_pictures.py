@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.show.facade._facade_tables import length
+from rocksteady.show.facade._facade_tables import length, places
 from rocksteady.show.plots.facades.capacity import plot_capacity
 from rocksteady.show.plots.facades.languages import Language
 from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
@@ -17,7 +17,7 @@ from rocksteady.show.style.page import SCREEN, Page
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-SECTION, CAPACITY = (3.5, 4.3), (4.6, 4.0)
+SECTION, CAPACITY = (3.4, 3.7), (4.7, 4.3)
 """Width and height of the two pictures that stand side by side [inches]."""
 ROW, MOST_ROWS = 0.3, 40
 """Height of a record's row [inches]; more rows than these are drawn narrower."""
@@ -68,7 +68,7 @@ def _words_of_section(check: FacadeCheck, words: Language) -> str:
     facade = check.facade
     return words(
         "alt_section",
-        kind=words[facade.kind],
+        **places(facade, words),
         thickness=length(facade.thickness_m, words),
         height=length(facade.height_m, words),
         inset=length(facade.hinge_inset_m, words),

@@ -9,6 +9,7 @@ from rocksteady.errors import InputError
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
+from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import Check, FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.remark import Remark
@@ -17,7 +18,11 @@ from rocksteady.show.plots.facades.languages import Language
 
 Row = dict[str, Any]
 
-LOOKS = {True: ("satisfied", "agrees"), False: ("not_satisfied", "differs"), None: ("no_verdict", "open")}
+LOOKS = {
+    True: ("satisfied", "agrees"),
+    False: ("not_satisfied", "differs"),
+    None: ("no_verdict", "open"),
+}
 """Words and look of each outcome of a check."""
 LENGTH_DIGITS = 4
 """Digits of a size that was given."""
@@ -51,6 +56,40 @@ def length(metres: float, words: Language) -> str:
     return words.quantity(1e3 * metres, "mm")
 
 
+def places(facade: Facade, words: Language) -> dict[str, str]:
+    """Return the words for a facade in sentences, by their places."""
+    the = words[f"the_{facade.kind}"]
+    return {"kind": words[facade.kind], "the": the, "The": the[:1].upper() + the[1:]}
+
+
+def whole_sentence(text: str) -> str:
+    """Return a text with a full stop, and a capital unless it begins with a symbol.
+
+    Examples
+    --------
+    >>> whole_sentence("a₀ is 0.1 g"), whole_sentence("the wall falls.")
+    ('a₀ is 0.1 g.', 'The wall falls.')
+    """
+    word = text[:1].isalpha() and (
+        text[1:2].isalpha() or text[1:2] in " \N{RIGHT SINGLE QUOTATION MARK}"
+    )
+    text = text[:1].upper() + text[1:] if word else text
+    return text if text.endswith(".") else f"{text}."
+
+
+def headline_of(check: FacadeCheck, words: Language) -> str:
+    """Return how many checks hold; empty where there is one sentence alone."""
+    decided = [each.satisfied for each in check.checks if each.satisfied is not None]
+    failed = decided.count(False)
+    if len(decided) < 2:
+        return ""
+    if failed in (0, len(decided)):
+        return words["headline_no" if failed else "headline_all"]
+    return words(
+        "headline_one" if failed == 1 else "headline_some", failed=failed, all=len(decided)
+    )
+
+
 def verdict_of(check: FacadeCheck, words: Language) -> Row:
     """Return word and look of the badge at the top."""
     decided = [each.satisfied for each in check.checks if each.satisfied is not None]
@@ -68,7 +107,7 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
     mechanism = check.mechanism
     if not check.states:
         values = {"a0": words.quantity(mechanism.a0_g, "g"), "d0": length(mechanism.d0_m, words)}
-        return [words("sentence_none", kind=words[check.facade.kind], **values)]
+        return [words("sentence_none", **places(check.facade, words), **values)]
     found = []
     for state in check.states:
         passed, failed = (
@@ -102,7 +141,7 @@ def _check_row(each: Check, words: Language) -> Row:
         "method": words[f"method_{each.method}"],
         "formula": f"{each.formula} †",
         "page": words("pages", page=each.page.replace("-", "–")),
-        "quantity": words(key, limit=f"d_{each.limit_state}"),
+        "quantity": words(key, state=each.limit_state),
         "demand": _amount(each.demand, each.unit, words),
         "capacity": _amount(each.capacity, each.unit, words),
         "ratio": "—" if ratio is None else "∞" if math.isinf(ratio) else words.number(ratio),
@@ -200,8 +239,8 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
     rows = [
         ("α₀", "m_alpha0", words.number(found.alpha0), "C8.7.1.1 †"),
         ("e*", "m_e_star", words.number(found.e_star), "C8.7.1.5 †"),
-        ("M*", "m_mass", words.quantity(found.mass_kg, "kg", 4), "C8.7.1.4 †"),
-        ("FC", "m_fc", words.number(found.confidence_factor), "C8.5.4"),
+        ("M*", "m_mass", words.quantity(found.mass_kg, "kg", 4), "e* †"),
+        ("FC", "m_fc", words.number(found.confidence_factor), "C8.5.IV †"),
         ("a₀", "m_a0", words.quantity(found.a0_g, "g"), "C8.7.1.3 †"),
         ("d₀", "m_d0", length(found.d0_m, words), "C8.7.1.2.1 †"),
         ("d_SLV", "m_dslv", length(found.d_slv_m, words), "C8.7.1.2.1 †"),
@@ -225,7 +264,9 @@ def demand_rows(check: FacadeCheck, words: Language) -> list[Row]:
     for state in ("SLD", "SLV", "SLC"):
         spectrum: Any = check.demand.of(state)
         if spectrum is not None:
-            rows.append({"name": words[state], "words": _spectrum_words(spectrum, words), "note": ""})
+            rows.append(
+                {"name": words[state], "words": _spectrum_words(spectrum, words), "note": ""}
+            )
     return rows
 
 

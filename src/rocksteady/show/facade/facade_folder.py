@@ -104,9 +104,7 @@ def check_facade_folder(folder: Path | str, *, force: bool = False) -> None:
     check_own_folder(folder, OURS, KIND, force=force)
 
 
-def _fill(
-    check: "FacadeCheck", stage: Path, manifest: dict[str, object], words: Language
-) -> None:
+def _fill(check: "FacadeCheck", stage: Path, manifest: dict[str, object], words: Language) -> None:
     """Write all files into a folder."""
     _save_rows(stage / "checks.csv", check.describe().tables[0])
     if isinstance(check.runs, FacadeRuns):

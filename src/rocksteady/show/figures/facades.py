@@ -53,7 +53,9 @@ def facade_figure(
             places = [grid[k, 0] for k in range(panels)]
         else:
             ratios = [LEAST, below] if rows else [1.0]
-            grid = figure.add_gridspec(len(ratios), 2, height_ratios=ratios, width_ratios=[0.7, 1.0])
+            grid = figure.add_gridspec(
+                len(ratios), 2, height_ratios=ratios, width_ratios=[0.7, 1.0]
+            )
             places = [grid[0, 0], grid[0, 1], *([grid[1, :]] if rows else [])]
         plot_facade(check.facade, figure.add_subplot(places[0]), language=language)
         legend = page.legend

@@ -10,6 +10,9 @@ ENGLISH: Final[dict[str, str]] = {
     "wall": "wall",
     "parapet": "parapet",
     "gable": "gable",
+    "the_wall": "the wall",
+    "the_parapet": "the parapet",
+    "the_gable": "the gable",
     "hinge": "hinge",
     "axis_position": "position [m]",
     "axis_height": "height above the hinge [m]",
@@ -17,11 +20,11 @@ ENGLISH: Final[dict[str, str]] = {
     "axis_acceleration": "spectral acceleration a [g]",
     "axis_share": "largest displacement d/d₀",
     "capacity_curve": "capacity a(d)",
-    "period_of": "T_{state} = {period}",
-    "spectrum_of": "spectrum of {state}, damping {damping} %",
-    "demand_static": "{state}, static demand {demand}",
-    "demand_dynamic": "{state}, mean of the records {demand}",
-    "demand_linear": "{state}, linear demand {demand}",
+    "period_of": "{symbol} = {period}",
+    "spectrum_of": "{state} spectrum, {damping} %",
+    "demand_static": "static demand {state}",
+    "demand_dynamic": "mean of records {state}",
+    "demand_linear": "linear demand {state}",
     "mean_largest": "mean of the largest {share}",
     "sign_as recorded": "as recorded",
     "sign_reversed": "reversed",
@@ -46,11 +49,15 @@ ENGLISH: Final[dict[str, str]] = {
     "method_linear": "linear kinematic analysis",
     "method_nonlinear static": "nonlinear kinematic analysis",
     "method_dynamic": "nonlinear dynamic analysis",
+    "headline_all": "Every check with a demand is satisfied.",
+    "headline_one": "1 of {all} checks is not satisfied.",
+    "headline_some": "{failed} of {all} checks are not satisfied.",
+    "headline_no": "No check is satisfied.",
     "sentence_holds": "{state}: satisfied with the {methods}.",
     "sentence_fails": "{state}: not satisfied with the {methods}.",
     "sentence_differs": "{state}: satisfied with the {passed}, not with the {failed}.",
     "sentence_none": (
-        "No check: neither a demand nor records are given. The {kind} starts to move at a spectral "
+        "No check: neither a demand nor records are given. {The} starts to move at a spectral "
         "acceleration of {a0} and has no resistance left at a displacement of {d0}."
     ),
     "why_agree": "All methods that were used agree.",
@@ -66,17 +73,17 @@ ENGLISH: Final[dict[str, str]] = {
     "col_quantity": "quantity",
     "col_demand": "demand",
     "col_capacity": "capacity",
-    "col_ratio": "demand over capacity",
+    "col_ratio": "demand / capacity",
     "col_verdict": "check",
     "pages": "pp. {page}",
-    "quantity_linear_SLD": "spectral acceleration at the base, against a₀",
-    "quantity_linear_SLV": "spectral acceleration over q = 2, against a₀",
-    "quantity_nonlinear static": "spectral displacement, against {limit}",
-    "quantity_dynamic": "mean of the largest displacements, against {limit}",
+    "quantity_linear_SLD": "peak acceleration S_e(0) ≤ a₀",
+    "quantity_linear_SLV": "peak acceleration S_e(0)/q ≤ a₀, q = 2",
+    "quantity_nonlinear static": "spectral displacement S_D(T_{state}) ≤ d_{state}",
+    "quantity_dynamic": "no run beyond d₀, mean of the largest d ≤ d_{state}",
     "beyond_all": "beyond d₀",
     # Pictures
     "alt_section": (
-        "Section of the {kind}, {thickness} thick and {height} high, with its hinge {inset} from "
+        "Section of {the}, {thickness} thick and {height} high, with its hinge {inset} from "
         "the outer face, {loads} loads, {masses} pushing masses, {ties} ties and {thrusts} thrusts."
     ),
     "alt_capacity": (
@@ -99,7 +106,9 @@ ENGLISH: Final[dict[str, str]] = {
     # Sections
     "section_why": "Why, and what to mind",
     "section_runs": "Records",
-    "section_wall": "The facade",
+    "section_wall": "The wall",
+    "section_parapet": "The parapet",
+    "section_gable": "The gable",
     "section_mechanism": "The mechanism",
     "section_demand": "Demand",
     "section_method": "Method",
@@ -125,7 +134,9 @@ ENGLISH: Final[dict[str, str]] = {
     "fact_restitution": "restitution of the velocity",
     "housner": "Housner: angular momentum is kept",
     "facade_caption": "Geometry and material",
-    "acting_caption": "What acts on it, on the whole length; x inwards from the outer face, z above the hinge.",
+    "acting_caption": (
+        "What acts on it, on the whole length; x inwards from the outer face, z above the hinge."
+    ),
     "col_name": "name",
     "col_kind": "kind",
     "col_force": "force",
@@ -150,7 +161,7 @@ ENGLISH: Final[dict[str, str]] = {
     "m_dslc": "displacement capacity of SLC, 0.6 d₀",
     "m_tslv": "secant period of SLV",
     "m_tslc": "secant period of SLC",
-    "m_theta0": "rotation without restoring moment, the block’s α",
+    "m_theta0": "rotation without restoring moment, the block's α",
     "m_p": "frequency parameter, with FC",
     "m_lambda": "factor of the ground acceleration, with FC",
     "m_uplift": "ground acceleration that lifts the block, α₀/FC",
@@ -159,18 +170,16 @@ ENGLISH: Final[dict[str, str]] = {
     # Demand
     "demand_none": "No demand is given.",
     "demand_caption": "Demand of each limit state",
-    "demand_spectrum": (
-        "NTC 2018 elastic spectrum: a_g {ag}, F₀ {f0}, T_C* {tc}, S {s}, C_C {cc}"
-    ),
+    "demand_spectrum": ("NTC 2018 elastic spectrum: a_g {ag}, F₀ {f0}, T_C* {tc}, S {s}, C_C {cc}"),
     "demand_table": "table of {count} periods, {low} to {high}, damping {damping} %",
     "demand_records": "{count} records, mean of their spectra",
     # Records
     "runs_intro": (
-        "{records} records, {signs}: the {kind} as a rigid block that leans outwards only, followed "
+        "{records} records, {signs}: {the} as a rigid block that leans outwards only, followed "
         "to rest or to overturning. Of each record the larger displacement counts."
     ),
     "runs_intro_two_sided": (
-        "{records} records, {signs}: the {kind} as a rigid block that rocks to both sides, followed "
+        "{records} records, {signs}: {the} as a rigid block that rocks to both sides, followed "
         "to rest or to overturning. Of each record the larger displacement counts."
     ),
     "signs_2": "both signs",
@@ -193,7 +202,7 @@ ENGLISH: Final[dict[str, str]] = {
     # Method
     "method_1_name": "Kinematic analysis.",
     "method_1": (
-        "The {kind} turns outwards about its hinge. With weights P that move with it, masses Q "
+        "{The} turns outwards about its hinge. With weights P that move with it, masses Q "
         "that push it, ties T and thrusts H, the moment M = ΣP(x − x_h) + ΣTz − ΣHz holds it and "
         "D = Σ(P + Q)z is moved: α₀ = M/D (1)†. With e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, "
         "a₀ = α₀ g/(e* FC) (3)†, and the capacity falls along a line to zero at "
@@ -206,8 +215,8 @@ ENGLISH: Final[dict[str, str]] = {
     ),
     "method_3_name": "Nonlinear static check.",
     "method_3": (
-        "T_SLV = 1.68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1.56 π √(d_SLC/a(d_SLC)) (11)†. The demand "
-        "is S_e(T) T²/(4π²) (12)†, with a damping of 8 % for SLV and 10 % for SLC."
+        "T_SLV = 1.68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1.56 π √(d_SLC/a(d_SLC)) (11)†. The "
+        "demand is S_e(T) T²/(4π²) (12)†, with a damping of 8 % for SLV and 10 % for SLC."
     ),
     "method_4_name": "Dynamic check.",
     "method_4": (
@@ -223,31 +232,31 @@ ENGLISH: Final[dict[str, str]] = {
     ),
     "assumed_t0": (
         "With records the largest spectral displacement is taken from period 0 to T_SLV or "
-        "T_SLC: the lower end T₀ could not be read†. This is never less than the circular’s."
+        "T_SLC: the lower end T₀ could not be read†. This is never less than the circular's."
     ),
     "assumed_mean": (
         "Records stand for the site and the limit state; the mean of the largest displacements "
         "needs 7 of them. A fall in one run refuses the facade, whatever the mean."
     ),
     "assumed_fc": (
-        "FC divides the moment that holds the {kind} in the runs too: it lifts at α₀ g/FC and turns "
+        "FC divides the moment that holds {the} in the runs too: it lifts at α₀ g/FC and turns "
         "back more slowly."
     ),
     "assumed_block": (
         "The equivalent block is exact where all masses stand in line with the hinge and nothing "
         "else acts; with ties, thrusts and pushing masses to the order of θ²."
     ),
-    "assumed_balance": "A run beyond d₀ counts as a fall, even where the {kind} comes back.",
+    "assumed_balance": "A run beyond d₀ counts as a fall, even where {the} comes back.",
     "assumed_restitution": (
         "Restitution at the impact is a choice: measured values of masonry scatter, and a larger "
-        "one keeps the {kind} moving for longer."
+        "one keeps {the} moving for longer."
     ),
     "not_covered": "Not covered",
     "not_rigid": (
         "One rigid, monolithic body: a wall of leaves without bond falls apart before it turns."
     ),
     "not_crushing": "No crushing of the masonry at the hinge beyond the inset that is given.",
-    "not_sliding": "No sliding of the {kind}, nor of what it carries.",
+    "not_sliding": "No sliding of {the}, nor of what it carries.",
     "not_diaphragm": (
         "No flexible floors, roofs or diaphragms: loads keep their weight, and the building behind "
         "does not move relative to the ground."

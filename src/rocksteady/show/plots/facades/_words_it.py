@@ -8,6 +8,9 @@ ITALIAN: Final[dict[str, str]] = {
     "wall": "parete",
     "parapet": "parapetto",
     "gable": "timpano",
+    "the_wall": "la parete",
+    "the_parapet": "il parapetto",
+    "the_gable": "il timpano",
     "hinge": "cerniera",
     "axis_position": "posizione [m]",
     "axis_height": "altezza sulla cerniera [m]",
@@ -15,11 +18,11 @@ ITALIAN: Final[dict[str, str]] = {
     "axis_acceleration": "accelerazione spettrale a [g]",
     "axis_share": "spostamento massimo d/d₀",
     "capacity_curve": "curva di capacità a(d)",
-    "period_of": "T_{state} = {period}",
-    "spectrum_of": "spettro {state}, smorzamento {damping} %",
-    "demand_static": "{state}, domanda statica {demand}",
-    "demand_dynamic": "{state}, media degli accelerogrammi {demand}",
-    "demand_linear": "{state}, domanda lineare {demand}",
+    "period_of": "{symbol} = {period}",
+    "spectrum_of": "spettro {state}, {damping} %",
+    "demand_static": "domanda statica {state}",
+    "demand_dynamic": "media accelerogrammi {state}",
+    "demand_linear": "domanda lineare {state}",
     "mean_largest": "media dei massimi {share}",
     "sign_as recorded": "verso registrato",
     "sign_reversed": "verso opposto",
@@ -44,13 +47,17 @@ ITALIAN: Final[dict[str, str]] = {
     "method_linear": "analisi cinematica lineare",
     "method_nonlinear static": "analisi cinematica non lineare",
     "method_dynamic": "analisi dinamica non lineare",
+    "headline_all": "Tutte le verifiche con una domanda sono soddisfatte.",
+    "headline_one": "1 verifica su {all} non è soddisfatta.",
+    "headline_some": "{failed} verifiche su {all} non sono soddisfatte.",
+    "headline_no": "Nessuna verifica è soddisfatta.",
     "sentence_holds": "{state}: verifica soddisfatta con {methods}.",
     "sentence_fails": "{state}: verifica non soddisfatta con {methods}.",
     "sentence_differs": "{state}: verifica soddisfatta con {passed}, non soddisfatta con {failed}.",
     "sentence_none": (
-        "Nessuna verifica: mancano sia la domanda sia gli accelerogrammi. Il meccanismo ({kind}) si "
-        "attiva a un’accelerazione spettrale di {a0} e perde ogni resistenza a uno spostamento di "
-        "{d0}."
+        "Nessuna verifica: mancano sia la domanda sia gli accelerogrammi. Il meccanismo si "
+        "attiva a un'accelerazione spettrale di {a0} ed esaurisce la resistenza a uno "
+        "spostamento di {d0}."
     ),
     "why_agree": "Tutti i metodi impiegati concordano.",
     "why_nothing": "Per un esito servono una domanda oppure almeno 7 accelerogrammi.",
@@ -65,18 +72,18 @@ ITALIAN: Final[dict[str, str]] = {
     "col_quantity": "grandezza",
     "col_demand": "domanda",
     "col_capacity": "capacità",
-    "col_ratio": "domanda su capacità",
+    "col_ratio": "domanda / capacità",
     "col_verdict": "verifica",
     "pages": "pp. {page}",
-    "quantity_linear_SLD": "accelerazione spettrale alla base, con a₀",
-    "quantity_linear_SLV": "accelerazione spettrale divisa per q = 2, con a₀",
-    "quantity_nonlinear static": "spostamento spettrale, con {limit}",
-    "quantity_dynamic": "media degli spostamenti massimi, con {limit}",
+    "quantity_linear_SLD": "accelerazione di picco S_e(0) ≤ a₀",
+    "quantity_linear_SLV": "accelerazione di picco S_e(0)/q ≤ a₀, q = 2",
+    "quantity_nonlinear static": "spostamento spettrale S_D(T_{state}) ≤ d_{state}",
+    "quantity_dynamic": "nessuna analisi oltre d₀, media dei massimi d ≤ d_{state}",
     "beyond_all": "oltre d₀",
     # Pictures
     "alt_section": (
-        "Sezione ({kind}), spessore {thickness}, altezza {height}, cerniera a {inset} dalla faccia "
-        "esterna, carichi {loads}, masse che spingono {masses}, catene {ties}, spinte {thrusts}."
+        "Sezione: {the}, spessore {thickness}, altezza {height}, cerniera a {inset} dalla faccia "
+        "esterna; carichi {loads}, masse che spingono {masses}, catene {ties}, spinte {thrusts}."
     ),
     "alt_capacity": (
         "Capacità in funzione dello spostamento, da {a0} a zero fino ad annullarsi a {d0}, con i "
@@ -85,20 +92,22 @@ ITALIAN: Final[dict[str, str]] = {
     "alt_demand": "{state} {demand}",
     "alt_demands": "; domande: {demands}",
     "alt_runs": (
-        "Spostamento massimo rapportato a d₀ per {records} accelerogrammi e {signs} versi; {beyond} "
-        "accelerogrammi oltre d₀; {mean}."
+        "Spostamento massimo rapportato a d₀ per {records} accelerogrammi e {signs} versi; "
+        "{beyond} accelerogrammi oltre d₀; {mean}."
     ),
     "alt_mean": "la media vale {mean}",
-    "alt_no_mean": "non c’è media",
+    "alt_no_mean": "non c'è media",
     "capacity_note": (
-        "Sezione in scala, con il profilo inclinato di 5° solo per l’occhio. Una retta per "
-        "l’origine è un periodo; un quadrato o un rombo a sinistra del proprio limite lo soddisfa. "
+        "Sezione in scala, con il profilo inclinato di 5° solo per l'occhio. Una retta per "
+        "l'origine è un periodo; un quadrato o un rombo a sinistra del proprio limite lo soddisfa. "
         "Trattini o frecce al bordo cadono fuori dalla figura."
     ),
     # Sections
     "section_why": "Perché, e a che cosa badare",
     "section_runs": "Accelerogrammi",
     "section_wall": "La parete",
+    "section_parapet": "Il parapetto",
+    "section_gable": "Il timpano",
     "section_mechanism": "Il meccanismo di ribaltamento",
     "section_demand": "Domanda sismica",
     "section_method": "Metodo",
@@ -124,16 +133,18 @@ ITALIAN: Final[dict[str, str]] = {
     "fact_restitution": "restituzione della velocità",
     "housner": "Housner: il momento angolare si conserva",
     "facade_caption": "Geometria e materiale",
-    "acting_caption": "Azioni sull’intera lunghezza; x verso l’interno dalla faccia esterna, z sopra la cerniera.",
+    "acting_caption": (
+        "Azioni sull'intera lunghezza; x verso l'interno dalla faccia esterna, z sopra la cerniera."
+    ),
     "col_name": "nome",
     "col_kind": "tipo",
     "col_force": "forza",
     "col_x": "x",
     "col_z": "z",
-    "kind_load": "carico, grava sulla parete",
+    "kind_load": "carico verticale portato",
     "kind_mass": "massa, spinge solo durante il sisma",
-    "kind_tie": "catena o tirante, trattiene verso l’interno",
-    "kind_thrust": "spinta statica verso l’esterno",
+    "kind_tie": "catena o tirante, trattiene verso l'interno",
+    "kind_thrust": "spinta statica verso l'esterno",
     # The mechanism
     "mechanism_caption": "Grandezze ricavate da geometria e pesi. † Trascrizione non revisionata.",
     "col_symbol": "simbolo",
@@ -151,27 +162,25 @@ ITALIAN: Final[dict[str, str]] = {
     "m_tslc": "periodo secante SLC",
     "m_theta0": "rotazione a momento stabilizzante nullo, α del blocco",
     "m_p": "parametro di frequenza, con FC",
-    "m_lambda": "fattore dell’accelerazione al suolo, con FC",
+    "m_lambda": "fattore dell'accelerazione al suolo, con FC",
     "m_uplift": "accelerazione al suolo che solleva il blocco, α₀/FC",
     "m_fc": "fattore di confidenza",
     "equivalent": "blocco equivalente",
     # Demand
     "demand_none": "Non è data alcuna domanda.",
     "demand_caption": "Domanda per ciascuno stato limite",
-    "demand_spectrum": (
-        "spettro elastico NTC 2018: a_g {ag}, F₀ {f0}, T_C* {tc}, S {s}, C_C {cc}"
-    ),
+    "demand_spectrum": ("spettro elastico NTC 2018: a_g {ag}, F₀ {f0}, T_C* {tc}, S {s}, C_C {cc}"),
     "demand_table": "tabella di {count} periodi, da {low} a {high}, smorzamento {damping} %",
     "demand_records": "{count} accelerogrammi, media dei loro spettri",
     # Records
     "runs_intro": (
-        "{records} accelerogrammi, {signs}: il meccanismo ({kind}) è un blocco rigido che si inclina "
-        "solo verso l’esterno (oscillazione monolatera), seguito fino alla quiete o al "
+        "{records} accelerogrammi, {signs}: {the} è un blocco rigido che si inclina solo verso "
+        "l'esterno (oscillazione monolatera), e il moto è seguito fino alla quiete o al "
         "ribaltamento. Di ogni accelerogramma conta lo spostamento maggiore."
     ),
     "runs_intro_two_sided": (
-        "{records} accelerogrammi, {signs}: il meccanismo ({kind}) è un blocco rigido che oscilla "
-        "verso entrambi i lati, seguito fino alla quiete o al ribaltamento. Di ogni accelerogramma "
+        "{records} accelerogrammi, {signs}: {the} è un blocco rigido che oscilla verso entrambi "
+        "i lati, e il moto è seguito fino alla quiete o al ribaltamento. Di ogni accelerogramma "
         "conta lo spostamento maggiore."
     ),
     "signs_2": "in entrambi i versi",
@@ -196,26 +205,27 @@ ITALIAN: Final[dict[str, str]] = {
     # Method
     "method_1_name": "Analisi cinematica.",
     "method_1": (
-        "Il corpo ({kind}) ruota verso l’esterno attorno alla cerniera. Con i pesi P che si muovono "
-        "con esso, le masse Q che lo spingono, le catene T e le spinte H, M = ΣP(x − x_h) + ΣTz − "
-        "ΣHz è il momento stabilizzante e D = Σ(P + Q)z quello ribaltante per α = 1: α₀ = M/D (1)†. "
-        "Con e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)† si ha a₀ = α₀ g/(e* FC) (3)†, e la capacità "
-        "decresce linearmente fino ad annullarsi a d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz)."
+        "{The} ruota verso l'esterno attorno alla cerniera. Con i pesi P che partecipano alla "
+        "rotazione, le masse Q che spingono, le catene T e le spinte H, M = ΣP(x − x_h) + ΣTz − "
+        "ΣHz è il momento stabilizzante e D = Σ(P + Q)z quello ribaltante per α = 1: α₀ = M/D "
+        "(1)†. Con e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)† si ha a₀ = α₀ g/(e* FC) (3)†, e la "
+        "capacità decresce linearmente fino ad annullarsi a d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = "
+        "atan(M/ΣPz)."
     ),
     "method_2_name": "Verifica lineare.",
     "method_2": (
-        "SLD: l’accelerazione di picco alla base non supera a₀ (8)†. SLV: non lo supera la sua "
+        "SLD: l'accelerazione di picco alla base non supera a₀ (8)†. SLV: non lo supera la sua "
         "metà, con il fattore di comportamento q = 2†."
     ),
     "method_3_name": "Verifica cinematica non lineare.",
     "method_3": (
-        "T_SLV = 1,68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1,56 π √(d_SLC/a(d_SLC)) (11)†. La domanda "
-        "è S_e(T) T²/(4π²) (12)†, con smorzamento 8 % per SLV e 10 % per SLC."
+        "T_SLV = 1,68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1,56 π √(d_SLC/a(d_SLC)) (11)†. La "
+        "domanda è S_e(T) T²/(4π²) (12)†, con smorzamento 8 % per SLV e 10 % per SLC."
     ),
     "method_4_name": "Verifica dinamica non lineare.",
     "method_4": (
         "Nessuna analisi va oltre d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
-        "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l’altro si risolve "
+        "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l'altro si risolve "
         "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
         "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore."
     ),
@@ -226,7 +236,7 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "assumed_t0": (
         "Con gli accelerogrammi lo spostamento spettrale massimo è cercato dal periodo 0 fino a "
-        "T_SLV o T_SLC: l’estremo inferiore T₀ non è leggibile†. Il valore non è mai minore di "
+        "T_SLV o T_SLC: l'estremo inferiore T₀ non è leggibile†. Il valore non è mai minore di "
         "quello della circolare."
     ),
     "assumed_mean": (
@@ -236,29 +246,27 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "assumed_fc": (
         "Il fattore di confidenza FC divide il momento stabilizzante anche nelle analisi "
-        "dinamiche: il corpo ({kind}) si solleva ad α₀ g/FC e ritorna più lentamente."
+        "dinamiche: {the} si solleva ad α₀ g/FC e ritorna più lentamente."
     ),
     "assumed_block": (
         "Il blocco equivalente è esatto quando tutte le masse sono allineate con la cerniera e non "
         "agisce altro; con catene, spinte e masse che spingono vale a meno di θ²."
     ),
-    "assumed_balance": (
-        "Un’analisi oltre d₀ conta come ribaltamento, anche se il corpo ({kind}) ritorna."
-    ),
+    "assumed_balance": "Un'analisi oltre d₀ conta come ribaltamento, anche se {the} ritorna.",
     "assumed_restitution": (
-        "La restituzione all’urto è una scelta: i valori misurati per la muratura sono dispersi, e "
-        "un valore maggiore fa durare di più il moto del corpo ({kind})."
+        "La restituzione all'urto è una scelta: i valori misurati per la muratura sono dispersi, e "
+        "un valore maggiore fa durare più a lungo il moto."
     ),
     "not_covered": "Resta escluso",
     "not_rigid": (
         "Un solo corpo rigido e monolitico: una parete a paramenti scollegati si disgrega prima di "
         "ruotare."
     ),
-    "not_crushing": "Nessuno schiacciamento alla cerniera oltre l’arretramento assegnato.",
-    "not_sliding": "Nessuno scorrimento del corpo ({kind}), né di ciò che esso porta.",
+    "not_crushing": "Nessuno schiacciamento alla cerniera oltre l'arretramento assegnato.",
+    "not_sliding": "Nessuno scorrimento sulla base, né di ciò che è portato.",
     "not_diaphragm": (
         "Nessun solaio, tetto o diaframma flessibile: i carichi mantengono il proprio peso e "
-        "l’edificio retrostante non si muove rispetto al suolo."
+        "l'edificio retrostante non si muove rispetto al suolo."
     ),
     "not_ties": (
         "Le catene e i tiranti esercitano una forza costante: nessun allungamento, snervamento o "
@@ -266,7 +274,7 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "not_corners": "Nessun ammorsamento con i muri trasversali, né attrito contro di essi.",
     "not_height": (
-        "L’amplificazione lungo l’altezza dell’edificio solo se la domanda è uno spettro di piano "
+        "L'amplificazione lungo l'altezza dell'edificio solo se la domanda è uno spettro di piano "
         "o gli accelerogrammi sono di piano."
     ),
     # Inputs
@@ -278,8 +286,8 @@ ITALIAN: Final[dict[str, str]] = {
     # Remarks of the checks
     "remark_eta": "η {0} per smorzamento {1} %",
     "remark_beyond_4_s": (
-        "T = {0} s supera i 4 s fino a cui le NTC 2018 danno lo spettro: lo spostamento è mantenuto "
-        "costante"
+        "T = {0} s supera i 4 s fino a cui le NTC 2018 danno lo spettro: lo spostamento è "
+        "mantenuto costante"
     ),
     "remark_table_as_given": "tabella con smorzamento {0} %",
     "remark_table_between": "tabella interpolata tra {0} e {1} % di smorzamento, a {2} %",
@@ -287,40 +295,40 @@ ITALIAN: Final[dict[str, str]] = {
         "tabella con smorzamento {0} % riportata a {1} % con il fattore {2}, rapporto degli η"
     ),
     "remark_records": (
-        "media sugli accelerogrammi del massimo S_D fino a T, da 0 invece che da T₀, che non è stato "
-        "possibile leggere: a favore di sicurezza"
+        "media sugli accelerogrammi del massimo S_D fino a T, da 0 invece che da T₀, che non è "
+        "stato possibile leggere: a favore di sicurezza"
     ),
     "remark_peak_of_records": "media delle PGA degli accelerogrammi",
     "remark_q": "S_e(0) diviso q = {0}",
     "remark_no_demand": "nessuna domanda assegnata per {0}: solo la capacità",
     "remark_no_runs": "nessuna analisi con accelerogrammi",
     "remark_few_records": "la media richiede almeno {0} accelerogrammi",
-    "remark_beyond_d0": "almeno un’analisi va oltre d₀: {0}",
+    "remark_beyond_d0": "almeno un'analisi va oltre d₀: {0}",
     "remark_mean_of_runs": "media degli spostamenti massimi, nessuna analisi oltre d₀",
     "remark_linear_or_displacement": (
-        "La verifica lineare confronta con a₀ l’accelerazione di picco divisa per q = 2, qualunque "
+        "La verifica lineare confronta con a₀ l'accelerazione di picco divisa per q = 2, qualunque "
         "sia la dimensione della parete; a parità di snellezza, le verifiche in spostamento "
         "concedono di più a una parete più spessa e di meno a una più sottile."
     ),
     "remark_static_or_dynamic": (
-        "La verifica statica ricava lo spostamento da un oscillatore elastico che non esiste, con "
-        "periodo secante {0} s e smorzamento {1} %; la verifica dinamica segue il blocco rigido dal "
-        "sollevamento attraverso ogni urto."
+        "La verifica statica ricava lo spostamento da un oscillatore elastico che non esiste, "
+        "con periodo secante {0} s e smorzamento {1} %; la verifica dinamica segue il blocco "
+        "rigido dal sollevamento attraverso ogni urto."
     ),
     "remark_transcription": (
         "Le formule della Circolare 2019 n. 7, C8.7.1, pp. 272–277, provengono da una trascrizione "
         "non revisionata."
     ),
     "remark_second_bullets": (
-        "Di d_SLV e d_SLC la seconda condizione della circolare non è leggibile nella trascrizione: "
-        "valgono soltanto 0,4 d₀ e 0,6 d₀."
+        "Di d_SLV e d_SLC la seconda condizione della circolare non è leggibile nella "
+        "trascrizione: valgono soltanto 0,4 d₀ e 0,6 d₀."
     ),
     "remark_uplift": (
-        "a₀ FC è 1/e* = {0} volte l’accelerazione che solleva un blocco rigido, {1} g: la verifica "
+        "a₀ FC è 1/e* = {0} volte l'accelerazione che solleva un blocco rigido, {1} g: la verifica "
         "dinamica lascia muovere la parete da {2} g (con FC), quelle statiche da a₀ = {3} g."
     ),
     "remark_in_line": (
-        "Il blocco equivalente è esatto dove tutte le masse sono allineate con la cerniera, e a meno "
-        "di termini in θ² con carichi, catene, spinte o masse che spingono."
+        "Il blocco equivalente è esatto dove tutte le masse sono allineate con la cerniera, e a "
+        "meno di termini in θ² con carichi, catene, spinte o masse che spingono."
     ),
 }

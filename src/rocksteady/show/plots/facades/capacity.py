@@ -10,7 +10,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.check_facade import DAMPINGS
 from rocksteady.risk.facades.facade_check import Check, FacadeCheck
-from rocksteady.show.plots.facades._axes import decimal_marks
+from rocksteady.show.plots.facades._axes import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
@@ -94,7 +94,7 @@ def plot_capacity(
         handles += _draw_period(axes, words, (state, periods[state], colour), scale)
         handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
         axes.annotate(
-            f"d_{state}", (limit, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+            symbol(f"d_{state}"), (limit, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
             textcoords="offset points", ha="center", va="bottom", color=colour,
             fontsize=text_size(axes, 8.0), annotation_clip=False,
         )  # fmt: skip
@@ -133,7 +133,7 @@ def _draw_period(
     return axes.plot(
         [0.0, axes.get_xlim()[1]], [0.0, slope * axes.get_xlim()[1]], color=colour,
         lw=0.9 * scale, zorder=2.2,
-        label=words("period_of", state=name, period=words.quantity(period, "s")),
+        label=words("period_of", symbol=symbol(f"T_{name}"), period=words.quantity(period, "s")),
     )  # fmt: skip
 
 
@@ -180,7 +180,7 @@ def _draw_demands(
             ms=7.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,
             label=words(
                 "demand_dynamic" if dynamic else "demand_static",
-                state=state, demand=words.quantity(demand, "mm"),
+                state=state,
             ),
         )  # fmt: skip
     return handles
@@ -197,8 +197,6 @@ def _draw_accelerations(
         handles += axes.plot(
             [0.0], [min(demand, 0.985 * top)], "^" if demand > top else "_", color=colour,
             mew=2.4, ms=11.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,
-            label=words(
-                "demand_linear", state=check.limit_state, demand=words.quantity(demand, "g")
-            ),
+            label=words("demand_linear", state=check.limit_state),
         )  # fmt: skip
     return handles

@@ -8,19 +8,22 @@ from rocksteady.results.numbers import number
 from rocksteady.show.plots.facades._words_en import ENGLISH
 from rocksteady.show.plots.facades._words_it import ITALIAN
 
-TABLES = {"en": ENGLISH, "it": ITALIAN}
+TABLES = {
+    code: {key: text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}") for key, text in table.items()}
+    for code, table in (("en", ENGLISH), ("it", ITALIAN))
+}
 """All words by language; every table has the same keys."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """A language: its code, its words, and its decimal mark.
+    r"""A language: its code, its words, and its decimal mark.
 
     Examples
     --------
     >>> italian = language_of("it")
     >>> italian["wall"], italian.number(0.0987654), italian.quantity(1.958, "s")
-    ('parete', '0,0988', '1,96\\xa0s')
+    ('parete', '0,0988', '1,96\xa0s')
     """
 
     code: str

@@ -7,7 +7,8 @@ import numpy as np
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.show.plots.facades._axes import decimal_marks
+from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
+from rocksteady.show.plots.facades._axes import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
@@ -18,7 +19,7 @@ from rocksteady.show.style.line_colours import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LIMITS = (("d_SLV", 0.4), ("d_SLC", 0.6), ("d₀", 1.0))
+LIMITS = (("d_SLV", SHARE_SLV), ("d_SLC", SHARE_SLC), ("d_0", 1.0))
 """Limits of the circular over d0."""
 EDGE = 1.16
 """End of the bar of a run beyond d0."""
@@ -87,7 +88,7 @@ def plot_facade_runs(
     for k, (name, share) in enumerate(LIMITS):
         axes.axvline(share, color=inks.ink, lw=1.0, ls=palette.DASHES[k + 1], zorder=3.0)
         axes.annotate(
-            name, (share, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+            symbol(name), (share, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
             textcoords="offset points", ha="center", va="bottom", annotation_clip=False,
             fontsize=text_size(axes, 8.0), color=inks.ink,
         )  # fmt: skip
@@ -98,9 +99,7 @@ def plot_facade_runs(
     axes.set_yticks(range(len(names)), [literal(palette.shortened(name, 24)) for name in names])
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
-    axes.set(
-        xlabel=words["axis_share"], xlim=(0.0, EDGE + 0.02), ylim=(len(names) - 0.45, -0.55)
-    )
+    axes.set(xlabel=words["axis_share"], xlim=(0.0, EDGE + 0.02), ylim=(len(names) - 0.45, -0.55))
     decimal_marks(axes, words, vertical=False)
     draw_legend(axes, place, handles=handles)
     return axes

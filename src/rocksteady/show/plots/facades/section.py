@@ -83,7 +83,7 @@ def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en
     top = max([high, *(z + reach for z in loads)])
     axes.set_aspect("equal", adjustable="box")
     axes.set(
-        xlim=(-0.62 * high, thick + 0.62 * high),
+        xlim=(-0.56 * high, thick + 0.56 * high),
         ylim=(-0.07 * high, top + 0.05 * high),
         xlabel=words["axis_position"],
         ylabel=words["axis_height"],
@@ -99,9 +99,9 @@ def _draw_surroundings(axes: "Axes", facade: Facade, inks: Inks) -> None:
     from matplotlib.patches import Rectangle
 
     high, thick = facade.height_m, facade.thickness_m
-    ground = (-0.62 * high, -0.07 * high)
+    ground = (-0.56 * high, -0.07 * high)
     axes.add_patch(
-        Rectangle(ground, thick + 1.24 * high, 0.07 * high, facecolor="none", edgecolor=inks.faint,
+        Rectangle(ground, thick + 1.12 * high, 0.07 * high, facecolor="none", edgecolor=inks.faint,
                   hatch="////", lw=0.0, zorder=0.6)
     )  # fmt: skip
     axes.axhline(0.0, color=inks.ink, lw=1.0, zorder=0.8)
