@@ -24,6 +24,8 @@ use_plots(
         "Branch": "plot_bifurcations",
         "Calibration": "plot_ladders",
         "Erosion": "plot_erosion",
+        "FacadeCheck": "plot_capacity",
+        "FacadeRuns": "plot_facade_runs",
         "FatalKicks": "plot_fatal_kicks",
         "Fragility": "plot_fragility",
         "FragilityCurve": "plot_fragility",

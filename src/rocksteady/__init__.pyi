@@ -231,6 +231,7 @@ from .show.export.manifest import write_manifest as write_manifest
 from .show.export.openquake import write_openquake as write_openquake
 from .show.export.pelicun import write_pelicun as write_pelicun
 from .show.export.tests_folder import write_tests as write_tests
+from .show.facade.facade_folder import write_facade_folder as write_facade_folder
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as plot_block
 from .show.plots.basins import plot_basins as plot_basins
@@ -238,6 +239,9 @@ from .show.plots.basins import plot_erosion as plot_erosion
 from .show.plots.basins import plot_safe_basin as plot_safe_basin
 from .show.plots.bifurcations import plot_bifurcations as plot_bifurcations
 from .show.plots.curves import plot_bifurcation_curves as plot_bifurcation_curves
+from .show.plots.facades.capacity import plot_capacity as plot_capacity
+from .show.plots.facades.run_displacements import plot_facade_runs as plot_facade_runs
+from .show.plots.facades.section import plot_facade as plot_facade
 from .show.plots.maps import plot_map as plot_map
 from .show.plots.motion import plot_base as plot_base
 from .show.plots.motion import plot_phase_portrait as plot_phase_portrait

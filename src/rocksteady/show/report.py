@@ -140,7 +140,9 @@ def indexed(text: str) -> "Markup":
     """
     from markupsafe import Markup, escape
 
-    return Markup(INDEXED.sub(_lowered, str(escape(text))))
+    lowered = INDEXED.sub(_lowered, str(escape(text)))
+    # Few fonts of pages have the letter, and others draw it like an o.
+    return Markup(lowered.replace("\N{SUBSCRIPT ZERO}", "<sub>0</sub>"))
 
 
 def _lowered(found: "re.Match[str]") -> str:

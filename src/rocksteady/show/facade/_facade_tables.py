@@ -137,7 +137,7 @@ def _check_row(each: Check, words: Language) -> Row:
     key = f"{key}_{each.limit_state}" if each.method == "linear" else key
     ratio = each.ratio
     return {
-        "state": words[f"{each.limit_state}"],
+        "state": each.limit_state,
         "method": words[f"method_{each.method}"],
         "formula": f"{each.formula} †",
         "page": words("pages", page=each.page.replace("-", "–")),

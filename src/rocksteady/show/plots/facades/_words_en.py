@@ -73,7 +73,7 @@ ENGLISH: Final[dict[str, str]] = {
     "col_quantity": "quantity",
     "col_demand": "demand",
     "col_capacity": "capacity",
-    "col_ratio": "demand / capacity",
+    "col_ratio": "ratio",
     "col_verdict": "check",
     "pages": "pp. {page}",
     "quantity_linear_SLD": "peak acceleration S_e(0) ≤ a₀",

@@ -72,7 +72,7 @@ ITALIAN: Final[dict[str, str]] = {
     "col_quantity": "grandezza",
     "col_demand": "domanda",
     "col_capacity": "capacità",
-    "col_ratio": "domanda / capacità",
+    "col_ratio": "rapporto",
     "col_verdict": "verifica",
     "pages": "pp. {page}",
     "quantity_linear_SLD": "accelerazione di picco S_e(0) ≤ a₀",

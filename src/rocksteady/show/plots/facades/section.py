@@ -10,7 +10,7 @@ from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.legends import size_of, text_size
 from rocksteady.show.style.line_colours import Inks, inks_of
 
 if TYPE_CHECKING:
@@ -20,8 +20,12 @@ LEAN_RAD = math.radians(5.0)
 """Angle of the leaning outline, for the eye alone."""
 ARM = 0.17
 """Length of an arrow over the height of the wall."""
-LINE = 0.085
-"""Least distance of two labels over the height of the wall."""
+BESIDE = 0.56
+"""Room to either side of the wall over its height."""
+GROUND = 0.07
+"""Depth of the ground over the height of the wall."""
+LINES = 2.6
+"""Distance of two labels over the size of their text."""
 LONGEST = 18
 """Letters of a name in the drawing."""
 
@@ -70,8 +74,13 @@ def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en
     _draw_leaning(axes, facade, inks)
     left, right = _labels_of(axes, facade, words, inks)
     reach = ARM * high
-    _write(axes, left, (-1.15 * reach, "right"), high, inks)
-    _write(axes, right, (thick + 1.15 * reach, "left"), high, inks)
+    loads = [each.z_m for each in facade.loads]
+    top = max([high, *(z + reach for z in loads)]) + 0.05 * high
+    wide, tall = size_of(axes)
+    scale = min(wide / (thick + 2.0 * BESIDE * high), tall / (top + GROUND * high))
+    apart = LINES * text_size(axes, 8.0) / scale
+    _write(axes, left, (-1.15 * reach, "right"), apart, inks)
+    _write(axes, right, (thick + 1.15 * reach, "left"), apart, inks)
     inset = facade.hinge_inset_m
     axes.plot([inset], [0.0], "^", ms=8.0, color=inks.impact, zorder=5.0, clip_on=False)
     axes.annotate(
@@ -79,12 +88,10 @@ def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en
         fontsize=text_size(axes, 8.0), color=inks.impact,
         arrowprops={"arrowstyle": "-", "color": inks.impact, "lw": 0.6, "shrinkB": 4.0},
     )  # fmt: skip
-    loads = [each.z_m for each in facade.loads]
-    top = max([high, *(z + reach for z in loads)])
     axes.set_aspect("equal", adjustable="box")
     axes.set(
-        xlim=(-0.56 * high, thick + 0.56 * high),
-        ylim=(-0.07 * high, top + 0.05 * high),
+        xlim=(-BESIDE * high, thick + BESIDE * high),
+        ylim=(-GROUND * high, top),
         xlabel=words["axis_position"],
         ylabel=words["axis_height"],
     )
@@ -99,9 +106,9 @@ def _draw_surroundings(axes: "Axes", facade: Facade, inks: Inks) -> None:
     from matplotlib.patches import Rectangle
 
     high, thick = facade.height_m, facade.thickness_m
-    ground = (-0.56 * high, -0.07 * high)
+    ground = (-BESIDE * high, -GROUND * high)
     axes.add_patch(
-        Rectangle(ground, thick + 1.12 * high, 0.07 * high, facecolor="none", edgecolor=inks.faint,
+        Rectangle(ground, thick + 2.0 * BESIDE * high, GROUND * high, facecolor="none", edgecolor=inks.faint,
                   hatch="////", lw=0.0, zorder=0.6)
     )  # fmt: skip
     axes.axhline(0.0, color=inks.ink, lw=1.0, zorder=0.8)
@@ -181,14 +188,14 @@ def _labels_of(
 
 
 def _write(
-    axes: "Axes", labels: list[Label], where: tuple[float, str], high: float, inks: Inks
+    axes: "Axes", labels: list[Label], where: tuple[float, str], apart: float, inks: Inks
 ) -> None:
     """Write labels in a column, one above the other, with lines to what they name."""
     x, side = where
-    lowest = 0.1 * high
+    lowest = 1.2 * apart
     for text, wanted, point in sorted(labels, key=lambda label: label[1]):
         z = max(wanted, lowest)
-        lowest = z + 2.0 * LINE * high
+        lowest = z + apart
         style = {"arrowstyle": "-", "color": inks.faint, "lw": 0.6, "shrinkA": 1.0, "shrinkB": 3.0}
         axes.annotate(
             text, point, (x, z), ha=side, va="center", fontsize=text_size(axes, 8.0),
