@@ -25,7 +25,7 @@ ENGLISH: Final[dict[str, str]] = {
     "demand_static": "static demand {state}",
     "demand_dynamic": "mean of records {state}",
     "demand_linear": "linear demand {state}",
-    "mean_largest": "mean of the largest {share}",
+    "mean_largest": "mean {share}",
     "sign_as recorded": "as recorded",
     "sign_reversed": "reversed",
     # Frame of the page

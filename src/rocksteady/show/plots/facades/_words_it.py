@@ -23,7 +23,7 @@ ITALIAN: Final[dict[str, str]] = {
     "demand_static": "domanda statica {state}",
     "demand_dynamic": "media accelerogrammi {state}",
     "demand_linear": "domanda lineare {state}",
-    "mean_largest": "media dei massimi {share}",
+    "mean_largest": "media {share}",
     "sign_as recorded": "verso registrato",
     "sign_reversed": "verso opposto",
     # Frame of the page

@@ -108,8 +108,10 @@ def _draw_surroundings(axes: "Axes", facade: Facade, inks: Inks) -> None:
     high, thick = facade.height_m, facade.thickness_m
     ground = (-BESIDE * high, -GROUND * high)
     axes.add_patch(
-        Rectangle(ground, thick + 2.0 * BESIDE * high, GROUND * high, facecolor="none", edgecolor=inks.faint,
-                  hatch="////", lw=0.0, zorder=0.6)
+        Rectangle(
+            ground, thick + 2.0 * BESIDE * high, GROUND * high, facecolor="none",
+            edgecolor=inks.faint, hatch="////", lw=0.0, zorder=0.6,
+        )
     )  # fmt: skip
     axes.axhline(0.0, color=inks.ink, lw=1.0, zorder=0.8)
     if facade.one_sided:
