@@ -2,9 +2,11 @@
 
 import math
 import os
-from typing import TypeVar
+from collections.abc import Sequence
+from typing import Any, TypeVar
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -30,6 +32,14 @@ def inner_sample_size(compiled: int, plain: int) -> int:
     if PLAIN:
         return plain
     return compiled if runner() == JIT else round(math.sqrt(compiled * plain))
+
+
+def rest_slow(values: Sequence[Any], quick: int) -> list[Any]:
+    """Return values to test with: the first few in every run, the others in the slow tests."""
+    return [
+        *values[:quick],
+        *(pytest.param(value, marks=pytest.mark.slow) for value in values[quick:]),
+    ]
 
 
 # Columns of a random flight.

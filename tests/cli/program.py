@@ -4,6 +4,7 @@ import contextlib
 import io
 import json
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from rocksteady.cli.app import run as run_program
@@ -37,6 +38,12 @@ def rocksteady(command: str, *more: object) -> Ran:
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         code = run_program([*command.split(), *map(str, more)])
     return Ran(code, out.getvalue(), err.getvalue())
+
+
+@cache
+def ran_once(command: str) -> Ran:
+    """Run a command that reads and writes no file, once for all tests of a process."""
+    return rocksteady(command)
 
 
 def refused(command: str, *more: object) -> str:

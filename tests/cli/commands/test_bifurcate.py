@@ -18,11 +18,13 @@ from rocksteady import (
     symmetry_breaking_amplitude,
     symmetry_breaking_frequency,
 )
-from tests.cli.program import refused, rocksteady
+from tests.cli.program import ran_once, refused, rocksteady
+from tests.strategies import rest_slow
 
 ALONG_W = "bifurcate -A 2 -W 1.6:2.4:41 -r 0.8"
 ALONG_A = "bifurcate -A 0.1:3:30 -W 2 -r 0.8 --no-sweeps"
 ALONG_R = "bifurcate -A 2 -W 2 -r 0.3:1:20"
+REAL_A = "bifurcate --block tso-wong-1989 --accel-g 0.04:0.5:20 --freq-hz 2"
 POINT_KEYS = {
     "branch",
     "branches",
@@ -51,7 +53,7 @@ BARE = DimensionlessBlock(restitution=0.8)
 
 
 def values_of(command: str) -> dict[str, Any]:
-    ran = rocksteady(f"{command} --json")
+    ran = ran_once(f"{command} --json")
     assert ran.code == 0, ran
     return ran.json
 
@@ -68,7 +70,7 @@ def of_type(values: dict[str, Any], kind: str, **more: object) -> list[dict[str,
 
 
 def test_the_json_keeps_the_contract() -> None:
-    ran = rocksteady(f"{ALONG_W} --json")
+    ran = ran_once(f"{ALONG_W} --json")
     assert (ran.code, ran.err) == (0, "")
     values = ran.json
     assert next(iter(values)) == "schema"
@@ -254,7 +256,7 @@ def test_the_cascade_is_the_librarys() -> None:
     assert cascade["ratios"][-1] == pytest.approx(4.6692, abs=0.05), "Feigenbaum's number"
     assert cascade["limit"] == pytest.approx(found.limit, abs=1e-9)
     assert len(cascade["distances"]) == 4
-    text = rocksteady(f"{ALONG_W} --cascade --doublings 5").out
+    text = ran_once(f"{ALONG_W} --cascade --doublings 5").out
     assert "cascade of 5 period doublings" in text
     assert "1.789272022957" in text
     assert "Feigenbaum" in text
@@ -340,13 +342,13 @@ def test_where_nothing_moves_the_lists_are_empty(tmp_path: Path) -> None:
         f"{ALONG_W} --cascade",
         ALONG_A,
         ALONG_R,
-        "bifurcate --block tso-wong-1989 --accel-g 0.05:0.5:20 -W 2",
+        REAL_A,
         "bifurcate --block tso-wong-1989 -A 2 --freq-hz 1.6:2.4:20 --cascade",
         "bifurcate -A 2 -W 3.9:5:20 -r 0.8 -n 3 --cascade",
     ],
 )
 def test_the_text_fits_80_columns(command: str) -> None:
-    ran = rocksteady(command)
+    ran = ran_once(command)
     assert ran.code == 0
     lines = [line.rstrip() for line in ran.out.splitlines()]
     assert max(map(len, lines)) <= 80, max(lines, key=len)
@@ -356,7 +358,7 @@ def test_the_text_fits_80_columns(command: str) -> None:
 
 
 def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
-    out = rocksteady(ALONG_W).out
+    out = ran_once(ALONG_W).out
     for words in (
         "A = 2, Ω from 1.6 to 2.4, restitution 0.8",
         "4 branches up to 4 periods and 12 impacts, 4 bifurcations",
@@ -370,13 +372,13 @@ def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
 
 
 def test_a_stable_window_too_narrow_for_its_digits_has_its_width() -> None:
-    out = rocksteady(ALONG_A).out
+    out = ran_once(ALONG_A).out
     assert "1.081072 + 4e-07" in out
     assert "0.94952 to 0.96361" in out
 
 
 def test_a_real_block_is_in_g_and_hz_and_radians() -> None:
-    values = values_of("bifurcate --block tso-wong-1989 --accel-g 0.04:0.5:20 --freq-hz 2")
+    values = values_of(REAL_A)
     assert values["accel_g"] is None
     assert values["freq_hz"] == pytest.approx(2.0)
     assert values["within"] == pytest.approx([0.2, 2.5])
@@ -433,7 +435,9 @@ def test_points_of_the_csv_are_what_settles(tmp_path: Path) -> None:
     assert math.isfinite(float(row["arclength"]))
 
 
-@pytest.mark.parametrize("command", [ALONG_W, ALONG_A, f"{ALONG_A} --top 0.1", ALONG_R])
+@pytest.mark.parametrize(
+    "command", rest_slow([ALONG_R, f"{ALONG_W} --top 0.1", ALONG_A, f"{ALONG_A} --top 0.1"], 2)
+)
 @pytest.mark.parametrize(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
 def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
     file = tmp_path / f"diagram.{ending}"
