@@ -13,26 +13,27 @@ import pytest
 from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.study import Atlas, steps
 from tests.cli.program import refused, rocksteady
-from tests.studies.atlas.small import small, tiny
+from tests.strategies import rest_slow
+from tests.studies.atlas.small import smallest, tiny
 
 PROGRESS = re.compile(r"(computing|drawing): \d+ of \d+ \(\d+ %\), .+")
-AXES = "-A 0.4:8:16 -W 0.6:12:20"
+AXES = "-A 1:3:3 -W 2:6:3 -n 1"
 DRAWN = ("draw_families", "draw_coexistence", "draw_from_rest")
 
 
 @pytest.fixture
 def ready(monkeypatch: pytest.MonkeyPatch) -> Atlas:
-    """The small atlas, already computed, with pictures that cost nothing."""
+    """The smallest atlas, already computed, with pictures that cost nothing."""
 
     def ready_atlas(*, done: Callable[[str], None], **_: object) -> Atlas:
-        for step in range(steps(small().plane)):
+        for step in range(steps(smallest().plane)):
             done(f"step {step}")
-        return small()
+        return smallest()
 
     monkeypatch.setattr(module, "atlas", ready_atlas)
     for name in DRAWN:
         monkeypatch.setattr(module, name, tiny)
-    return small()
+    return smallest()
 
 
 def test_the_command_explains_itself() -> None:
@@ -71,7 +72,12 @@ def test_the_text_says_where_to_look_and_progress_goes_to_standard_error(tmp_pat
     assert lines[-1].startswith("drawing: 4 of 4 (100 %)")
 
 
-def test_it_computes_what_it_is_asked_for(tmp_path: Path) -> None:
+@pytest.mark.parametrize("drawn", rest_slow([False, True], 1))
+def test_it_computes_what_it_is_asked_for(
+    drawn: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in () if drawn else DRAWN:
+        monkeypatch.setattr(module, name, tiny)
     ran = rocksteady("study atlas -r 0.9 -A 1:3:3 -W 2:6:3 -n 1 --json --out", tmp_path / "out")
     assert ran.code == 0
     values = ran.json
@@ -87,7 +93,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     return files
 
 
-TINY = "study atlas -A 1:3:3 -W 2:6:3 -n 1"
+TINY = f"study atlas {AXES}"
 
 
 @pytest.fixture(scope="module")
