@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.strategies import rest_slow
+
 ROOT = Path(__file__).parents[2]
 BEFORE = """
 import matplotlib as mpl
@@ -60,7 +62,7 @@ print(names["unlike"](), names["mpl"].is_interactive())
 """
 
 
-@pytest.mark.parametrize("first", ["ours-first", "film-first"])
+@pytest.mark.parametrize("first", rest_slow(["ours-first", "film-first"], 1))
 def test_every_figure_of_a_notebook_is_shown(first: str, tmp_path: Path) -> None:
     cells = ORDERS[first]
     done = subprocess.run(

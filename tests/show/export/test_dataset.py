@@ -265,7 +265,7 @@ print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="memory is measured in units of its own")
-@pytest.mark.parametrize("ending", ["nc", "csv"])
+@pytest.mark.parametrize("ending", ["nc", pytest.param("csv", marks=pytest.mark.slow)])
 def test_a_result_need_not_fit_into_memory(ending: str, tmp_path: Path) -> None:
     (tmp_path / "cases_of_a_large_map.py").write_text(
         "def many(a, b):\n    return {f'o{n}': a + n for n in range(10)}\n", encoding="utf-8"

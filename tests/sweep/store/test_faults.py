@@ -18,11 +18,12 @@ from rocksteady.errors import OutputError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
+from tests.strategies import rest_slow
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.store.faults import CHUNK, MOMENTS, run, script, tree, whole
 
 
-@pytest.mark.parametrize("step", [11, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("step", rest_slow([19, 1], 1))
 def test_a_run_that_is_killed_at_any_moment_is_resumed(
     step: int, undisturbed: Path, tmp_path: Path
 ) -> None:
