@@ -147,14 +147,23 @@ from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble
 from .risk.facades.check_facade import check_facade as check_facade
 from .risk.facades.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
-from .risk.facades.facade import Facade as Facade, Load as Load, PushingMass as PushingMass, Thrust as Thrust, Tie as Tie
+from .risk.facades.facade import (
+    Facade as Facade,
+    Load as Load,
+    PushingMass as PushingMass,
+    Thrust as Thrust,
+    Tie as Tie,
+)
 from .risk.facades.facade_check import Check as Check, FacadeCheck as FacadeCheck
 from .risk.facades.facade_demand import FacadeDemand as FacadeDemand
 from .risk.facades.facade_runs import FacadeRuns as FacadeRuns, run_facade as run_facade
 from .risk.facades.mechanism import Mechanism as Mechanism
 from .risk.facades.read_facade import FacadeFile as FacadeFile, read_facade as read_facade
 from .risk.facades.record_demand import RecordDemand as RecordDemand
-from .risk.facades.spectrum_table import SpectrumTable as SpectrumTable, read_spectrum_table as read_spectrum_table
+from .risk.facades.spectrum_table import (
+    SpectrumTable as SpectrumTable,
+    read_spectrum_table as read_spectrum_table,
+)
 from .risk.fits.bands import Bands as Bands
 from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve
 from .risk.fits.fragility_curve import fit_curve as fit_curve

@@ -214,7 +214,7 @@ def _wall_row(case: Case) -> Screen:
     """Return the row of the restitution that conserves angular momentum on base, wall and base."""
     value, own = None, number(case.block.restitution)
     with suppress(InputError):  # of a stocky block
-        value = wall_ratio(case.side, case.block.gravity)
+        value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
     stocky = "no answer: a wall does not turn back a block so stocky"
     return Screen(
         name="restitution",

@@ -224,7 +224,8 @@ def wall_of(restitution: SpectrumRestitution) -> tuple[bool, Restitution]:
 
 def _rectangle_at_wall(alpha: float) -> float:
     """Return the restitution of a slender rectangle at a wall, by angular momentum."""
-    return wall_ratio(Side(alpha=alpha, radius=0.75, p=1.0, restitution=1.0), 1.0)
+    side = Side(alpha=alpha, radius=0.75, p=1.0, restitution=1.0)
+    return wall_ratio(side, side, 1.0)
 
 
 def give_restitutions(sides: Floats, ratios: Floats) -> None:
