@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.sides import restitution_value
+from rocksteady.model.blocks.sides import restitution_value, wall_restitution_value
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import LARGEST, in_range, odd_order
 from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
@@ -66,6 +66,20 @@ def validated_grid(
         for array in (amplitudes, ratios, restitutions)
     )
     return a, w, r, np.array(np.broadcast_to(orders, shape), dtype=np.int64, order="C")
+
+
+def wall_restitutions(restitution: ArrayLike) -> Floats:
+    """Return restitutions of walls as an array of floats.
+
+    Raises
+    ------
+    InputError
+        If one lies outside [0, 1].
+    """
+    values = real_array("restitution", restitution)
+    for value in values[~((values >= 0.0) & (values <= 1.0))][:1].tolist():
+        wall_restitution_value(value)
+    return values
 
 
 def real_array(name: str, values: ArrayLike) -> Floats:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.basins._basin_facts import basins_described
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
-from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
+from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
 from rocksteady.dynamics.batch.attractors import (
     InitialStates,
     batch_size,
@@ -22,6 +22,7 @@ from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.kernels.core.tables import free_side
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -47,6 +48,8 @@ Floats = NDArray[np.float64]
 MAX_CYCLES = 500
 """Default number of forcing periods for which a state is followed."""
 LARGEST_SEED = 2**64 - 1
+TINY = 1e-300
+"""Least angle of a state that is drawn beside a wall."""
 CELL_OUTPUTS = (
     Output(name="kind", dtype=np.int8),
     *(Output(name=name, dtype=np.int64) for name in ("side", "period", "passages", "rests")),
@@ -320,7 +323,7 @@ def compute_basins(
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
         of 200 cells up to 1 + A/sqrt(1 + Omega^2) on either side, beyond which |u + du/ds| on a
-        flight of the linear model grows for ever.
+        flight of the linear model grows for ever.  Against a wall, angles from 0 on.
     max_cycles
         Forcing periods after which a motion counts as aperiodic or undecided (default 500).
     seed
@@ -363,13 +366,8 @@ def compute_basins(
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
-    widest, fastest = window_of(side_table(bare), shaken.amplitude, shaken.frequency_ratio)
-    angle = window_axis("angles", centred(widest) if angles is None else angles, "theta/alpha")
-    velocity = window_axis(
-        "velocities",
-        centred(fastest) if velocities is None else velocities,
-        "d(theta/alpha)/d(p t)",
-    )
+    reaches = window_of(side_table(bare), shaken.amplitude, shaken.frequency_ratio)
+    angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)
     periods = periods_value("max_cycles", max_cycles)
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
@@ -445,6 +443,8 @@ def _settled(
     if seed is not None:
         part = uniform(seed, number, 2) - 0.5
         angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
+        if free_side(sides) > 0:  # a cell begins at the wall but for a rounding
+            angle = np.maximum(angle, TINY)
     count = len(number)
     found = settled_cells(
         np.full(count, motion.amplitude),

@@ -12,14 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import validated_grid
 from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
-from rocksteady.dynamics.basins.window import POINTS, centred, moment, window_axis
+from rocksteady.dynamics.basins.window import (
+    POINTS,
+    against_wall,
+    centred,
+    moment,
+    window_axes,
+)
 from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
-from rocksteady.kernels.core.tables import LEAN, RATE
+from rocksteady.kernels.core.tables import LEAN, RATE, free_side
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -143,9 +149,9 @@ class Erosion(Result):
         """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
 
         Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
-        model, which has no closed form of it.
+        model, which has no closed form of it, and against a wall, where there is one saddle.
         """
-        if isinstance(self.model, Nonlinear):
+        if isinstance(self.model, Nonlinear) or self.block.one_sided:
             return None
         if not self.block.symmetric:
             return tangency_amplitude(self.block.dimensionless().sides, self.motion.frequency_ratio)
@@ -311,6 +317,8 @@ def compute_erosion(
     circle of safe states [2]_ in the plane of u = theta/alpha and du/d(pt): it sees the compact
     core alone.  For the rocking block erosion is discussed in [3]_.
 
+    Of a block against a wall there are states at angles above 0 alone, and the circle ends there.
+
     The safe basin on a still base is a strip without end, so that the area depends on the window,
     whose edge does not count as safe.  A radius is known to about a cell.
 
@@ -358,11 +366,11 @@ def compute_erosion(
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """
     how = Run() if run is None else run
-    bare = bare_block(block)
+    bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     given_motion = harmonic(motion)
     ratio = given_motion.frequency_ratio
-    validated_grid(axis.points, ratio, bare.restitution, 1)
+    validated_grid(axis.points, ratio, 1.0, 1)  # the block knows its restitutions
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
@@ -376,12 +384,7 @@ def compute_erosion(
     if angles is None and velocities is None:
         reach = _half_width(sides, replace(how, store=None, progress=None))
     half, rest = moment(given_motion)
-    angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
-    velocity = window_axis(
-        "velocities",
-        centred(reach) if velocities is None else velocities,
-        "d(theta/alpha)/d(p t)",
-    )
+    angle, velocity = window_axes(block, angles, velocities, (reach, reach))
     # The still base is one more amplitude, unless it is among those given.
     given = axis.points
     all_of_them = given if given[0] == 0.0 else np.concatenate([[0.0], given])
@@ -402,7 +405,7 @@ def compute_erosion(
             "angles",
             angles,
             "no state of this window stands on a still base",
-            "give a window around u = 0, du/d(pt) = 0",
+            "give a window around u = 0, du/d(pt) = 0, or of angles near 0 against a wall",
         )
     shaken = slice(len(safe) - len(given), None)
     return Erosion(
@@ -442,15 +445,16 @@ def _half_width(sides: Floats, run: Run) -> float:
 
 def _still_radius(width: float, sides: Floats, run: Run) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
-    axis = centred(width)
+    velocities = centred(width)
+    angles = against_wall(width) if free_side(sides) > 0 else velocities
     safe = safe_states(
         sides=sides,
         frequency_ratio=1.0,
         phase=0.0,
         amplitudes=[0.0],
-        angles=axis,
-        velocities=axis,
+        angles=angles,
+        velocities=velocities,
         cycles=CYCLES,
         run=run,
     )
-    return measured(safe[0], axis, axis)[1]
+    return measured(safe[0], angles, velocities)[1]

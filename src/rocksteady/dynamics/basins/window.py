@@ -5,9 +5,11 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
@@ -18,6 +20,12 @@ POINTS = 200
 """Default number of points along an axis of a window."""
 DECIMALS = 12
 """Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
+BEHIND = (
+    "a block against a wall has angles from 0 on, and at angle 0 velocities from 0 on",
+    "give middles of cells, from half a step above 0 on",
+)
+"""What is valid of the states of such a block, and what to give."""
+ROUNDED = 1.0 - 1e-9
 HALF_UNIT = 5e-13
 """Half a unit of the last of them."""
 
@@ -55,6 +63,58 @@ def centred(half_width: float, points: int = POINTS) -> Floats:
     from_middle = np.arange(points, dtype=np.float64) - 0.5 * (points - 1)
     middles: Floats = from_middle * (2.0 * half_width / points)
     return middles
+
+
+def against_wall(reach: float, points: int = POINTS) -> Floats:
+    """Return the middles of equal cells between 0, where the wall is, and a reach."""
+    middles: Floats = (np.arange(points, dtype=np.float64) + 0.5) * (reach / points)
+    return middles
+
+
+def window_axes(
+    block: Block | DimensionlessBlock,
+    angles: ArrayLike | None,
+    velocities: ArrayLike | None,
+    reaches: tuple[float, float],
+    *,
+    drawn: bool = False,
+) -> tuple[Axis, Axis]:
+    """Return the axes of angles and of velocities of a window.
+
+    Parameters
+    ----------
+    block
+        One against a wall has states on its positive side alone.
+    angles, velocities
+        As they are given; None for middles of cells as far as `reaches`.
+    reaches
+        How far in u and in du/d(pt) the default window reaches.
+    drawn
+        Whether states are drawn in the cells around the values.
+
+    Raises
+    ------
+    InputError
+        As for `window_axis`.
+    ModelError
+        If a state lies behind the wall, or moves into it.
+    """
+    middles = against_wall if block.one_sided else centred
+    angle = window_axis("angles", middles(reaches[0]) if angles is None else angles, "theta/alpha")
+    velocity = window_axis(
+        "velocities",
+        centred(reaches[1]) if velocities is None else velocities,
+        "d(theta/alpha)/d(p t)",
+    )
+    if block.one_sided:
+        least, slowest = angle.points[0].item(), velocity.points[0].item()
+        if least < 0.0 or (least == 0.0 and slowest < 0.0):
+            finding = f"begin at {least:g}, at velocities from {slowest:g} on"
+            raise ModelError("angles", Words(finding), *BEHIND)
+        if drawn and least < ROUNDED * 0.5 * spacing(angle):
+            finding = f"begin at {least:g}, in a cell that begins below 0"
+            raise ModelError("angles", Words(finding), *BEHIND)
+    return angle, velocity
 
 
 def window_axis(name: str, values: ArrayLike, long_name: str) -> Axis:

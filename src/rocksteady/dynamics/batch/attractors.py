@@ -122,7 +122,8 @@ def settled_cells(
     """Return what motions settle to, each from its own state.
 
     Symmetric blocks are followed side by side in the linear model, until they are near an orbit,
-    all others one by one: a cell's answer depends on nothing but the cell.
+    all others, those against a wall too, one by one: a cell's answer depends on nothing but the
+    cell.
 
     Parameters
     ----------
@@ -186,7 +187,7 @@ def settled_cells(
         whole[:, column.OUTCOME],
         whole[:, column.SYMMETRIC],
         real[:, column.LEAST],
-        tables[:, :, RESTITUTION].min(axis=1),
+        np.abs(tables[:, :, RESTITUTION]).min(axis=1),  # a wall's is negative
     )
     still = kind == KINDS.index(AttractorKind.REST)
     return Attractors(

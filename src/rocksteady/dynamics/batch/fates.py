@@ -39,8 +39,8 @@ def ends_of(
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
-    Motions are followed side by side, but for those of unsymmetric blocks in the linear model: a
-    cell's answer depends on nothing but the cell.
+    Motions are followed side by side, but for those of blocks against a wall, and of unsymmetric
+    blocks in the linear model: a cell's answer depends on nothing but the cell.
 
     Parameters
     ----------

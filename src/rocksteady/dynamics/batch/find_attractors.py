@@ -3,12 +3,15 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.arrays import real_array, validated_grid
+from rocksteady.dynamics.arrays import real_array, validated_grid, wall_restitutions
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.history.lowering import symmetric_sides
+from rocksteady.dynamics.history.start import refuse_behind_wall
 from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.errors import InputError
+from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST
 
@@ -28,9 +31,11 @@ def find_attractors(
     velocity: ArrayLike = 0.0,
     phase: ArrayLike = 0.0,
     max_cycles: int = MAX_CYCLES,
+    one_sided: bool = False,
 ) -> Attractors:
-    """Find the attractors of many motions of symmetric blocks under harmonic shaking.
+    """Find the attractors of many motions under harmonic shaking.
 
+    The blocks are symmetric, or all stand against walls.
     Each is what `find_attractor` finds of that motion alone, in the linear model (eqs 4, 5).
 
     Parameters
@@ -43,6 +48,9 @@ def find_attractors(
         Phase of the forcing at the start [rad]; default 0.
     max_cycles
         The most forcing periods that a motion is followed; default 2000.
+    one_sided
+        Whether the blocks stand against walls, of which the restitutions are then those, in [0, 1];
+        default False.
 
     Returns
     -------
@@ -63,7 +71,10 @@ def find_attractors(
     >>> found.are(AttractorKind.REST)
     array([ True, False, False])
     """
-    a, w, r, _ = validated_grid(amplitude, frequency_ratio, restitution, 1)
+    bounce = restitution if not one_sided else 1.0
+    a, w, r, _ = validated_grid(amplitude, frequency_ratio, bounce, 1)
+    if one_sided:
+        r = wall_restitutions(restitution)
     states = {"angle": angle, "velocity": velocity, "phase": phase}
     arrays = [a, w, r, *(real_array(name, value) for name, value in states.items())]
     for (name, value), array in zip(states.items(), arrays[3:], strict=True):
@@ -81,5 +92,12 @@ def find_attractors(
             "give arrays of one shape, or add axes with [:, np.newaxis]",
         ) from None
     a, w, r, angles, velocities, phases = (each.copy() for each in cells)
+    if one_sided:
+        for cell in np.flatnonzero((angles < 0.0) | ((angles == 0.0) & (velocities < 0.0)))[:1]:
+            block = DimensionlessBlock(restitution=r[cell].item(), one_sided=True)
+            refuse_behind_wall(block, angles[cell].item(), velocities[cell].item(), name="states")
     begin = at_phases(angles, velocities, phases)
-    return settled_cells(a, w, symmetric_sides(r), begin, cycles_value(max_cycles))
+    sides = symmetric_sides(r)
+    if one_sided:
+        sides[:, 0, RESTITUTION], sides[:, 1, RESTITUTION] = -r, 1.0
+    return settled_cells(a, w, sides, begin, cycles_value(max_cycles))

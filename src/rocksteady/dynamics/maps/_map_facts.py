@@ -83,6 +83,8 @@ def headline(dataset: "xr.Dataset") -> str:
     if restitution is not None:
         other = given.get("negative_restitution")
         parts.append(ratio_words(restitution) + (f"/{other:.4g}" if other else ""))
+    if _against_wall(dataset):
+        parts.append("against a wall")
     parts += [
         f"{symbol} = {_text(name, given)}"
         for name, symbol in (("alpha", "α"), ("p", "p"))
@@ -115,10 +117,16 @@ def _parameters(dataset: "xr.Dataset") -> list[Fact]:
     """Return the parameters that are no axes."""
     names = [*reversed(list(AXES)), "gravity", "negative_restitution", *START]
     given = {name: dataset.attrs[name] for name in dict.fromkeys(names) if name in dataset.attrs}
-    return [
+    wall = [Fact("one_sided", True, "stands", "against a wall")] if _against_wall(dataset) else []
+    return wall + [
         Fact(name, value, LABELS.get(name, name.replace("_", " ")), _text(name, given))
         for name, value in given.items()
     ]
+
+
+def _against_wall(dataset: "xr.Dataset") -> bool:
+    """Return whether the block stands against a wall."""
+    return bool(dataset.attrs.get("one_sided", 0))
 
 
 def _text(name: str, given: "dict[str, Any]") -> str:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.parameters import ASYMMETRY, SIZES
 from rocksteady.errors import ModelError
-from rocksteady.kernels.elementary.arrays import atan2, hypot, sin
+from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Restitution
@@ -50,9 +50,16 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
     ModelError
         If one of them has units and the block no size, a size is moved of what is no homogeneous
         rectangle (how p follows, only its maker knows), or a ratio of its sides of a block with a
-        size, whose sides follow from its shape.
+        size, whose sides follow from its shape, or of one against a wall, which has one side.
     """
     for name in names:
+        if name in ASYMMETRY and block.one_sided:
+            raise ModelError(
+                "axes",
+                name,
+                "a block against a wall rocks on its positive side alone",
+                "leave it out; restitution is that of the wall",
+            )
         if name in ASYMMETRY and isinstance(block, Block):
             raise ModelError(
                 "axes",
@@ -68,7 +75,7 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
                 "give a Block, as Block.rectangle(width=..., height=...)",
             )
     if isinstance(block, Block) and sizes_with(names):
-        if not block.symmetric:
+        if block.positive != block.negative:
             raise ModelError(
                 "block",
                 block,
@@ -103,8 +110,8 @@ def block_of(
     given
         Values of these sizes, and of ratios of its sides, by their names.
     restitution
-        A number, of both impacts; where sizes are given, also a form of "housner"; None for its
-        own.
+        A number, of both impacts or of the wall; where sizes are given, also a form of "housner";
+        None for its own.
 
     Raises
     ------
@@ -137,15 +144,16 @@ def resized(
     0.6000 m, 0.7000
     """
     first, second = (given[name] for name in sizes)
+    how: dict[str, Any] = {"restitution": restitution, "gravity": block.gravity}
+    if block.one_sided:  # no impact on the base alone counts, and none is too stocky for one
+        how["restitution"] = 1.0
     if "width" in sizes:
-        return Block.rectangle(
-            width=first, height=second, restitution=restitution, gravity=block.gravity
-        )
-    if "p" in sizes:
-        return Block.from_p(alpha=first, p=second, restitution=restitution, gravity=block.gravity)
-    return Block.from_radius(
-        alpha=first, radius=second, restitution=restitution, gravity=block.gravity
-    )
+        made = Block.rectangle(width=first, height=second, **how)
+    elif "p" in sizes:
+        made = Block.from_p(alpha=first, p=second, **how)
+    else:
+        made = Block.from_radius(alpha=first, radius=second, **how)
+    return made.against_wall(restitution) if block.one_sided else made
 
 
 class Measures(NamedTuple):
@@ -178,7 +186,8 @@ def measures_of(
         Parameters, these sizes among them, within their ranges: numbers, or arrays of shape
         (cells,).
     housner
-        Factor of Housner's restitution that blocks of other sizes have; None for that of `block`.
+        Factor of Housner's restitution, or of that of the wall, that blocks of other sizes have;
+        None for that of `block`.
 
     Examples
     --------
@@ -203,7 +212,11 @@ def measures_of(
         p = np.sqrt(0.75 * gravity / radius)
     restitution: float | Floats = block.restitution
     if housner is not None:
-        sine = sin(alpha)
-        restitution = 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
+        sine, share = sin(alpha), p * p * radius / gravity
+        restitution = 1.0 - 2.0 * share * (sine * sine)
+        if block.one_sided:  # as `rocksteady.model.blocks.sides.wall_ratio` rounds it
+            cosine = cos(alpha)
+            base = 1.0 - 2.0 * share * sine * sine
+            restitution = base * base * (2.0 * share * cosine * cosine - 1.0)
         restitution = housner * restitution
     return Measures(alpha * gravity, p, restitution, alpha)

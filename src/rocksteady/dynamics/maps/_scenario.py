@@ -19,6 +19,7 @@ from rocksteady.dynamics.history.start import (
     Start,
     State,
     Steady,
+    refuse_behind_wall,
     validated_start,
 )
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
@@ -159,7 +160,7 @@ class Scenario:
         """
         block, given = self.block, set(self.given)
         found: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
-        if self.housner is None and block.symmetric:
+        if self.housner is None and (block.symmetric or block.one_sided):
             found["restitution"] = block.restitution
         elif self.housner is not None and isinstance(block, Block) and not self.sizes:
             found["restitution"] = block.with_restitution(("housner", self.housner)).restitution
@@ -186,7 +187,9 @@ class Scenario:
             found["gravity"] = self.block.gravity
             if not self.sizes:
                 found.update({name: getattr(self.block, name) for name in ("alpha", "radius", "p")})
-        if not self.block.symmetric:
+        if self.block.one_sided:
+            found["one_sided"] = 1
+        elif not self.block.symmetric:
             (first, _, _), (second, alpha_ratio, p_ratio) = self.block.dimensionless().sides
             found.setdefault("alpha_ratio", alpha_ratio)
             found.setdefault("p_ratio", p_ratio)
@@ -215,7 +218,8 @@ class Scenario:
         """
         given = {**self.kept, **cell}
         factor = 1.0 if self.housner is None else self.housner
-        own: Restitution | None = ("housner", factor) if self.block.symmetric else None
+        like = self.block.symmetric or self.block.one_sided
+        own: Restitution | None = ("housner", factor) if like else None
         restitution: Restitution | None = given.get("restitution", own)
         block = block_of(self.block, self.sizes, given, restitution)
         shaking = shaking_of(block, given)
@@ -224,6 +228,7 @@ class Scenario:
             start = replace(start, kick=given["kick"])
         elif "angle" in given:
             start = State(angle=given["angle"], velocity=given["velocity"])
+            refuse_behind_wall(block, start.angle, start.velocity)
         return block, shaking, start
 
     def check(self, values: Mapping[str, Floats]) -> None:
@@ -288,7 +293,9 @@ class Scenario:
         own = sides_of(self.block, self.model)
         sides = np.empty((count, *own.shape))
         sides[:] = own
-        if "restitution" in given:
+        if "restitution" in given and self.block.one_sided:
+            sides[:, 0, RESTITUTION] = -given["restitution"]
+        elif "restitution" in given:
             sides[:, :, RESTITUTION] = given["restitution"][:, np.newaxis]
         for name, column in zip(ASYMMETRY, (RESTITUTION, LEAN, RATE), strict=True):
             if name in given:
@@ -300,7 +307,7 @@ class Scenario:
     def _check_restitution(self) -> None:
         if self.housner is None:
             return
-        if not self.block.symmetric:
+        if not (self.block.symmetric or self.block.one_sided):
             raise ModelError(
                 "axes",
                 Words("hold restitution='housner'"),

@@ -56,6 +56,7 @@ MEANING = {
     "symmetric": "Half of the motion is the mirror image of the other half.",
     "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
     "asymmetric block": "The motion repeats; of a block whose sides differ none is symmetric.",
+    "one-sided block": "The motion repeats, on the one side that the wall leaves to the block.",
     "rest": "The block comes to rest, and the shaking does not lift it again.",
     "overturned": "The block falls: it is proved that it cannot come back to its base.",
     "aperiodic": "The motion does not repeat: motions beside it part at the rate of the exponent.",
@@ -257,7 +258,7 @@ class Attractor(Result):
         known = plural(self.after, "forcing period")
         meaning = self.kind.value
         if not self.block.symmetric and self.kind is AttractorKind.UNSYMMETRIC:
-            meaning = "asymmetric block"
+            meaning = "one-sided block" if self.block.one_sided else "asymmetric block"
         notes = [self.reason or MEANING[meaning]]
         decided = (AttractorKind.APERIODIC, AttractorKind.UNDECIDED)
         if self.growth > ROUNDED and self.kind not in decided:
@@ -298,8 +299,8 @@ def find_attractor(
     Parameters
     ----------
     block
-        Its restitution counts, and how its sides differ: no motion of an asymmetric block is
-        symmetric, whatever it looks like.
+        Its restitution counts, and how its sides differ: no motion of an asymmetric block, or of
+        one against a wall, is symmetric, whatever it looks like.
     motion
         Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.
     start
@@ -355,7 +356,7 @@ def find_attractor(
             block, shaken, table[: found.passages], found.periods, found.residual, equations
         )
     symmetric = orbit is not None and orbit.symmetric
-    least = min(restitution for restitution, _, _ in bare.sides)
+    least = min(abs(restitution) for restitution, _, _ in bare.sides)  # a wall's is negative
     kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]
     return Attractor(
         block=block,

@@ -142,10 +142,18 @@ class Orbit(Result):
         Raises
         ------
         ModelError
-            If the block's sides differ: the mirror image is a motion of another block.
+            If the block's sides differ, or it stands against a wall: the mirror image is a motion
+            of another block.
         """
         if self.symmetric:
             return self
+        if self.block.one_sided:
+            raise ModelError(
+                "orbit",
+                Words("is one of a block against a wall"),
+                "its mirror image lies behind the wall",
+                "take the orbit itself",
+            )
         if not self.block.symmetric:
             raise ModelError(
                 "orbit",

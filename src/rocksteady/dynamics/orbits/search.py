@@ -66,7 +66,8 @@ def find_orbits(
     others are found by Newton's method from a grid of states after an impact, which is a search,
     not a proof that there are no more.  Of two mirror images only the one that leans to the
     positive side is returned; `Orbit.mirrored` is the other.  A block whose sides differ has
-    neither symmetric orbits nor mirror images: all of its orbits come from the search.
+    neither symmetric orbits nor mirror images, nor has one against a wall: all of its orbits come
+    from the search.
 
     In the nonlinear model the symmetric orbits are continued from the closed forms, with the
     slenderness growing from 0 to that of the block, and keep their branch; orbits that would

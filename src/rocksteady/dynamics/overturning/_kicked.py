@@ -90,13 +90,18 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
     """Return the fields of `Fates` after one kick."""
     sides = kicked.sides
     jump = kicked.direction * size
+    walled = columns.free_side(sides) > 0
     leaning = kicked.angle or kicked.velocity + jump
-    row = 0 if leaning > 0.0 else 1
+    row = 0 if leaning > 0.0 or walled else 1
     lean, rate = float(sides[row, columns.LEAN]), float(sides[row, columns.RATE])
     turned = jump * rate * rate
     if columns.is_nonlinear(sides):
         turned *= jump_share(sides, 1 if row == 0 else -1, abs(kicked.angle) / lean)
     velocity = kicked.velocity + turned
+    if walled and kicked.angle == 0.0 and velocity < 0.0:
+        # Into the wall: it holds a block at rest, and turns one back that leaves it.
+        velocity *= float(sides[0, columns.RESTITUTION]) if kicked.velocity > 0.0 else 0.0
+        velocity += 0.0  # no -0
     standing = kicked.angle == 0.0 and velocity == 0.0
     side = 0 if standing else 1 if (kicked.angle or velocity) > 0.0 else -1
     begin = columns.March(side, kicked.angle, velocity, 0, 0, 0.0, 0, 0)
@@ -106,7 +111,8 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
             continue
         half, phase = segment_start(table, 0)
         begin = begin._replace(segment=0, half_cycles=half, phase=phase, flights=0)
-        afterwards = ELASTIC_TIME if (sides[:, columns.RESTITUTION] == 1.0).all() else LONGEST_REST
+        elastic = bool((np.abs(sides[:, columns.RESTITUTION]) == 1.0).all())
+        afterwards = ELASTIC_TIME if elastic else LONGEST_REST
         status, begin = march(
             table,
             sides,

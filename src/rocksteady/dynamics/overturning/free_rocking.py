@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import asin, asinh, cos, exp, log, sin
-from rocksteady.model.blocks.sides import alpha_value, restitution_value
+from rocksteady.model.blocks.sides import alpha_value, restitution_value, wall_restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
 
@@ -26,11 +26,14 @@ DUPLICATIONS = 16
 
 
 @checked
-def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = None) -> Floats:
+def free_rocking_period(
+    amplitude_ratio: ArrayLike, *, alpha: float | None = None, one_sided: bool = False
+) -> Floats:
     r"""Return the period of free rocking at an amplitude, ``p T = 4 arccosh(1/(1 - phi0))``.
 
     A block let go at phi0 reaches its base after a quarter of it, and without loss comes back after
-    all of it.  The smaller the amplitude the shorter the period; towards 1 it grows without bound.
+    all of it, or after half of it where a wall turns it back there.  The smaller the amplitude the
+    shorter the period; towards 1 it grows without bound.
 
     Of a slenderness alpha it is an elliptic integral.  With ``w0 = alpha (1 - phi0)`` the angle to
     the upright position at which the block is let go, energy gives ``dw/d(pt) = 2 sqrt(sin^2(w/2) -
@@ -46,6 +49,8 @@ def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = Non
     alpha
         Slenderness [rad], in (0, pi/2), for the full equations; left out, the block is slender
         (the linear model).
+    one_sided
+        Whether the block stands against a wall, which it leaves on one side alone (default False).
 
     Returns
     -------
@@ -69,20 +74,28 @@ def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = Non
     array([ 1.868581,  5.267832, 11.972891])
     >>> free_rocking_period([0.1, 0.5, 0.9], alpha=0.2).round(6)
     array([ 1.873831,  5.274018, 11.976509])
+    >>> free_rocking_period([0.1, 0.5, 0.9], one_sided=True).round(6)
+    array([0.93429 , 2.633916, 5.986446])
     """
+    flights = 1.0 if one_sided else 2.0  # each up and down again
     phi = real_array("amplitude_ratio", amplitude_ratio)
     for value in phi[~((phi >= 0.0) & (phi < 1.0))][:1].tolist():
         _ratio(value)
     if alpha is not None and alpha_value(alpha) > SLENDER:
-        return _tilting_period(phi, float(alpha))
+        return 0.5 * flights * _tilting_period(phi, float(alpha))
     # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi
-    period: Floats = 4.0 * asinh(np.asarray(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi)))
+    period: Floats = 2.0 * flights * asinh(np.asarray(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi)))
     return period
 
 
 @checked
 def free_rocking_peaks(
-    amplitude_ratio: float, restitution: float, impacts: int, *, alpha: float | None = None
+    amplitude_ratio: float,
+    restitution: float,
+    impacts: int,
+    *,
+    alpha: float | None = None,
+    one_sided: bool = False,
 ) -> Floats:
     r"""Return the decaying peaks of free rocking, impact by impact.
 
@@ -100,6 +113,8 @@ def free_rocking_peaks(
         How many, up to a million.
     alpha
         Slenderness [rad], in (0, pi/2), for the full equations; left out, the block is slender.
+    one_sided
+        Whether the block stands against a wall, whose restitution may be 0 (default False).
 
     Returns
     -------
@@ -121,13 +136,18 @@ def free_rocking_peaks(
     array([1.    , 0.4523, 0.2859, 0.1894, 0.1283])
     >>> free_rocking_peaks(1.0, 0.7**0.5, 4, alpha=0.5).round(4)
     array([1.    , 0.4563, 0.2895, 0.1924, 0.1305])
+    >>> free_rocking_peaks(0.8, 0.5, 4, one_sided=True).round(4)
+    array([0.8   , 0.1282, 0.0305, 0.0075, 0.0019])
     """
     hint = "give theta0/alpha, as 0.5"
     phi = in_range("amplitude_ratio", amplitude_ratio, 0.0, 1.0, "[]", hint=hint)
-    ratio = restitution_value(restitution)
+    ratio = (wall_restitution_value if one_sided else restitution_value)(restitution)
     hint = "give a number of impacts"
     count = whole_number("impacts", impacts, at_least=0, at_most=MOST_IMPACTS, hint=hint)
-    kept = exp(2.0 * log(ratio) * np.arange(count + 1))
+    kept = np.zeros(count + 1)
+    kept[0] = 1.0
+    if ratio > 0.0:
+        kept = exp(2.0 * log(ratio) * np.arange(count + 1))
     if alpha is not None and alpha_value(alpha) > SLENDER:
         return _tilting_peaks(phi, kept, float(alpha))
     energy = phi * (2.0 - phi) * kept

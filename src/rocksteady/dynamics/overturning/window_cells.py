@@ -12,6 +12,7 @@ from rocksteady.kernels.core.tables import (
     LEAN,
     LIFT,
     NONLINEAR_SEGMENT_COLUMNS,
+    free_side,
     is_nonlinear,
 )
 from rocksteady.kernels.elementary.arrays import tan
@@ -59,11 +60,18 @@ def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
 
 
 def uplifts_of(sides: Floats) -> tuple[float, float]:
-    """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean."""
+    """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean.
+
+    Of a block against a wall, twice that of its one side.
+    """
     if not is_nonlinear(sides):
-        return float(sides[0, LEAN]), float(sides[1, LEAN])
-    first, second = (tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
-    return first, second
+        first, second = float(sides[0, LEAN]), float(sides[1, LEAN])
+    else:
+        first, second = (tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
+    free = free_side(sides)
+    if free == 0:
+        return first, second
+    return (first, first) if free > 0 else (second, second)
 
 
 def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any]]:

@@ -278,7 +278,8 @@ def find_overturning_windows(
     ----------
     block
         At rest at first.  In the linear model its restitution counts, and the ratios of its sides;
-        in the nonlinear one its slenderness too.
+        in the nonlinear one its slenderness too.  One against a wall is held by what throws it
+        there.
     pulse
         The name of a shape, or a `Pulse` for its shape, oscillations, phase and tolerance.
     frequency_ratios
@@ -365,7 +366,8 @@ def threshold_without_impact(
     Parameters
     ----------
     block
-        Of the negative side, which a reversed pulse lifts, alpha and p count.
+        Of the negative side, which a reversed pulse lifts, alpha and p count; not of a block
+        against a wall, which a reversed pulse holds at first.
     pulse
         Its shape and sign count.
     frequency_ratios

@@ -83,8 +83,16 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
     Raises
     ------
     ModelError
-        If it is asymmetric.
+        If it is asymmetric, or stands against a wall.
     """
+    if block.one_sided:
+        raise ModelError(
+            name,
+            Words("stands against a wall" if name == "block" else "is a steady state"),
+            f"{what} comes from the closed forms of symmetric motions, and a block against a wall "
+            "rocks on one side alone",
+            "its periodic motions are found by `find_orbits`",
+        )
     if not block.symmetric:
         raise ModelError(
             name,

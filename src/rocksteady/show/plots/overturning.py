@@ -122,7 +122,9 @@ def plot_overturning(
             autolim=False,
         )
         handles.append(Patch(facecolor=colour, edgecolor="none", label=words))
-    if closed_form and windows.pulse.shape in THRESHOLDS:
+    # A wall holds the block in the first half of a reversed pulse, which no closed form knows.
+    held = windows.block.one_sided and windows.pulse.reverse
+    if closed_form and windows.pulse.shape in THRESHOLDS and not held:
         spread = np.geomspace if by_ratio else np.linspace
         fine = spread(w[0], w[-1], 400)
         (line,) = axes.plot(
