@@ -1,6 +1,7 @@
 """Batches of blocks against a wall: each cell fares as its march, next to cells of two sides."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -76,19 +77,16 @@ def test_cells_against_a_wall_and_on_two_sides_do_not_disturb_each_other(alpha: 
         blocks[i] = both_sides(0.8)
     _, sides = tabled(harmonic(1.0, 1.0), blocks, alpha)
     zeros = np.zeros(count)
-    start = (zeros, velocity, zeros)
 
-    def fates(kernel: object, cells: NDArray[np.int64]) -> tuple[Integers, Integers, Floats]:
+    def fates(
+        kernel: Callable[..., None], cells: NDArray[np.int64]
+    ) -> tuple[Integers, Integers, Floats]:
         status, impacts = np.zeros(len(cells), np.int64), np.zeros(len(cells), np.int64)
         final = np.empty((len(cells), 3))
-        begin = [values[cells] for values in (amplitude, frequency)]
-        rest = [values[cells] for values in start]
-        if kernel is fates_of_sides:
-            fates_of_sides(*begin, sides[cells], *rest, cycles, ENOUGH, status, impacts, final)
-        else:
-            nonlinear_lane_fates(
-                *begin, sides[cells], *rest, cycles, True, ENOUGH, status, impacts, final
-            )
+        a, w = amplitude[cells], frequency[cells]
+        still, fast = zeros[cells], velocity[cells]
+        ends = (cycles, True, ENOUGH) if kernel is nonlinear_lane_fates else (cycles, ENOUGH)
+        kernel(a, w, sides[cells], still, fast, still, *ends, status, impacts, final)
         return status, impacts, final
 
     every = np.arange(count)
