@@ -284,6 +284,43 @@ def test_newtons_method_finds_the_simplest_orbits_with_their_multipliers(
     assert table[0, OTHER_PEAK] == 0.0
 
 
+@pytest.mark.parametrize(("frequency", "e", "n"), [case[1:] for case in STABLE])
+def test_they_meet_in_a_fold_and_the_stable_one_doubles_its_period(
+    frequency: float, e: float, n: int
+) -> None:
+    damping, length = (1.0 - e) / (1.0 + e), TWO_PI * n / frequency
+    lost, square = damping * math.tanh(0.5 * length), 1.0 + frequency**2
+    fold = square * lost / math.hypot(frequency, lost)
+    for above in (1e-6, 1e-3, 0.2):
+        one, other = (simple_orbit(fold * (1.0 + above), frequency, e, n, k) for k in (1, 2))
+        assert one.trace < 1.0 + e * e < other.trace
+    # Just below it Newton's method finds nothing where just above it finds both.
+    for amplitude, there in ((fold * 1.001, True), (fold * 0.999, False)):
+        system, table = one_sided(amplitude, frequency, e), np.zeros((1, ORBIT_COLUMNS))
+        for branch in (1, 2):
+            orbit = simple_orbit(fold * 1.001, frequency, e, n, branch)
+            state = state_at_phase(1, orbit.phase, orbit.speed)
+            if abs(next_passage(system, state, -1.0).time - length) < 0.1 * length:
+                found = polish(system, state, 1, n, table)
+                assert found.found is there
+    # Where the trace is -(1 + e^2) by the formula, the kernel's derivative has the multiplier -1.
+    shaken = (frequency * (1.0 + e)) ** 2 * (1.0 + math.cosh(length))
+    ratio = (1.0 + e) ** 2 + (1.0 - e) ** 2 * math.cosh(length) + 2.0 * (1.0 + e * e)
+    swing = ratio / shaken / (1.0 + ratio / shaken)
+    further = (swing * (frequency**2 + lost**2) / lost - lost) / frequency
+    amplitude = fold * math.hypot(1.0, further)
+    orbit = simple_orbit(amplitude, frequency, e, n, 1)
+    table = np.zeros((1, ORBIT_COLUMNS))
+    state = state_at_phase(1, orbit.phase, orbit.speed)
+    step = next_passage(one_sided(amplitude, frequency, e), state, -1.0)
+    if abs(step.time - length) > 1e-6:
+        pytest.skip("the wall is in its way before")
+    fixed = polish(one_sided(amplitude, frequency, e), state, 1, n, table)
+    numbers = multipliers(fixed.jacobian, e * e)
+    assert numbers[0] == pytest.approx(-1.0, abs=1e-7)
+    assert numbers[1] == pytest.approx(-e * e, abs=1e-7)
+
+
 @pytest.mark.parametrize(("amplitude", "frequency", "e", "n"), STABLE)
 def test_near_a_stable_one_a_motion_settles_to_it(
     amplitude: float, frequency: float, e: float, n: int
