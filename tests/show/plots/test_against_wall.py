@@ -81,7 +81,8 @@ def test_the_ring_of_an_impact_is_where_the_top_strikes_the_wall() -> None:
     scene.show(first)
     lit = [side for side, ring in scene.rings.items() if ring.get_visible()]
     assert lit == [1]
-    np.testing.assert_allclose(np.ravel(scene.rings[1].get_data()), (0.15, 3.0))
+    place = np.array(scene.rings[1].get_data(), dtype=np.float64).ravel()
+    np.testing.assert_allclose(place, np.array([0.15, 3.0]))
 
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
@@ -95,10 +96,9 @@ def test_one_mark_lifts_the_block(model: Model) -> None:
     assert math.isfinite(scene.strongest_push)
 
 
-def faces(axes: Axes) -> list[tuple[float, float]]:
-    """Return the spans of hatched areas, from the one side to the other."""
-    hatched = [patch for patch in axes.patches if patch.get_hatch()]
-    return [tuple(patch.get_extents().get_points().ravel().tolist()) for patch in hatched]
+def hatched(axes: Axes) -> int:
+    """Return how many areas are hatched."""
+    return sum(bool(patch.get_hatch()) for patch in axes.patches)
 
 
 @pytest.mark.parametrize("start", [0.3, 0.9, 1.4])
@@ -109,14 +109,14 @@ def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
     low, high = axes.get_ylim()
     assert high > min(start, 1.0)
     assert -0.15 * high < low < 0.0
-    assert len(faces(axes)) == 1
+    assert hatched(axes) == 1
     face = [line for line in axes.lines if set(np.ravel(line.get_ydata())) == {0.0}]
     assert any(line.get_color() == inks_of(axes).ink for line in face)
     assert "+" not in axes.get_ylabel()
     free = plot_trajectory(
         simulate(FREE, Still(), start=State(angle=start, velocity=0.0)), new_axes(paper)
     )
-    assert not faces(free)
+    assert not hatched(free)
 
 
 def test_the_phase_plane_ends_in_the_wall() -> None:
@@ -125,7 +125,7 @@ def test_the_phase_plane_ends_in_the_wall() -> None:
     low, high = axes.get_xlim()
     assert high > run.peak
     assert -0.15 * high < low < 0.0
-    assert len(faces(axes)) == 1
+    assert hatched(axes) == 1
 
 
 @pytest.mark.parametrize(
