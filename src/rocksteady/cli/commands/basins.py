@@ -59,7 +59,8 @@ AnglesFlag = Annotated[
         "--angles",
         metavar="AXIS",
         help="u = theta/alpha, start:stop:count; by default 200 up to 1 + A/sqrt(1 + W^2) on "
-        "either side, beyond which a block falls at once; of an axis of amplitudes up to 1.5.",
+        "either side, beyond which a block falls at once; of an axis of amplitudes up to 1.5.  "
+        "With --one-sided from 0 on.",
         rich_help_panel=WINDOW,
     ),
 ]

@@ -99,6 +99,13 @@ def basins_described(basins: Any) -> Description:
     )
 
 
+def _no_tangency(erosion: Any) -> str:
+    """Return why there is no amplitude of the heteroclinic tangency."""
+    if erosion.block.one_sided:
+        return "none: against a wall there is one saddle"
+    return "no closed form in the nonlinear model"
+
+
 def _window_text(basins: Any) -> str:
     """Return the window of the states."""
     least, most = (lean_text(basins.block, float(end)) for end in basins.angle[[0, -1]])
@@ -174,9 +181,7 @@ def erosion_described(erosion: Any) -> Description:
             "heteroclinic_amplitude",
             tangency,
             "heteroclinic tangency",
-            "no closed form in the nonlinear model"
-            if tangency is None
-            else amplitude_text(block, tangency),
+            _no_tangency(erosion) if tangency is None else amplitude_text(block, tangency),
         ),
     ]
     if isinstance(block, Block):

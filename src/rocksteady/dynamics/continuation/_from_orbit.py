@@ -52,7 +52,11 @@ def chain_of(orbit: Orbit) -> Chain:
     if not orbit.block.symmetric:
         raise ModelError(
             "origin",
-            Words("is an orbit of an asymmetric block"),
+            Words(
+                "is an orbit of a block against a wall"
+                if orbit.block.one_sided
+                else "is an orbit of an asymmetric block"
+            ),
             "branches are followed of symmetric blocks alone: the arcs of a chain have one "
             "restitution, alpha and p",
             "move the parameter with `sweep_attractor`, or ask for `find_orbits` at several values",
