@@ -2,6 +2,7 @@
 
 import json
 import math
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -335,3 +336,42 @@ def test_the_friction_cap_holds_for_the_worst_end_of_every_range() -> None:
     for pga in (0.2, 0.5, 2.0, 10.0):
         assert first_motion(worst, pga, 0.999 * (cap.value or 0.0)) == "slides"
     assert first_motion(worst, 0.11, 1.05 * (cap.value or 0.0)) == "rocks"
+
+
+def test_an_object_against_a_wall_falls_as_runs_of_its_own_with_both_signs_do() -> None:
+    """Counts by another route: record by record, as recorded and reversed."""
+    wall, free = described(against_wall=True, restitution=0.4), described(restitution=0.4)
+    assert wall.block == free.block.against_wall(0.4)
+    (base, *cases) = vary(wall, SUITE, level_of(wall, SUITE))
+    count = 0
+    for record, reverse in product(SUITE, (False, True)):
+        factor = PGV / measure_scalar(record, Intensity("pgv_m_s"))
+        found = simulate_many(wall.block, record, scales=factor, reverse=reverse)
+        count += int(found["status"] == Status.OVERTURNED)
+    assert (base.fell, base.trials) == (count, 2 * len(SUITE))
+    assert count > 0
+    assert {case.parameter for case in cases} == {"mass centre", "base width"}
+    answer = assess_object(wall, SUITE)
+    assert answer.probability is not None
+    assert "against a wall" in " ".join(answer.facts.warnings)
+    assert answer.facts.describe().to_dict()["restitution"] == 0.4
+    assert all(remedy.confirmed for remedy in answer.remedies if remedy.change is not None)
+
+
+def test_a_range_at_the_wall_may_begin_at_0_and_is_the_walls_in_the_tornado() -> None:
+    wall = described(against_wall=True, restitution={"low": 0.0, "high": 0.5})
+    assert wall.block.restitution == 0.0
+    cases = vary(wall, SUITE, level_of(wall, SUITE))
+    ends = [case.change for case in cases if case.parameter == "restitution"]
+    assert ends == ["0.000 alone", "0.500 alone"]
+    with pytest.raises(InputError, match=r"restitution .*\(0, 1\]"):
+        described(restitution={"low": 0.0, "high": 0.5})
+    with pytest.raises(InputError, match=r"against_wall.*true or false"):
+        described(against_wall="yes")
+
+
+def test_a_remedy_may_make_it_too_stocky_for_a_wall_to_turn_it_back() -> None:
+    wall = described(against_wall=True)
+    body = wall.body.wider(5.0)
+    assert wall.block_of(body).restitution == 0.0
+    assert wall.block_of(wall.body.wider(1.1)).restitution > 0.0

@@ -188,3 +188,24 @@ def test_what_is_missing_is_named() -> None:
         assess_objects([], SUITE, pga_g=0.3)
     with pytest.raises(InputError, match="pgv_m_s = 45"):
         assess_objects(objects()[:1], SUITE, pgv_m_s=45.0)
+
+
+def test_objects_against_a_wall_have_their_own_share_and_change_no_curve(
+    table: ObjectsTable,
+) -> None:
+    geometry = {"width_m": 0.2, "height_m": 1.6}
+    wall = ObjectFile(values={"name": "wall", "geometry": geometry, "against_wall": True})
+    found = assess_objects([*objects(), wall], SUITE, pga_g=0.4, pgv_m_s=0.45)
+    row = found.rows[-1]
+    factors = [0.45 / measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE]
+    fell = sum(
+        int(simulate_many(wall.block, each, scales=factor, reverse=sign)["status"])
+        == Status.OVERTURNED
+        for each, factor in zip(SUITE, factors, strict=True)
+        for sign in (False, True)
+    )
+    assert (row["fell"], row["trials"]) == (fell, 2 * len(SUITE))
+    assert row["probability"] == row["counted"] == fell / row["trials"] > 0.0
+    assert (row["fitted"], row["closed_form"]) == (None, None)
+    for one, other in zip(found.rows[:-1], table.rows, strict=True):
+        assert one["probability"] == other["probability"]

@@ -12,9 +12,11 @@ from rocksteady import (
     Harmonic,
     InputError,
     Linear,
+    ModelError,
     Nonlinear,
     Release,
     State,
+    Still,
     fit_restitution,
     free_rocking_peaks,
     free_rocking_period,
@@ -237,3 +239,20 @@ def test_two_peaks_give_a_value_and_no_error() -> None:
 def test_what_is_no_release_is_refused(wrong: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         Release(**{"peaks_rad": [0.05, 0.04, 0.03], **wrong})
+
+
+def test_a_block_against_a_wall_is_sent_to_the_free_one_whose_peaks_are_the_same() -> None:
+    block = Block.rectangle(width=0.05, height=0.5)
+    with pytest.raises(ModelError, match="without its wall"):
+        fit_restitution([0.05, 0.04, 0.03], block.against_wall(0.9))
+    # The same: from one height both models fall, turn back and rise alike, on one side or on two.
+    start = State(angle=0.6, velocity=0.0)
+    free, wall = (
+        simulate(each, Still(), start=start, model=Nonlinear())
+        for each in (block.with_restitution(0.9), block.against_wall(0.9))
+    )
+    one, other = (
+        np.abs([run(float(pt)).angle for pt in np.linspace(0.0, 8.0, 50)]) for run in (free, wall)
+    )
+    np.testing.assert_allclose(one, other, atol=1e-9)
+    assert one.max() == 0.6

@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
@@ -103,3 +103,8 @@ def test_gains_for_each_motion_and_what_is_refused() -> None:
             make_synthetic_tests(COLUMN, SUITE, gains=gains)
     with pytest.raises(InputError, match="motions"):
         make_synthetic_tests(COLUMN, [])
+
+
+def test_a_truth_against_a_wall_is_refused() -> None:
+    with pytest.raises(ModelError, match=r"truth stands against a wall.*fates_on_records"):
+        make_synthetic_tests(Block.rectangle(width=0.15, height=0.6).against_wall())

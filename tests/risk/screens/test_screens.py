@@ -46,6 +46,39 @@ def test_every_row_names_its_equation_edition_confidence_and_source() -> None:
         assert not row.needs
 
 
+def test_against_a_wall_rows_are_of_the_free_side_and_those_for_both_sides_say_so() -> None:
+    free, wall = full(), full(block=BLOCK.against_wall())
+    assert wall.row("uplift").value == free.row("uplift").value
+    for name in ROCKING:
+        one, other = free.row(name), wall.row(name)
+        assert one.value == other.value
+        assert one.status == "computed"
+        marked = name != "Circolare rectangle"  # which is made for walls
+        assert other.status == ("approximate" if marked else "computed")
+        assert ("the wall is left out" in other.remark) == marked
+    # Angular momentum on base, wall and base of a rectangle.
+    square = math.sin(BLOCK.alpha) ** 2
+    ratio = (1.0 - 1.5 * square) ** 2 * (1.5 * (1.0 - square) - 1.0)
+    assert wall.row("restitution").value == pytest.approx(ratio, rel=1e-13)
+    stocky = screen_block(Block.rectangle(width=1.0, height=1.0).against_wall(0.1), PEAKS)
+    assert stocky.row("restitution").value is None
+    assert "no answer" in stocky.row("restitution").verdict
+
+
+def test_of_unlike_sides_the_wall_leaves_the_free_one() -> None:
+    leaning = Block.asymmetric(left=0.3, right=0.15, height=1.8)
+    free, wall = (
+        screen_block(block, PEAKS, friction=0.4) for block in (leaning, leaning.against_wall())
+    )
+    assert free.row("uplift").value == pytest.approx(0.15 / 0.9)
+    assert wall.row("uplift").value == pytest.approx(0.3 / 0.9)
+    assert (free.motion, wall.motion) == ("rocks", "rocks")
+    # It needs the friction of its free side alone, and no other side is named.
+    assert wall.row("friction to rock").value >= free.row("friction to rock").value
+    assert not wall.row("uplift").details
+    assert free.row("uplift").details
+
+
 def test_values_of_the_worked_block() -> None:
     found = full()
     values = {row.name: row.value for row in found.rows}

@@ -24,6 +24,7 @@ from tests.records import FOLDER
 from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6, restitution=0.85)
+WALL = BLOCK.against_wall(0.5)
 LEANING = Block.asymmetric(left=0.25, right=0.35, height=1.6, restitution=(0.9, 0.8))
 SHOCK = Record(acceleration_m_s2=np.array([0.0, 4.0, -4.0, 0.0]), dt_s=0.3, name="shock")
 RECORD = Record(
@@ -50,8 +51,20 @@ def falls(block: Block, motion: Record | BaseMotion, scale: float, model: Model)
         (LEANING, RECORD, Linear()),
         (LEANING, RECORD.reversed(), Nonlinear()),
         (LEANING, LIFTED, Nonlinear()),
+        (WALL, RECORD, Linear()),
+        (WALL, RECORD.reversed(), Nonlinear()),
+        (LEANING.against_wall(0.0), LIFTED, Nonlinear()),
     ],
-    ids=["linear", "nonlinear", "two sides", "two sides, reversed", "vertical"],
+    ids=[
+        "linear",
+        "nonlinear",
+        "two sides",
+        "two sides, reversed",
+        "vertical",
+        "wall, linear",
+        "wall, reversed",
+        "wall without rebound, vertical",
+    ],
 )
 def test_time_histories_agree_with_the_windows(
     block: Block, motion: Record | BaseMotion, model: Model
@@ -68,7 +81,7 @@ def test_time_histories_agree_with_the_windows(
 
 
 @pytest.mark.parametrize("motion", [WAVE, BaseMotion(WAVE, WAVE.scaled(0.2))])
-@pytest.mark.parametrize("block", [BLOCK, LEANING], ids=["symmetric", "two sides"])
+@pytest.mark.parametrize("block", [BLOCK, LEANING, WALL], ids=["symmetric", "two sides", "wall"])
 def test_every_fate_under_a_short_motion_agrees(block: Block, motion: Record | BaseMotion) -> None:
     found = find_overturning_scales(block, motion, within=(0.5, 4.0))
     scales = np.geomspace(0.5, 4.0, 2001).tolist()
@@ -105,6 +118,16 @@ def test_reversed_a_symmetric_block_falls_at_the_same_scales_on_the_other_side()
     found = find_overturning_scales(BLOCK, [WAVE, WAVE.reversed()], within=(0.5, 4.0))
     np.testing.assert_array_equal(found.low[0], found.low[1])
     np.testing.assert_array_equal(found.side[0], -found.side[1])
+
+
+def test_against_a_wall_it_falls_to_the_free_side_and_the_reversed_record_is_another() -> None:
+    found = find_overturning_scales(WALL, [WAVE, WAVE.reversed()], within=(0.5, 4.0))
+    assert set(found.side[found.side != 0].tolist()) == {1}
+    assert found.first[0] != found.first[1]
+    # What never pushes it off the wall does not make it fall.
+    push = Record(acceleration_m_s2=np.array([0.0, -9.0, -9.0, 0.0]), dt_s=0.3, name="push")
+    assert np.isnan(find_overturning_scales(WALL, push, within=(0.5, 4.0)).first[0])
+    assert np.isfinite(find_overturning_scales(WALL, push.reversed(), within=(0.5, 4.0)).first[0])
 
 
 def test_twice_the_record_has_half_the_scales() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_period
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import housner_pair
 from rocksteady.model.checks.arguments import checked
@@ -75,7 +75,8 @@ def fit_restitution(
         Peaks abs(theta) of successive half cycles [rad], or `Release` objects, of one block let go
         once or several times.
     block
-        The block; its own restitution does not count.
+        The block; its own restitution does not count.  One against a wall is refused: the peaks of
+        a symmetric block with the restitution of the wall are the same.
     each_side
         Whether each side has its own factor of Housner's value; by default where the sides of the
         block differ and each side's impacts are measured.
@@ -92,6 +93,8 @@ def fit_restitution(
     InputError
         If a peak is above alpha, or fewer than two peaks of every release stand out from the
         measuring error.
+    ModelError
+        If the block stands against a wall.
 
     References
     ----------
@@ -108,6 +111,14 @@ def fit_restitution(
     >>> fit.to_small, fit.to_small_housner
     (26, 89)
     """
+    if block.one_sided:
+        raise ModelError(
+            "block",
+            Words("stands against a wall"),
+            "peaks are of a block that rocks to both sides",
+            "give the block without its wall: with equal sides both lose alike, so that the peaks "
+            "are the same",
+        )
     releases = _releases(peaks)
     equations = Nonlinear() if model is None else chosen_model(model, block)
     rows, left_out = _rows(releases, block, equations)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
@@ -57,7 +57,8 @@ def make_synthetic_tests(
     Parameters
     ----------
     truth
-        The block; default a rectangle of 0.15 m x 0.6 m.
+        The block; default a rectangle of 0.15 m x 0.6 m.  One against a wall is refused, because
+        no `ObjectPrior` has a wall.
     motions
         Records with names; default ``make_synthetic_suite(12)``.
     gains
@@ -84,6 +85,8 @@ def make_synthetic_tests(
     ------
     InputError
         If there is no motion, one has no name, or a number is outside its range.
+    ModelError
+        If the block stands against a wall.
 
     Examples
     --------
@@ -92,6 +95,13 @@ def make_synthetic_tests(
     <Observations: 24 tests of 1 object on 6 records: 9 fell, 15 stood>
     """
     block = Block.rectangle(width=WIDTH_M, height=HEIGHT_M) if truth is None else truth
+    if block.one_sided:
+        raise ModelError(
+            "truth",
+            Words("stands against a wall"),
+            "objects of tests rock to both sides",
+            "give a block without a wall, or run its tests with fates_on_records",
+        )
     records = make_synthetic_suite(MOTIONS) if motions is None else list(motions)
     if not records:
         raise InputError("motions", [], "there must be one or more", "give a list of Record")

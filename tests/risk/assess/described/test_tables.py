@@ -90,3 +90,15 @@ def test_a_quoted_cell_has_lines_of_its_own(tmp_path: Path) -> None:
         "vase\nblue",
         "cup\u2028red",
     ]
+
+
+def test_a_wall_behind_an_object_is_yes_or_no(tmp_path: Path) -> None:
+    text = (
+        "name,width_m,height_m,against_wall,restitution\n"
+        "wall,0.3,1.8,yes,0\nfree,0.3,1.8,No,\nother,0.3,1.8,,\n"
+    )
+    wall, free, other = read_objects(written(tmp_path, text))
+    assert wall.block == Block.rectangle(width=0.3, height=1.8).against_wall(0.0)
+    assert free.block == other.block == Block.rectangle(width=0.3, height=1.8)
+    with pytest.raises(RocksteadyError, match=r"line 2, against_wall = 'maybe' .*yes or no"):
+        read_objects(written(tmp_path, text.replace("yes", "maybe")))
