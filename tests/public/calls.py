@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rocksteady as rs
+from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
 from tests.public.risk_calls import risk_calls
 from tests.public.things import MANY, fields, square, things
@@ -400,7 +401,7 @@ def calls() -> dict[str, Call]:
         rs.Fragility: "fragility", rs.StateFragility: "state_fragility",
         rs.Efficiency: "efficiency",
     }  # fmt: skip
-    table |= risk_calls(t) | observation_calls(t)
+    table |= risk_calls(t) | observation_calls(t) | facade_calls(t)
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
     found = {}

@@ -1,0 +1,62 @@
+"""One valid call of every public function and method on facades."""
+
+from pathlib import Path
+from typing import Any
+
+import rocksteady as rs
+from tests.public.things import fields
+
+
+def facade_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
+    """Return the arguments of each call by its function, from things of `tests.public.things`."""
+    facade, found, runs, table = (
+        t[name] for name in ("facade", "facade check", "facade runs", "spectrum table")
+    )
+    site, mechanism, records = t["elastic spectrum"], facade.mechanism, t["record demand"]
+    Path("facade.toml").write_text(
+        '[facade]\nname = "front"\nthickness_m = 0.4\nheight_m = 4.0\n', encoding="utf-8"
+    )
+    Path("floor.csv").write_text("period_s,sa_g\n0,0.3\n0.5,0.9\n6,0.02\n", encoding="utf-8")
+    point = {"period_s": 0.5, "damping": 0.08}
+    return {
+        rs.Facade: fields(facade),
+        rs.Load: fields(facade.loads[0]),
+        rs.PushingMass: fields(facade.masses[0]),
+        rs.Tie: fields(facade.ties[0]),
+        rs.Thrust: fields(facade.thrusts[0]),
+        rs.Mechanism: fields(mechanism),
+        mechanism.block: {},
+        mechanism.capacity_g: {"displacement_m": 0.05},
+        mechanism.period_s: {"share": 0.4, "factor": 1.68},
+        mechanism.describe: {},
+        rs.ElasticSpectrum: fields(site),
+        site.sa_g: point,
+        site.displacement_m: point,
+        rs.SpectrumTable: {
+            "periods_s": [0.0, 0.5, 6.0],
+            "values_g": [0.3, 0.9, 0.02],
+            "damping": 0.05,
+        },
+        table.sa_g: point,
+        table.displacement_m: point,
+        table.remark: {"damping": 0.08},
+        rs.read_spectrum_table: {"path": "floor.csv", "damping": 0.05},
+        rs.RecordDemand: fields(records),
+        records.sa_g: point,
+        records.displacement_m: point,
+        records.displacements_m: point,
+        rs.FacadeDemand: fields(t["facade demand"]),
+        t["facade demand"].of: {"limit_state": "SLV"},
+        rs.read_facade: {"path": "facade.toml"},
+        rs.FacadeFile: fields(t["facade file"]),
+        t["facade file"].describe: {},
+        rs.check_facade: {"facade": facade, "demand": t["facade demand"], "runs": runs},
+        rs.FacadeCheck: fields(found),
+        found.describe: {},
+        found.decided: {"limit_state": "SLV", "satisfied": True},
+        rs.Check: fields(found.checks[0]),
+        found.checks[0].words: {"value": 0.05},
+        rs.run_facade: {"facade": facade, "records": [t["record"]], "scale": 0.1},
+        rs.FacadeRuns: fields(runs),
+        runs.describe: {},
+    }
