@@ -1,5 +1,6 @@
 """Checks of a facade side by side: each limit state by each method, and why methods disagree."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final, Literal
@@ -68,14 +69,6 @@ class Check:
         """Demand over capacity; None without a demand."""
         return None if self.demand is None else self.demand / self.capacity
 
-    def words(self, value: float | None) -> str:
-        """Return a demand or a capacity as people read it."""
-        if value is None:
-            return "—"
-        if value == float("inf"):
-            return "beyond d0"
-        return quantity(value, "g") if self.unit == "g" else length(value)
-
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -101,14 +94,14 @@ class FacadeCheck(Result):
         return self.facade.mechanism
 
     def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:
-        """Return the checks of a limit state that accept it, or those that refuse it.
+        """Return the accepting or the refusing checks of a limit state.
 
         Parameters
         ----------
         limit_state
             "SLD", "SLV" or "SLC".
         satisfied
-            True for those that accept.
+            True for the accepting ones.
         """
         return tuple(
             check
@@ -177,7 +170,11 @@ class FacadeCheck(Result):
         mechanism = self.mechanism.describe()
         rows = [_row(check) for check in self.checks]
         shown = [
-            {**row, "demand": check.words(check.demand), "capacity": check.words(check.capacity)}
+            {
+                **row,
+                "demand": _words(check, check.demand),
+                "capacity": _words(check, check.capacity),
+            }
             for check, row in zip(self.checks, rows, strict=True)
         ]
         columns = [
@@ -213,7 +210,7 @@ def _row(check: Check) -> dict[str, object]:
         "page": check.page,
         "quantity": check.quantity,
         "unit": check.unit,
-        "demand": None if check.demand == float("inf") else check.demand,
+        "demand": None if check.demand == math.inf else check.demand,
         "capacity": check.capacity,
         "satisfied": check.satisfied,
         "remark": check.remark,
@@ -223,7 +220,16 @@ def _row(check: Check) -> dict[str, object]:
 def _listed(checks: tuple[Check, ...]) -> str:
     """Return the methods with demand and capacity."""
     words = [
-        f"{check.method} ({check.words(check.demand)} of {check.words(check.capacity)})"
+        f"{check.method} ({_words(check, check.demand)} of {_words(check, check.capacity)})"
         for check in checks
     ]
     return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+
+
+def _words(check: Check, value: float | None) -> str:
+    """Return a demand or a capacity of a check as people read it."""
+    if value is None:
+        return "—"
+    if value == math.inf:
+        return "beyond d0"
+    return quantity(value, "g") if check.unit == "g" else length(value)

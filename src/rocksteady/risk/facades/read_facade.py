@@ -120,7 +120,7 @@ def read_facade(path: Path | str) -> FacadeFile:
     >>> from rocksteady.risk.facades.read_facade import EXAMPLE
     >>> example = read_facade(EXAMPLE)
     >>> print(f"{example.facade.mechanism.a0_g:.4f} g", example.demand.given)
-    0.1166 g ('SLD', 'SLV', 'SLC')
+    0.1171 g ('SLD', 'SLV', 'SLC')
     """
     file = Path(path)
     content = content_of(file, "facade", HINT)
@@ -210,7 +210,9 @@ def _spectrum(keys: SpectrumKeys, source: str, table: str, folder: Path) -> Dema
             name = named(source, table, "table")
             raise InputError(name, keys.table, "it must be a file", "name a table in CSV")
         file = folder / keys.table
-        return _made(read_spectrum_table, {"path": file, "damping": keys.damping}, f"{source}: ")
+        return _made(
+            read_spectrum_table, {"path": file, "spectrum_damping": keys.damping}, f"{source}: "
+        )
     if keys.damping is not None:
         raise ModelError(
             named(source, table, "damping"),

@@ -10,6 +10,7 @@ from typing import Any, Final
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import damping_value, displacement_of, period_value
 from rocksteady.risk.facades.remark import Remark
@@ -127,15 +128,17 @@ class SpectrumTable:
 
 
 @checked
-def read_spectrum_table(path: Path | str, *, damping: float | None = None) -> SpectrumTable:
+def read_spectrum_table(
+    path: Path | str, *, spectrum_damping: float | None = None
+) -> SpectrumTable:
     r"""Read an acceleration spectrum from a table in CSV.
 
     Parameters
     ----------
     path
-        The file: columns ``period_s`` [s], ``sa_g`` [g] and, where they are several, ``damping``.
-    damping
-        Damping of a table without that column, as 0.05.
+        The file: columns ``period_s``, ``sa_g`` and, where they are several, ``damping``.
+    spectrum_damping
+        Damping of a table without that column, as 0.05; None (default) with it.
 
     Returns
     -------
@@ -156,14 +159,15 @@ def read_spectrum_table(path: Path | str, *, damping: float | None = None) -> Sp
     >>> with TemporaryDirectory() as folder:
     ...     file = Path(folder, "floor.csv")
     ...     _ = file.write_text("period_s,sa_g\n0,0.3\n0.4,1.2\n4,0.12\n", "utf-8")
-    ...     floor = read_spectrum_table(file, damping=0.05)
+    ...     floor = read_spectrum_table(file, spectrum_damping=0.05)
     >>> print(f"{floor.sa_g(0.4, 0.05):.2f}")
     1.20
     """
     file = Path(path)
+    stated = None if spectrum_damping is None else damping_value(spectrum_damping)
     table = read_csv_table(file, COLUMNS, name="spectrum", hint=HINT)
     several = "damping" in table.header
-    if several == (damping is not None):
+    if several == (stated is not None):
         raise ModelError(
             f"{table.source}: damping",
             Words("is given twice" if several else "is not given"),
@@ -173,7 +177,7 @@ def read_spectrum_table(path: Path | str, *, damping: float | None = None) -> Sp
     curves: dict[float, dict[float, float]] = {}
     for place, cells in table.lines():
         period = _cell(place, "period_s", cells["period_s"])
-        xi = _cell(place, "damping", cells["damping"]) if several else damping
+        xi = _cell(place, "damping", cells["damping"]) if several else stated
         assert xi is not None
         curve = curves.setdefault(xi, {})
         if period in curve:
@@ -204,16 +208,18 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
 
     hint = "give periods_s and values_g, one number or one row for each period"
     try:
-        one, other = np.asarray(periods, np.float64), np.asarray(values, np.float64)
+        one = np.asarray(numeric_array("periods_s", periods), np.float64)
+        other = np.asarray(numeric_array("values_g", values), np.float64)
         rows = np.column_stack([one, other])
-    except (TypeError, ValueError):
+    except (UnfitError, TypeError, ValueError):
         raise InputError("values_g", values, "there is one for each period", hint) from None
     if one.ndim != 1 or other.ndim not in (1, 2) or not rows.size:
         raise InputError("values_g", values, "there is one for each period", hint)
     if rows[:, 1:].max() > MOST_G:
         hint = "give values in g: divide m/s^2 by 9.81"
         raise InputError("values_g", float(rows[:, 1:].max()), f"it is at most {MOST_G:g} g", hint)
-    dampings = list(damping) if isinstance(damping, list | tuple | np.ndarray) else [damping]
+    row = isinstance(damping, list | tuple) or getattr(damping, "ndim", 0) == 1
+    dampings = list(damping) if row else [damping]
     for each in dampings:
         damping_value(each)
     found = tabulated(rows.tolist(), dampings)
