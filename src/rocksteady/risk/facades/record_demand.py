@@ -47,7 +47,7 @@ class RecordDemand:
     >>> from rocksteady import RecordDemand, make_synthetic_suite
     >>> demand = RecordDemand(records=make_synthetic_suite(7))
     >>> print(f"{demand.sa_g(0.0, 0.05):.3f}")
-    0.355
+    0.335
     """
 
     records: tuple[Record, ...]
