@@ -135,6 +135,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "cemetery.csv").write_text(
         "name,outcome,width_m,height_m\na,fell,0.12,0.9\nb,stood,0.5,0.9\n", "utf-8"
     )
+    facade = '[facade]\nname = "wall"\nthickness_m = {}\nheight_m = 3.0\nconfidence_factor = {}\n'
+    spectrum = '[demand.slv]\nag_g = 0.1\nf0 = 2.5\ntc_star_s = 0.3\nsoil = "B"\n'
+    for name, text in (
+        ("wall", facade.format(0.5, 1.2) + spectrum),
+        ("worked-1", facade.format(0.3, 1.0)),
+        ("worked-2", facade.format(0.3, 1.35)),
+    ):
+        (tmp_path / f"{name}.toml").write_text(text, "utf-8")
     (tmp_path / "prior.toml").write_text("[noise]\nsigma_ln = 0.2\n", "utf-8")
     for name in ("tests.csv", "next.csv"):
         (tmp_path / name).write_text("\n".join(rows) + "\n", "utf-8")

@@ -1,0 +1,103 @@
+"""The folder of a facade: read back, the same bytes twice, and all or nothing."""
+
+import csv
+import hashlib
+import json
+from pathlib import Path
+
+import pytest
+
+from rocksteady.errors import InputError, OutputError
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.show.facade import facade_folder as module
+from rocksteady.show.facade.facade_folder import check_facade_folder, write_facade_folder
+from tests.show.facade.checked_facades import SUITE, alone, thin
+
+FILES = ["checks.csv", "facade.json", "report.html", "run.json", "runs.csv"]
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(each.name for each in folder.iterdir())
+
+
+def rows_of(file: Path) -> list[dict[str, str]]:
+    with file.open(encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
+    read = tmp_path / "wall.toml"
+    read.write_bytes(b"[facade]")
+    out = tmp_path / "answer"
+    found = thin()
+    write_facade_folder(
+        found, out, language="it", motions=SUITE, command="rocksteady facade wall", files=[read]
+    )
+    assert names(out) == FILES
+
+    rows = rows_of(out / "checks.csv")
+    assert [(row["limit_state"], row["method"]) for row in rows] == [
+        (each.limit_state, each.method) for each in found.checks
+    ]
+    assert float(rows[1]["capacity"]) == pytest.approx(4.0 / 30.0 / 1.35)
+    assert isinstance(found.runs, FacadeRuns)
+    assert len(rows_of(out / "runs.csv")) == found.runs.share.size == 14
+
+    values = json.loads((out / "facade.json").read_text(encoding="utf-8"))
+    assert values["schema"] == "rocksteady/facade/1"
+    assert values["a0_g"] == pytest.approx(0.098765, abs=5e-7)
+    assert values["t_slv_s"] == pytest.approx(1.958239, abs=5e-7)
+    assert values["t_slc_s"] == pytest.approx(2.727547, abs=5e-7)
+    assert len(values["checks"]) == len(found.checks)
+
+    made = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert made["command"] == "rocksteady facade wall"
+    assert made["files"][0]["sha256"] == hashlib.sha256(b"[facade]").hexdigest()
+    samples = SUITE[0].acceleration_m_s2.astype("<f8").tobytes()
+    assert made["records"][0]["sha256"] == hashlib.sha256(samples).hexdigest()
+    assert made["settings"] == {"language": "it"}
+
+
+def test_the_same_check_gives_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        write_facade_folder(alone(), tmp_path / name)
+    for file in names(tmp_path / "one"):
+        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
+
+
+def test_tables_and_json_do_not_depend_on_the_language(tmp_path: Path) -> None:
+    for language in ("en", "it"):
+        write_facade_folder(alone(), tmp_path / language, language=language)
+    for file in ("checks.csv", "facade.json"):
+        assert (tmp_path / "en" / file).read_bytes() == (tmp_path / "it" / file).read_bytes()
+    pages = [(tmp_path / each / "report.html").read_bytes() for each in ("en", "it")]
+    assert pages[0] != pages[1]
+
+
+def test_only_a_folder_of_ours_is_replaced_and_no_runs_stay_behind(tmp_path: Path) -> None:
+    out = tmp_path / "answer"
+    write_facade_folder(thin(), out)
+    with pytest.raises(OutputError, match=r"it holds checks\.csv and 4 more; add --force"):
+        write_facade_folder(alone(), out)
+    assert names(out) == FILES
+    write_facade_folder(alone(), out, force=True)
+    assert names(out) == [name for name in FILES if name != "runs.csv"]
+    (out / "thesis.txt").write_text("years of work", encoding="utf-8")
+    for force in (False, True):
+        with pytest.raises(OutputError, match=r"thesis\.txt, which is no file of a facade"):
+            check_facade_folder(out, force=force)
+    assert (out / "thesis.txt").exists()
+
+
+def test_what_fails_leaves_nothing_half_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    with pytest.raises(InputError, match="language"):
+        write_facade_folder(alone(), tmp_path / "answer", language="fr")
+    monkeypatch.setattr(module, "facade_html", full)
+    with pytest.raises(OutputError, match="No space left"):
+        write_facade_folder(alone(), tmp_path / "answer")
+    assert names(tmp_path) == []

@@ -1,0 +1,128 @@
+"""The page of a facade: its numbers, its marks, both languages, and that it runs nothing."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from rocksteady.risk.facades.facade_check import FacadeCheck
+from rocksteady.risk.facades.facade_runs import FacadeRuns
+from rocksteady.show.facade.facade_folder import write_facade_folder
+from rocksteady.show.plots.facades.languages import TABLES
+from tests.show.assessment.pages import Page, check_alone
+from tests.show.facade.checked_facades import alone, thin, tied
+
+CHECKS = {"tied": tied, "thin": thin, "alone": alone}
+BOTH = pytest.mark.parametrize("name", CHECKS)
+NAMES = {"fronte", "timpano", "copertura", "volta", "catene", "puntoni", "synthetic"}
+
+
+def page_of(check: FacadeCheck, language: str, folder: Path) -> tuple[Page, str]:
+    write_facade_folder(check, folder / language, language=language)
+    html = (folder / language / "report.html").read_text(encoding="utf-8")
+    return Page(html), html
+
+
+def words_in(text: str) -> set[str]:
+    return {word.lower() for word in re.findall(r"[A-Za-zÀ-ÿ]{4,}", text)}
+
+
+@BOTH
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_it_is_one_page_that_runs_and_fetches_nothing(
+    name: str, language: str, tmp_path: Path
+) -> None:
+    page, html = page_of(CHECKS[name](), language, tmp_path)
+    check_alone(page)
+    assert page.tags["h1"] == 1
+    assert re.search(r'<html lang="([\w-]+)">', html)[1] == TABLES[language]["lang"]  # type: ignore[index]
+    numbers = [text for level, text in page.headings[2:] if level == 2]
+    assert [int(re.match(r"\d+", text)[0]) for text in numbers] == [*range(1, len(numbers) + 1)]  # type: ignore[index]
+    pictures = [each["alt"] for each in page.of("img")]
+    assert len(pictures) == (3 if CHECKS[name]().runs is not None else 2)
+    assert all(len(alt) > 40 for alt in pictures)
+
+
+@BOTH
+def test_no_english_is_left_on_the_italian_page(name: str, tmp_path: Path) -> None:
+    """Words of the English page that the Italian table does not have are nowhere on it."""
+    english, _ = page_of(CHECKS[name](), "en", tmp_path)
+    italian, html = page_of(CHECKS[name](), "it", tmp_path)
+    table = words_in(" ".join(TABLES["it"].values()))
+    foreign = words_in(english.text) - table - NAMES
+    assert len(foreign) > 100
+    shown = words_in(italian.text) | words_in(" ".join(e["alt"] for e in italian.of("img")))
+    assert shown & foreign - {"rocksteady", "numpy"} == set()
+    assert "Contents" not in html
+    assert "To the content" not in html
+
+
+@BOTH
+def test_italian_numbers_have_commas_and_english_ones_points(name: str, tmp_path: Path) -> None:
+    """But for numbers of formulas, as C8.7.1.10, and the version at the end."""
+
+    def numbers(text: str) -> str:
+        plain = re.sub(r"C8\.[\w.]+|rocksteady [\d.]+|NumPy [\d.]+|\d+\.\s", " ", text)
+        return " ".join(re.findall(r"\d[.,]\d+", plain))
+
+    check = CHECKS[name]()
+    pages = {code: page_of(check, code, tmp_path)[0] for code in ("en", "it")}
+    written = {code: numbers(page.text) for code, page in pages.items()}
+    assert "." not in written["it"]
+    assert "," not in written["en"]
+    assert len(written["it"].split()) > 10
+    alts = " ".join(each["alt"] for each in pages["it"].of("img"))
+    assert not re.search(r"\d\.\d", alts)
+
+
+@pytest.mark.parametrize("language", ["en", "it"])
+def test_every_check_stands_on_it_with_formula_page_and_mark(language: str, tmp_path: Path) -> None:
+    check = thin()
+    page, html = page_of(check, language, tmp_path)
+    rows = re.findall(r"<tr><th scope=\"row\" class=\"quarter name\">(.*?)</tr>", html, re.DOTALL)
+    mark = "," if language == "it" else "."
+    for each, row in zip(check.checks, rows, strict=False):
+        assert f"{each.formula.split(',')[0]}" in row
+        assert "†" in row
+        assert "272–277" in row
+        assert each.limit_state in row
+        word = {True: "satisfied", False: "not_satisfied", None: "no_verdict"}[each.satisfied]
+        assert f">{TABLES[language][word]}</span>" in row
+    assert f"0{mark}0988" in page.text
+    assert f"1{mark}96 s" in page.text
+    assert f"2{mark}73 s" in page.text
+    assert page.text.count("†") > 12
+
+
+def test_disagreement_shows_at_the_top_with_its_reason(tmp_path: Path) -> None:
+    page, _ = page_of(thin(), "it", tmp_path)
+    assert "metodi discordi 2 verifiche su 3 non sono soddisfatte." in page.text
+    assert (
+        "verifica soddisfatta con analisi cinematica lineare, non soddisfatta con analisi "
+        "cinematica non lineare e analisi dinamica non lineare." in page.text
+    )
+    assert "parete più spessa" in page.text
+
+
+def test_without_a_demand_there_is_no_verdict(tmp_path: Path) -> None:
+    page, _ = page_of(alone(), "en", tmp_path)
+    assert "no verdict No check: neither a demand nor records are given." in page.text
+    assert "Give a demand, or 7 records or more, for a verdict." in page.text
+    assert "∞" not in page.text
+
+
+def test_each_record_has_its_row_and_the_mean_is_below(tmp_path: Path) -> None:
+    runs = tied().runs
+    assert isinstance(runs, FacadeRuns)
+    page, html = page_of(tied(), "en", tmp_path)
+    for name in runs.records:
+        assert f"<bdi>{name}</bdi>" in html
+    assert runs.mean_m is not None
+    assert f"{1e3 * runs.mean_m:.3g} mm" in page.text
+    assert page.text.count("does not lift") == int((runs.share == 0.0).sum())
+
+
+def test_a_name_is_no_markup(tmp_path: Path) -> None:
+    page, html = page_of(tied(), "en", tmp_path)
+    assert page.headings[0] == (1, "Fronte <A> & B")
+    assert "Fronte <A>" not in html

@@ -1,0 +1,88 @@
+"""The capacity curve: its ends, its limits, and demands where their formulas put them."""
+
+import math
+
+import matplotlib.style
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rocksteady.errors import InputError
+from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.plots.facades.capacity import plot_capacity
+from tests.show.facade.checked_facades import alone, site, thin, tied
+
+
+def drawn(**options: str) -> Axes:
+    return plot_capacity(thin(), Figure().add_subplot(), **options)
+
+
+def points_of(axes: Axes, label: str) -> tuple[float, float]:
+    (line,) = (line for line in axes.lines if str(line.get_label()) == label)
+    x, y = (np.asarray(values, dtype=float) for values in line.get_data())
+    return float(x[-1]), float(y[-1])
+
+
+def test_it_falls_from_a0_to_zero_at_d0() -> None:
+    """Of 0.3 x 3 m with FC 1.35: 4/3 t/h/FC, and 2 t/3."""
+    x, y = (np.asarray(values, dtype=float) for values in drawn().lines[0].get_data())
+    assert x.tolist() == pytest.approx([0.0, 200.0])
+    assert y.tolist() == pytest.approx([4.0 / 30.0 / 1.35, 0.0])
+
+
+def test_limits_stand_at_their_parts_of_d0() -> None:
+    uprights = {
+        round(float(np.asarray(line.get_xdata())[0]), 9)
+        for line in drawn().lines
+        if np.ptp(np.asarray(line.get_xdata())) == 0.0 and len(np.asarray(line.get_xdata())) == 2
+    }
+    assert uprights == {80.0, 120.0}
+
+
+def test_the_static_demand_is_that_of_the_spectrum_at_the_secant_period() -> None:
+    """Its abscissa by formula (12), its ordinate the spectral acceleration itself."""
+    period = 1.958239
+    sa = site(0.15).sa_g(period, 0.08)
+    x, y = points_of(drawn(), "static demand SLV")
+    assert x == pytest.approx(1e3 * 9.80665 * sa * (period / (2.0 * math.pi)) ** 2, rel=1e-5)
+    assert y == pytest.approx(sa, rel=1e-5)
+
+
+def test_the_linear_demand_is_half_the_peak() -> None:
+    assert points_of(drawn(), "linear demand SLV") == (0.0, pytest.approx(0.5 * 0.15 * 1.2))
+
+
+def test_a_demand_of_runs_stands_at_their_mean() -> None:
+    axes = plot_capacity(tied(), Figure().add_subplot())
+    runs = tied().runs
+    assert runs is not None
+    assert runs.mean_m is not None
+    assert points_of(axes, "mean of records SLV") == (pytest.approx(1e3 * runs.mean_m), 0.0)
+
+
+def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
+    legend = plot_capacity(alone(), Figure().add_subplot()).get_legend()
+    assert legend is not None
+    assert len(legend.get_texts()) == 3
+
+
+def test_italian_axes_have_italian_words_and_commas() -> None:
+    axes = drawn(language="it")
+    axes.figure.draw_without_rendering()
+    ticks = [label.get_text() for label in axes.get_yticklabels()]
+    assert axes.get_xlabel() == "spostamento d [mm]"
+    assert any("," in tick for tick in ticks)
+    assert not any("." in tick for tick in ticks)
+    legend = axes.get_legend()
+    assert legend is not None
+    assert "domanda statica SLV" in [text.get_text() for text in legend.get_texts()]
+
+
+def test_it_is_legible_on_dark_paper_and_refuses_other_languages() -> None:
+    with matplotlib.style.context("dark_background"):
+        axes = plot_capacity(thin(), Figure().add_subplot())
+        assert axes.lines[0].get_color() == "#f2f2f2"
+        assert figure_bytes(axes.figure, "svg")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="language"):
+        drawn(language="fr")
