@@ -201,7 +201,7 @@ def facade_rows(check: FacadeCheck, words: Language) -> list[Row]:
 def _restitution(check: FacadeCheck, words: Language) -> tuple[str, str]:
     """Return the restitution of the impacts, and where it is from."""
     facade = check.facade
-    if not isinstance(facade.restitution, str):
+    if isinstance(facade.restitution, float):
         return words.number(facade.restitution), ""
     try:
         return words.number(facade.mechanism.block().restitution), words["housner"]

@@ -8,7 +8,8 @@ from rocksteady.errors import InputError
 from rocksteady.risk.facades.remark import TEMPLATES
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 
-SAME = {"no", "lang"}
+SAME = {"inputs_file"}
+"""Texts that are the same: Italian has the word "file"."""
 PLACE = re.compile(r"\{(\w+)\}")
 
 
@@ -26,7 +27,7 @@ def test_a_text_has_the_same_places_in_each_language(key: str) -> None:
 
 def test_no_text_is_the_same_in_both_but_symbols() -> None:
     alike = {key for key, text in TABLES["it"].items() if text == TABLES["en"][key]}
-    for key in alike:
+    for key in alike - SAME:
         plain = PLACE.sub("", TABLES["en"][key])
         assert not re.search(r"[a-z]{4}", plain), key
 
@@ -39,5 +40,5 @@ def test_italian_numbers_have_a_comma() -> None:
 
 
 def test_a_language_that_is_not_there_is_refused_by_name() -> None:
-    with pytest.raises(InputError, match="language = 'de'.*en and it"):
+    with pytest.raises(InputError, match=r"language = 'de'.*en and it"):
         language_of("de")
