@@ -20,6 +20,7 @@ import pytest
 
 import rocksteady as rs
 from tests.cli.program import rocksteady
+from tests.show.calibrated import without_pictures
 
 ROOT = Path(__file__).parents[1]
 PAGES = {
@@ -44,23 +45,48 @@ SNIPPETS = {
 """The Python of the pages by page and line, each with what the page shows that it prints."""
 
 
-@pytest.mark.parametrize(("code", "printed"), SNIPPETS.values(), ids=SNIPPETS)
+def is_long(code: str) -> bool:
+    """Return whether a block calibrates: every one does so anew, for half a minute."""
+    return "rs.calibrate(" in code
+
+
+@pytest.mark.parametrize(
+    ("code", "printed"),
+    [
+        pytest.param(*block, id=place, marks=[pytest.mark.slow] if is_long(block[0]) else [])
+        for place, block in SNIPPETS.items()
+    ],
+)
 def test_each_block_of_python_runs_alone(
     code: str, printed: re.Match[str] | None, tmp_path: Path
 ) -> None:
-    script = tmp_path / "page.py"
+    out = run_alone(code, tmp_path)
+    if printed:
+        assert out == printed[1]
+
+
+@pytest.mark.parametrize("place", [place for place, (code, _) in SNIPPETS.items() if is_long(code)])
+def test_a_long_block_runs_alone_with_few_draws_and_records(place: str, tmp_path: Path) -> None:
+    code, _ = SNIPPETS[place]
+    few = code.replace("draws=300", "draws=30, gains=2, rounds=1").replace("suite(12)", "suite(2)")
+    assert few.count("draws=30,") == few.count("suite(2)") == 1
+    assert run_alone(few, tmp_path).count("accuracy") == 4
+
+
+def run_alone(code: str, folder: Path) -> str:
+    """Run a block of Python in a process and a folder of its own, and return what it prints."""
+    script = folder / "page.py"
     script.write_text(code, encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-W", "error", script.name],
-        cwd=tmp_path,
+        cwd=folder,
         capture_output=True,
         text=True,
         check=False,
     )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
-    if printed:
-        assert done.stdout == printed[1]
+    return done.stdout
 
 
 def test_what_is_printed_stands_below_the_block_that_prints_it() -> None:
@@ -75,7 +101,7 @@ NAMED = re.compile(r"((study )?\w+)?( --[\w-]+( FILE)?)*")
 """A command that a sentence names, perhaps with flags: no line to be typed as it stands."""
 AXIS = re.compile(r"((?:log:)?-?[0-9.]+:-?[0-9.]+:)(\d+)")
 FEW = 6
-LONG = re.compile(r"--executor|--animate|^paper|^study")
+LONG = re.compile(r"--executor|--animate|^paper|^study|^assess --example")
 """Lines that take long with a few values on their axes, too."""
 
 
@@ -100,6 +126,9 @@ def cells(line: str) -> int:
 
 def shortened(line: str) -> str:
     """Return a command line with a few values on each of its axes, and few draws."""
+    if line.startswith("fragility"):
+        few = {"--levels": "0.4,0.8,1.6", "--restitution": "0.9", "--replicates": "100"}
+        line += "".join(f" {flag} {value}" for flag, value in few.items() if flag not in line)
     if line.startswith("calibrate"):
         line += " --draws 30 --gains 2 --rounds 1 --model linear"
     if line.startswith("back-analyse --survey"):
@@ -162,7 +191,8 @@ def _fit(tmp_path_factory: pytest.TempPathFactory) -> Path:
         model=rs.Linear(),
     )
     folder = tmp_path_factory.mktemp("calibrated") / "fit"
-    rs.write_calibration(found, folder)
+    with without_pictures():
+        rs.write_calibration(found, folder)
     return folder
 
 
@@ -193,7 +223,12 @@ def test_a_command_line_runs_with_a_few_values_on_its_axes(
 @pytest.mark.slow
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize(
-    "line", [line for line in TYPED if "tcp:" not in line and FEW**2 < cells(line) <= 10**6]
+    "line",
+    [
+        line
+        for line in TYPED
+        if "tcp:" not in line and (FEW**2 < cells(line) <= 10**6 or line.startswith("fragility"))
+    ],
 )
 def test_a_command_line_runs_as_it_stands(line: str) -> None:
     run_line(line)
@@ -202,7 +237,7 @@ def test_a_command_line_runs_as_it_stands(line: str) -> None:
 @pytest.mark.slow
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("line", [line for line in TYPED if LONG.search(line)])
-def test_a_command_line_of_a_study_a_film_or_a_cluster_runs(line: str) -> None:
+def test_a_long_command_line_runs(line: str) -> None:
     from distributed import LocalCluster
 
     if "tcp:" not in line:

@@ -1,7 +1,11 @@
 """Calibrations by synthetic tests, small and quick to compute."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
+from typing import Any
+from unittest.mock import patch
 
 from rocksteady import (
     Block,
@@ -13,8 +17,17 @@ from rocksteady import (
     make_synthetic_suite,
     make_synthetic_tests,
 )
+from rocksteady.show.calibration import _calibration_report
 
+PICTURES: dict[str, Any] = {"ladders": [], "posteriors": []}
 HOSTILE = '<script>alert(1)</script> $x$ & "co"\u202e'
+
+
+@contextmanager
+def without_pictures() -> Iterator[None]:
+    """Leave the pictures of a page out, which take most of the time of a folder."""
+    with patch.object(_calibration_report, "pictures_of", lambda _: PICTURES):
+        yield
 
 
 @cache

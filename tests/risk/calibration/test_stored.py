@@ -17,6 +17,7 @@ from rocksteady import (
 )
 from rocksteady.errors import InputError
 from tests.risk.calibration.trials import Case, make_records, make_tests
+from tests.show.calibrated import without_pictures
 
 
 @pytest.fixture(scope="module")
@@ -27,9 +28,10 @@ def found() -> Calibration:
 
 @pytest.fixture(scope="module")
 def written(found: Calibration, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Write the calibration once: its pictures take seconds."""
+    """Write the calibration once."""
     folder = tmp_path_factory.mktemp("calibrated") / "fit"
-    write_calibration(found, folder)
+    with without_pictures():
+        write_calibration(found, folder)
     return folder
 
 

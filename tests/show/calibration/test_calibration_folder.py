@@ -2,24 +2,22 @@
 
 import csv
 import json
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from rocksteady import Calibration, OutputError, read_posterior, write_calibration
-from rocksteady.show.calibration import _calibration_report
-from tests.show.calibrated import calibrated, unscored
+from tests.show.calibrated import calibrated, unscored, without_pictures
 
-PICTURES: dict[str, Any] = {"ladders": [], "posteriors": []}
 FILES = ["fit.json", "parameters.csv", "posterior.csv", "predictions.csv", "report.html"]
 
 
 @pytest.fixture(name="plain")
-def _plain(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Leave pictures out, which take most of the time."""
-    monkeypatch.setattr(_calibration_report, "pictures_of", lambda _: PICTURES)
+def _plain() -> Iterator[None]:
+    with without_pictures():
+        yield
 
 
 def names(folder: Path) -> list[str]:

@@ -9,6 +9,7 @@ import pytest
 from rocksteady import Block, Linear, make_synthetic_suite, make_synthetic_tests, write_tests
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
+from tests.show.calibrated import without_pictures
 
 FEW = "--draws 60 --gains 2 --rounds 1 --model linear"
 
@@ -37,7 +38,8 @@ def test_json_has_the_scores_and_one_object(table: Path) -> None:
 
 def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) -> None:
     out, rows = tmp_path / "fit", tmp_path / "rows.csv"
-    ran = rocksteady(f"calibrate {FEW} --temper 1 --tests", table, "--out", out, "--csv", rows)
+    with without_pictures():
+        ran = rocksteady(f"calibrate {FEW} --temper 1 --tests", table, "--out", out, "--csv", rows)
     assert ran.code == 0
     assert fits(ran.out)
     assert "report.html" in ran.err
