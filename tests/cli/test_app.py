@@ -228,7 +228,7 @@ def beside_a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("beside_a_record")
 def test_the_examples_in_the_help_run_on_coarser_axes(command: str) -> None:
     for example in examples_of(command):
-        coarser = re.sub(r":(\d+)(?=[ ,]|$)", lambda n: f":{min(int(n[1]), 12)}", example)
+        coarser = re.sub(r":(\d+)(?=[ ,]|$)", lambda n: f":{min(int(n[1]), 6)}", example)
         assert rocksteady(coarser).code == 0, coarser
 
 

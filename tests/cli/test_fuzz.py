@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from tests.cli.fuzz import COMMANDS, command_line, fault, fill, run_apart, run_here
+from tests.strategies import rest_slow
 
-SHARDS, LINES = 10, 100
-"""In every run of the tests; each shard is drawn from its own seed, the same in each run."""
+SHARDS, QUICK_SHARDS, LINES = 10, 4, 100
+"""The quick ones in every run; each shard is drawn from its own seed, the same in each run."""
 SLOW_SHARDS, SLOW_LINES = 48, 1000
-PROCESSES, SLOW_PROCESSES = 4, 190
+PROCESSES, QUICK_PROCESSES, SLOW_PROCESSES = 4, 2, 190
 
 
 def found(seed: int, lines: int) -> list[str]:
@@ -51,12 +52,12 @@ pytestmark = [
 
 
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize("seed", range(SHARDS))
+@pytest.mark.parametrize("seed", rest_slow(range(SHARDS), QUICK_SHARDS))
 def test_no_command_line_ends_in_another_way(seed: int) -> None:
     assert found(seed, LINES) == []
 
 
-@pytest.mark.parametrize("seed", range(1000, 1000 + PROCESSES))
+@pytest.mark.parametrize("seed", rest_slow(range(1000, 1000 + PROCESSES), QUICK_PROCESSES))
 def test_no_process_ends_in_another_way(seed: int, folder: Path) -> None:
     assert found_apart(seed, 10, folder) == []
 
