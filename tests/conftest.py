@@ -3,6 +3,7 @@
 import os
 import signal
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 COMPILED = settings(
@@ -20,7 +21,23 @@ settings.register_profile(
 )
 # Other examples in each run, ten times as many: `pytest --hypothesis-profile=search`.
 settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)
-settings.load_profile("plain" if os.environ.get("ROCKSTEADY_KERNELS") == "python" else "compiled")
+# Where the slow tests are left out, half as many examples are drawn.
+settings.register_profile("quick", COMPILED, max_examples=50)
+PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
+settings.load_profile("plain" if PLAIN else "compiled")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Draw fewer examples in a run without the slow tests, unless a profile is named."""
+    named = config.getoption("--hypothesis-profile")
+    if config.getoption("markexpr") == "not slow" and not PLAIN and not named:
+        settings.load_profile("quick")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the tests of targets, whose fixture compiles for a minute in one process."""
+    items.sort(key=lambda item: "built" not in getattr(item, "fixturenames", ()))
+
 
 # A script that has started the tests in its background has SIGINT ignored, in all that they start.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
