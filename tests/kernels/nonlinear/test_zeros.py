@@ -21,7 +21,7 @@ from rocksteady.kernels.nonlinear.series import (
     expand,
     third_bound,
 )
-from tests.strategies import inner_sample_size
+from tests.strategies import inner_sample_size, rest_slow
 
 Floats = NDArray[np.float64]
 
@@ -213,7 +213,7 @@ def verdict_is_exact(work: Floats, degree: int, step: float, pull: float) -> boo
     return True
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", rest_slow(range(8), 3))
 def test_first_zeros_of_flights_are_the_proved_ones(seed: int) -> None:
     rng = np.random.default_rng(900 + seed)
     hits = misses = 0
