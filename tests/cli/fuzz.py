@@ -159,7 +159,8 @@ VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "
 )
 NAMED = re.compile(
-    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|facade) = |.*; see rocksteady.*--help$)"
+    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|facade) = |"
+    r".*; see rocksteady.*--help$)"
 )
 
 

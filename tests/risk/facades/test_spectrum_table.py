@@ -75,7 +75,10 @@ def test_what_is_no_table_is_refused(keys: dict[str, Any], line: str) -> None:
 def test_a_file_is_the_table(tmp_path: Path) -> None:
     file = tmp_path / "floor.csv"
     file.write_text("period_s;sa_g;storey\n0;0.3;2\n0.2;1.2;2\n\n0.8;0.6;2\n3.2;0.075;2\n", "utf-8")
-    found, same = read_spectrum_table(file, spectrum_damping=0.05), SpectrumTable(**ROWS, damping=0.05)
+    found, same = (
+        read_spectrum_table(file, spectrum_damping=0.05),
+        SpectrumTable(**ROWS, damping=0.05),
+    )
     assert (found.periods_s, found.values_g) == (same.periods_s, same.values_g)
 
 
