@@ -19,7 +19,9 @@ from rocksteady import (
     find_steady_states,
     simulate,
 )
+from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
 from rocksteady.kernels.orbits.closed_form import symmetry_breaking
+from rocksteady.kernels.orbits.settle import UNSETTLED
 from tests.dynamics.kicks import apart
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
@@ -380,3 +382,11 @@ def test_a_steady_start_with_long_half_cycles_is_left_or_refused(
         refused = error.name
     assert stable
     assert refused == "start"
+
+
+def test_without_loss_at_its_impacts_or_at_a_wall_nothing_is_aperiodic() -> None:
+    # Minus the wall's restitution is what a side table holds.
+    least = [0.9, 1.0, -0.9, -0.0, -1.0]
+    kinds = [KINDS[code] for code in kind_codes([UNSETTLED] * 5, [0] * 5, [0.5] * 5, least)]
+    chaos, unknown = AttractorKind.APERIODIC, AttractorKind.UNDECIDED
+    assert kinds == [chaos, unknown, chaos, chaos, unknown]

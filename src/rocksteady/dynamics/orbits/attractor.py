@@ -78,9 +78,10 @@ def kind_codes(
     symmetric
         Whether the orbit is; without one it does not count.
     restitution
-        The smaller of both impacts'.  Without loss (1) nothing is aperiodic: motions do not settle.
+        The smaller of both impacts', or minus a wall's.  Without loss (1) nothing is aperiodic:
+        motions do not settle.
     """
-    exponents, lossy = np.asarray(least), np.asarray(restitution) < 1.0
+    exponents, lossy = np.asarray(least), np.abs(restitution) < 1.0
     ends = np.asarray(outcome)
     chosen = {
         AttractorKind.SYMMETRIC: (ends == kernel.PERIODIC) & np.asarray(symmetric, dtype=np.bool_),
