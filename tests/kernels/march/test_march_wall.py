@@ -17,6 +17,10 @@ from rocksteady.kernels.core.tables import (
     ENDED_BY_UPLIFT,
     FREQUENCY,
     JUMP,
+    LIFT,
+    LIFT_CEILING,
+    LIFT_SLOPE,
+    LOST_CONTACT,
     OVERTURNED,
     PASSAGE_COLUMNS,
     ROW_ANGLE,
@@ -33,6 +37,7 @@ from rocksteady.kernels.core.tables import (
     free_side,
 )
 from rocksteady.kernels.march.march import march, side_forcing
+from tests.kernels.scattering import draws, scattered
 from tests.kernels.tables import (
     NONE,
     Piece,
@@ -282,6 +287,47 @@ def test_an_impulse_throws_a_block_at_rest_off_the_wall_and_one_in_flight_at_it(
     assert ran.rows[2, ROW_VELOCITY] == pytest.approx(-0.6 * share, rel=0.15)
     assert ran.rows[2, ROW_EVENT] == ENDED_BY_IMPACT
     assert 0.25 * share < ran.end.velocity < 0.4 * share
+
+
+@pytest.mark.parametrize("alpha", [0.0, 0.25])
+@pytest.mark.parametrize("free", [1, -1])
+@pytest.mark.parametrize("restitution", [0.5, 0.0])
+def test_an_impulse_at_the_instant_of_lift_off_strikes_the_wall(
+    restitution: float, free: int, alpha: float
+) -> None:
+    # It has lifted at the very end of a segment, at whose end the base turns against it.
+    jump = -0.7 * free
+    segments, sides = in_model(
+        table(Piece(1.0), Piece(0.5, jump=jump), Piece()),
+        against_wall(restitution, free=free),
+        alpha,
+    )
+    start, rows = March(free, 0.0, 0.2 * free, 0, 0, 1.0, 0, 0), np.zeros((2, ROW_COLUMNS))
+    _, end = march(segments, sides, start, 0, 9.0, math.inf, 2, rows, NONE)
+    struck = 0.7 * math.cos(alpha) - 0.2
+    assert end.impacts >= 1
+    assert rows[1, ROW_SIDE] == (free if restitution else 0)
+    assert rows[1, ROW_VELOCITY] == pytest.approx(free * restitution * struck, rel=1e-15)
+    wide = scattered(sides, 0.1, 5)
+    _, again = march(segments, wide, start, 0, 9.0, math.inf, 2, rows, NONE)
+    drawn = float(draws(restitution, 0.1, 5, 1))
+    assert rows[1, ROW_VELOCITY] == pytest.approx(free * drawn * struck, rel=1e-12)
+    assert again.impacts >= 1
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.2])
+def test_where_the_base_falls_away_contact_is_lost_as_without_a_wall(angle: float) -> None:
+    ends = []
+    for sides in (against_wall(0.5), both_sides(0.5)):
+        segments, own = in_model(table(Piece(1.0), Piece()), sides, 0.3)
+        segments[0, LIFT], segments[0, LIFT_SLOPE], segments[0, LIFT_CEILING] = 0.0, -1.25, 1.25
+        start = March(1 if angle else 0, angle, 0.4 if angle else 0.0, 0, 0, 0.0, 0, 0)
+        none = np.zeros((0, ROW_COLUMNS))
+        ends.append(march(segments, own, start, 0, 9.0, math.inf, 100, none, NONE))
+    assert ends[0] == ends[1]
+    code, state = ends[0]
+    assert code == LOST_CONTACT
+    assert state.phase == pytest.approx(0.8, rel=1e-14)
 
 
 # ----------------------------------------------------------------------------------- the wall
