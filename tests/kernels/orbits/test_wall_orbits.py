@@ -302,7 +302,7 @@ def test_they_meet_in_a_fold_and_the_stable_one_doubles_its_period(
             state = state_at_phase(1, orbit.phase, orbit.speed)
             if abs(next_passage(system, state, -1.0).time - length) < 0.1 * length:
                 found = polish(system, state, 1, n, table)
-                assert found.found is there
+                assert bool(found.found) is there
     # Where the trace is -(1 + e^2) by the formula, the kernel's derivative has the multiplier -1.
     shaken = (frequency * (1.0 + e)) ** 2 * (1.0 + math.cosh(length))
     ratio = (1.0 + e) ** 2 + (1.0 - e) ** 2 * math.cosh(length) + 2.0 * (1.0 + e * e)
