@@ -123,7 +123,7 @@ def random_cells(rng: np.random.Generator, count: int) -> Cells:
     frequency = np.where(some(0.5), rng.uniform(0.3, 12.0, count), spread(0.05, 100.0))
     restitution = rng.uniform(0.0, np.where(some(0.9), 0.97, 1.0))
     restitution[some(0.02)] = 1.0
-    restitution[some(0.02)] = 0.0
+    restitution[some(0.02)] = 1e-300  # 0 would be that of a wall
     angle = np.where(some(0.4), rng.normal(0.0, 0.4, count), 0.0)
     velocity = rng.normal(0.0, 0.6, count) * np.where(some(0.3), spread(1e-6, 1.0), 1.0)
     velocity[some(0.15)] = 0.0
