@@ -76,6 +76,7 @@ export interface System {
   negative: Forcing;
   frequency: number;
   restitution: [number, number];
+  free: number;
   lean: [number, number];
   rate: [number, number];
   alpha: [number, number];
