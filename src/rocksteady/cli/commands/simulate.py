@@ -54,6 +54,8 @@ EXAMPLES = (
     "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
     "rocksteady simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7\n\n"
     "rocksteady simulate --block zhang-makris-2001 --start 0.6,0 --json\n\n"
+    "rocksteady simulate --width-m 0.3 --height-m 3 --one-sided --pulse one-sine --accel-g 0.15 "
+    "--freq-hz 1\n\n"
     "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
     "rocksteady simulate --width-m 0.5 --height-m 2 --record RSN77_PUL164.AT2 --scale 0.5\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
