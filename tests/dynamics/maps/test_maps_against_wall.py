@@ -18,13 +18,17 @@ from rocksteady import (
     Run,
     State,
     Steady,
+    Store,
     find_attractor,
     map_attractors,
     map_fates,
+    open_store,
     simulate,
 )
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.batch.fates import ENDS
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.maps.drawn import same_as_alone
 
@@ -113,6 +117,23 @@ def test_sizes_move_and_the_restitution_is_that_of_the_wall_of_each() -> None:
     same_as_alone(cell, block, motion, start=None, cycles=200)
 
 
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
+@pytest.mark.parametrize("restitution", [None, 1.0, 0.7])
+def test_many_cells_are_to_the_last_bit_the_blocks_of_each(
+    model: Model, restitution: float | None
+) -> None:
+    scenario = Scenario(
+        axes=("width", "height"), block=FACADE, motion=SHAKING, housner=restitution, model=model
+    )
+    rng = np.random.default_rng(2)
+    width, height = rng.uniform(0.2, 0.9, 50), rng.uniform(1.5, 4.0, 50)
+    cells = scenario.cells({"width": width, "height": height})
+    for k in range(50):
+        block, _, _ = scenario.at({"width": width[k], "height": height[k]})
+        assert block.one_sided
+        assert (cells.sides[k] == sides_of(block, model)).all()
+
+
 @pytest.mark.parametrize("sizes", [{"alpha": [0.1, 0.3]}, {"p": [1.5, 3.0]}, {"radius": [1.0]}])
 def test_other_sizes_keep_what_they_keep_of_a_block_with_two_sides(sizes: Any) -> None:
     free = Block.rectangle(width=0.3, height=3.0, restitution=0.5)
@@ -150,9 +171,27 @@ def test_executors_workers_and_stores_agree_to_the_bit(model: Model, tmp_path: P
     one = mapped(None)
     assert one.identical(mapped(Run(executor="serial")))
     assert one.identical(mapped(Run(executor="threads", workers=2)))
-    store = tmp_path / "map.zarr"
-    assert one.equals(mapped(Run(store=store)))
-    assert one.equals(mapped(Run(store=store)))  # as it was stored
+
+    class EnoughError(Exception):
+        pass
+
+    seen = 0
+
+    def stop(cells: int) -> None:
+        nonlocal seen
+        seen += cells
+        if seen > 20:
+            raise EnoughError
+
+    path = tmp_path / "map.zarr"
+    with pytest.raises(EnoughError):
+        mapped(Run(executor="serial", store=Store(path, chunk=2), progress=stop))
+    there = int(open_store(path, partial=True).computed.sum())
+    assert 0 < there < one.kind.size
+    told: list[int] = []
+    found = mapped(Run(store=Store(path, resume=True), progress=told.append))
+    assert told[0] == there
+    assert found.load().identical(one)
 
 
 @pytest.mark.parametrize(

@@ -214,9 +214,8 @@ def measures_of(
     if housner is not None:
         sine, share = sin(alpha), p * p * radius / gravity
         restitution = 1.0 - 2.0 * share * (sine * sine)
-        if block.one_sided:  # as `rocksteady.model.blocks.sides.wall_ratio` rounds it
+        if block.one_sided:  # on base, wall and base
             cosine = cos(alpha)
-            base = 1.0 - 2.0 * share * sine * sine
-            restitution = base * base * (2.0 * share * cosine * cosine - 1.0)
+            restitution = restitution * restitution * (2.0 * share * cosine * cosine - 1.0)
         restitution = housner * restitution
     return Measures(alpha * gravity, p, restitution, alpha)
