@@ -85,22 +85,16 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
     ModelError
         If it is asymmetric, or stands against a wall.
     """
-    if block.one_sided:
-        raise ModelError(
-            name,
-            Words("stands against a wall" if name == "block" else "is a steady state"),
-            f"{what} comes from the closed forms of symmetric motions, and a block against a wall "
-            "rocks on one side alone",
-            "its periodic motions are found by `find_orbits`",
-        )
-    if not block.symmetric:
-        raise ModelError(
-            name,
-            Words("is asymmetric" if name == "block" else "is a steady state"),
-            f"{what} comes from the closed forms of symmetric motions, whose second half "
-            "mirrors the first; a block whose sides differ has none",
-            "its periodic motions are found by `find_orbits`",
-        )
+    if block.symmetric:
+        return
+    how = "stands against a wall" if block.one_sided else "is asymmetric"
+    raise ModelError(
+        name,
+        Words(how if name == "block" else "is a steady state"),
+        f"{what} comes from the closed forms of symmetric motions, whose second half mirrors the "
+        f"first; a block that {how} has none",
+        "its periodic motions are found by `find_orbits`",
+    )
 
 
 @checked_result
