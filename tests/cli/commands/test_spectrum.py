@@ -204,6 +204,22 @@ def test_blocks_of_given_sizes_at_several_scales(files: list[Path]) -> None:
     assert all(len(line) <= 80 for line in text.splitlines())
 
 
+def test_one_sided_blocks_stand_against_a_wall_by_either_size(files: list[Path]) -> None:
+    record = read_record(files[2])
+    for sizes, ratio in (("--width-m 0.4 --height-m 1.2:2:3", 0.0), (GRID, 0.4), (GRID, "housner")):
+        for sign in ("", "--reverse"):
+            command = f"spectrum {sizes} --one-sided -r {ratio} {sign} --json --record {files[2]}"
+            values = rocksteady(command).json
+            assert values["one_sided"] is True
+            for row in values["values"]:
+                block = Block.from_p(alpha=row["alpha_rad"], p=row["p_rad_s"]).against_wall(ratio)
+                run = simulate(block, record.reversed() if sign else record)
+                assert row["status"] == run.status.label
+                assert row["peak"] == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+    assert "against a wall" in rocksteady(f"spectrum {GRID} --one-sided --record {files[2]}").out
+    assert "one_sided" not in rocksteady(f"spectrum {GRID} --json --record {files[2]}").json
+
+
 def test_a_record_is_scaled_to_a_pga(files: list[Path]) -> None:
     several = [part for file in files for part in ("--record", file)]
     values = rocksteady(f"spectrum {GRID} --pga-g 0.4 --json", *several).json
