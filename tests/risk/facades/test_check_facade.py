@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.errors import RocksteadyError
+from rocksteady.model.equations import Nonlinear
 from rocksteady.outcomes import Status
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
@@ -35,7 +36,7 @@ def runs(share: list[float], limit_state: str = "SLV", facade: Facade = WALL) ->
     return FacadeRuns(
         facade=facade,
         limit_state=limit_state,
-        model="nonlinear",
+        model=Nonlinear(),
         records=tuple(f"r{k}" for k in range(count)),
         directions=("as recorded",),
         pga_g=np.full(count, 0.2),

@@ -11,7 +11,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -51,7 +51,7 @@ class FacadeRuns(Result):
     limit_state
         What the records stand for, "SLV" or "SLC".
     model
-        Equations of motion, "nonlinear" or "linear".
+        Equations of motion.
     records, directions
         Names of the records, and signs: "as recorded", "reversed".
     pga_g, scale
@@ -67,7 +67,7 @@ class FacadeRuns(Result):
 
     facade: Facade
     limit_state: str
-    model: str
+    model: Model
     records: tuple[str, ...]
     directions: tuple[str, ...]
     pga_g: Floats
@@ -138,7 +138,7 @@ class FacadeRuns(Result):
         limit = f"d_{self.limit_state} = {length(self.limit_m)}"
         facts = [
             Fact("limit_state", self.limit_state, "limit state of the records"),
-            Fact("model", self.model, "equations of motion"),
+            Fact("model", self.model.name, "equations of motion"),
             Fact("d0_m", mechanism.d0_m, "d0", length(mechanism.d0_m)),
             Fact("limit_m", self.limit_m, "the mean may reach", limit),
             Fact("mean_m", _finite(mean), "mean of the largest", _mean_words(self)),
@@ -291,12 +291,13 @@ def run_facade(
         # Gravity is not scaled with the base: neither is what adds to it.
         up = None if ground.vertical is None else ground.vertical.scaled(factor)
         motions.append(across if up is None else BaseMotion(across, up))
+    equations = Nonlinear() if model is None else model
     signs = DIRECTIONS if directions == "both" else (directions,)
     found = simulate_many(
         mechanism.block(),
         motions,
         reverse="both" if directions == "both" else directions == DIRECTIONS[1],
-        model=model,
+        model=equations,
         run=run,
     )
     shape = (len(grounds), len(signs))
@@ -305,7 +306,7 @@ def run_facade(
     return FacadeRuns(
         facade=facade,
         limit_state=limit_state,
-        model=str(found.attrs["model"]),
+        model=equations,
         records=tuple(names_of(ground.record for ground in grounds)),
         directions=signs,
         pga_g=peaks * factors / STANDARD_GRAVITY,

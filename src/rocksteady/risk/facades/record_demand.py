@@ -93,6 +93,7 @@ class RecordDemand:
         """
         hint = "give a period in seconds, as 1.9"
         end = in_range("period_s", period_s, 0.0, LONGEST_S, "(]", hint=hint)
+        damping = _damping(damping)
         if (end, damping) not in self._kept:
             self._kept[end, damping] = np.array(
                 [_largest(record, end, damping) for record in self.records]
@@ -118,6 +119,7 @@ class RecordDemand:
         """
         hint = "give a period in seconds, as 0.5"
         period = in_range("period_s", period_s, 0.0, LAST_S, "[]", hint=hint)
+        damping = _damping(damping)
         if period == 0.0:
             peaks = [record.peak_acceleration_m_s2 for record in self.records]
             return float(np.mean(peaks)) / STANDARD_GRAVITY
@@ -131,6 +133,12 @@ class RecordDemand:
         periods = np.append(0.0, PERIODS_S)
         values = np.append(self.sa_g(0.0, damping), self._kept[0.0, damping])
         return float(np.interp(period, periods, values))
+
+
+def _damping(value: object) -> float:
+    """Return a damping in [0, 1)."""
+    hint = "give it over the critical one: 0.08 for 8 %"
+    return in_range("damping", value, 0.0, 1.0, "[)", hint=hint)
 
 
 def _largest(record: Record, end: float, damping: float) -> float:

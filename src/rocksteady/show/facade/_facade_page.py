@@ -104,7 +104,7 @@ def _remarks(check: FacadeCheck, words: Language) -> list[str]:
     elif not reasons:
         reasons = [words["why_agree"]]
     notes = [in_words(each, words) for each in check.remarks]
-    if isinstance(check.runs, FacadeRuns) and check.runs.model == "linear":
+    if isinstance(check.runs, FacadeRuns) and check.runs.model.name == "linear":
         notes.append(words["mind_linear"])
     return [whole_sentence(each) for each in (*reasons, *notes)]
 
