@@ -164,7 +164,7 @@ def test_a_file_that_is_no_record_is_named_and_left_out(folder: Path, tmp_path: 
 
 
 HOSTILE = [
-    ("", ["FILE is not given", "--example"]),
+    ("", ["neither FILE nor --example is given"]),
     ("no.toml", ["no.toml", "No such file"]),
     ("seven", ["seven"]),
     ("wrong.toml", ["wrong.toml", "thicknes_m", "thickness_m"]),

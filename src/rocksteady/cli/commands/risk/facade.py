@@ -15,7 +15,7 @@ from rocksteady.cli.console.outputs import (
     write_csv,
     write_figure,
 )
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
@@ -293,10 +293,10 @@ def _refuse_idle(
             raise FlagError("--example", True, f"{file} is checked already", "leave one out")
         idle, reason, hint = files, "--example reads no files", "leave it out"
     elif file is None:
-        raise missing(
-            "FILE",
+        raise FlagError(
+            finding="neither FILE nor --example is given",
             valid="a facade is described in TOML",
-            hint="name it, as wall.toml, or take --example; docs/facades.md lists its keys",
+            hint="name it, as wall.toml; docs/facades.md lists its keys",
         )
     elif not recorded.records:
         idle = files | own
