@@ -58,4 +58,8 @@ def facade_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.run_facade: {"facade": facade, "records": [t["record"]], "scale": 0.1},
         rs.FacadeRuns: fields(runs),
         runs.describe: {},
+        rs.plot_facade: {"facade": facade},
+        rs.plot_capacity: {"check": found},
+        rs.plot_facade_runs: {"runs": runs},
+        rs.write_facade_folder: {"check": found, "out": "facade", "force": True},
     }

@@ -24,7 +24,9 @@ def page_of(check: FacadeCheck, language: str, folder: Path) -> tuple[Page, str]
 
 
 def words_in(text: str) -> set[str]:
-    return {word.lower() for word in re.findall(r"[A-Za-zÀ-ÿ]{4,}", text)}
+    """Return the words of a text, without hashes and the indices of symbols."""
+    plain = re.sub(r"\b[0-9a-f]{12,}\b|SL[VC]", " ", text)
+    return {word.lower() for word in re.findall(r"[A-Za-zÀ-ÿ]{4,}", plain)}
 
 
 @BOTH
@@ -52,7 +54,7 @@ def test_no_english_is_left_on_the_italian_page(name: str, tmp_path: Path) -> No
     foreign = words_in(english.text) - table - NAMES
     assert len(foreign) > 100
     shown = words_in(italian.text) | words_in(" ".join(e["alt"] for e in italian.of("img")))
-    assert shown & foreign - {"rocksteady", "numpy"} == set()
+    assert shown & foreign == set()
     assert "Contents" not in html
     assert "To the content" not in html
 
