@@ -1,25 +1,25 @@
 """The page of a facade: its numbers, its marks, both languages, and that it runs nothing."""
 
+import functools
 import re
-from pathlib import Path
 
 import pytest
 
-from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.show.facade.facade_folder import write_facade_folder
-from rocksteady.show.plots.facades.languages import TABLES
+from rocksteady.show.export.manifest import make_manifest
+from rocksteady.show.facade._facade_page import facade_html
+from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.show.assessment.pages import Page, check_alone
-from tests.show.facade.checked_facades import alone, thin, tied
+from tests.show.facade.checked_facades import SUITE, alone, thin, tied
 
 CHECKS = {"tied": tied, "thin": thin, "alone": alone}
 BOTH = pytest.mark.parametrize("name", CHECKS)
 NAMES = {"fronte", "timpano", "copertura", "volta", "catene", "puntoni", "synthetic"}
 
 
-def page_of(check: FacadeCheck, language: str, folder: Path) -> tuple[Page, str]:
-    write_facade_folder(check, folder / language, language=language)
-    html = (folder / language / "report.html").read_text(encoding="utf-8")
+@functools.cache
+def page_of(name: str, language: str) -> tuple[Page, str]:
+    html = facade_html(CHECKS[name](), make_manifest(SUITE), language_of(language))
     return Page(html), html
 
 
@@ -31,10 +31,8 @@ def words_in(text: str) -> set[str]:
 
 @BOTH
 @pytest.mark.parametrize("language", ["en", "it"])
-def test_it_is_one_page_that_runs_and_fetches_nothing(
-    name: str, language: str, tmp_path: Path
-) -> None:
-    page, html = page_of(CHECKS[name](), language, tmp_path)
+def test_it_is_one_page_that_runs_and_fetches_nothing(name: str, language: str) -> None:
+    page, html = page_of(name, language)
     check_alone(page)
     assert page.tags["h1"] == 1
     assert re.search(r'<html lang="([\w-]+)">', html)[1] == TABLES[language]["lang"]  # type: ignore[index]
@@ -46,10 +44,10 @@ def test_it_is_one_page_that_runs_and_fetches_nothing(
 
 
 @BOTH
-def test_no_english_is_left_on_the_italian_page(name: str, tmp_path: Path) -> None:
+def test_no_english_is_left_on_the_italian_page(name: str) -> None:
     """Words of the English page that the Italian table does not have are nowhere on it."""
-    english, _ = page_of(CHECKS[name](), "en", tmp_path)
-    italian, html = page_of(CHECKS[name](), "it", tmp_path)
+    english, _ = page_of(name, "en")
+    italian, html = page_of(name, "it")
     table = words_in(" ".join(TABLES["it"].values()))
     foreign = words_in(english.text) - table - NAMES
     assert len(foreign) > 100
@@ -60,15 +58,14 @@ def test_no_english_is_left_on_the_italian_page(name: str, tmp_path: Path) -> No
 
 
 @BOTH
-def test_italian_numbers_have_commas_and_english_ones_points(name: str, tmp_path: Path) -> None:
+def test_italian_numbers_have_commas_and_english_ones_points(name: str) -> None:
     """But for numbers of formulas, as C8.7.1.10, and the version at the end."""
 
     def numbers(text: str) -> str:
         plain = re.sub(r"C8\.[\w.]+|rocksteady [\d.]+|NumPy [\d.]+|\d+\.\s", " ", text)
         return " ".join(re.findall(r"\d[.,]\d+", plain))
 
-    check = CHECKS[name]()
-    pages = {code: page_of(check, code, tmp_path)[0] for code in ("en", "it")}
+    pages = {code: page_of(name, code)[0] for code in ("en", "it")}
     written = {code: numbers(page.text) for code, page in pages.items()}
     assert "." not in written["it"]
     assert "," not in written["en"]
@@ -78,9 +75,9 @@ def test_italian_numbers_have_commas_and_english_ones_points(name: str, tmp_path
 
 
 @pytest.mark.parametrize("language", ["en", "it"])
-def test_every_check_stands_on_it_with_formula_page_and_mark(language: str, tmp_path: Path) -> None:
+def test_every_check_stands_on_it_with_formula_page_and_mark(language: str) -> None:
     check = thin()
-    page, html = page_of(check, language, tmp_path)
+    page, html = page_of("thin", language)
     rows = re.findall(r"<tr><th scope=\"row\" class=\"quarter name\">(.*?)</tr>", html, re.DOTALL)
     mark = "," if language == "it" else "."
     for each, row in zip(check.checks, rows, strict=False):
@@ -96,8 +93,8 @@ def test_every_check_stands_on_it_with_formula_page_and_mark(language: str, tmp_
     assert page.text.count("†") > 12
 
 
-def test_disagreement_shows_at_the_top_with_its_reason(tmp_path: Path) -> None:
-    page, _ = page_of(thin(), "it", tmp_path)
+def test_disagreement_shows_at_the_top_with_its_reason() -> None:
+    page, _ = page_of("thin", "it")
     assert "metodi discordi 2 verifiche su 3 non sono soddisfatte." in page.text
     assert (
         "verifica soddisfatta con analisi cinematica lineare, non soddisfatta con analisi "
@@ -106,17 +103,17 @@ def test_disagreement_shows_at_the_top_with_its_reason(tmp_path: Path) -> None:
     assert "parete più spessa" in page.text
 
 
-def test_without_a_demand_there_is_no_verdict(tmp_path: Path) -> None:
-    page, _ = page_of(alone(), "en", tmp_path)
+def test_without_a_demand_there_is_no_verdict() -> None:
+    page, _ = page_of("alone", "en")
     assert "no verdict No check: neither a demand nor records are given." in page.text
     assert "Give a demand, or 7 records or more, for a verdict." in page.text
     assert "∞" not in page.text
 
 
-def test_each_record_has_its_row_and_the_mean_is_below(tmp_path: Path) -> None:
+def test_each_record_has_its_row_and_the_mean_is_below() -> None:
     runs = tied().runs
     assert isinstance(runs, FacadeRuns)
-    page, html = page_of(tied(), "en", tmp_path)
+    page, html = page_of("tied", "en")
     for name in runs.records:
         assert f"<bdi>{name}</bdi>" in html
     assert runs.mean_m is not None
@@ -124,7 +121,7 @@ def test_each_record_has_its_row_and_the_mean_is_below(tmp_path: Path) -> None:
     assert page.text.count("does not lift") == int((runs.share == 0.0).sum())
 
 
-def test_a_name_is_no_markup(tmp_path: Path) -> None:
-    page, html = page_of(tied(), "en", tmp_path)
+def test_a_name_is_no_markup() -> None:
+    page, html = page_of("tied", "en")
     assert page.headings[0] == (1, "Fronte <A> & B")
     assert "Fronte <A>" not in html
