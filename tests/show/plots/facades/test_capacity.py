@@ -14,8 +14,8 @@ from rocksteady.show.plots.facades.capacity import plot_capacity
 from tests.show.facade.checked_facades import alone, site, thin, tied
 
 
-def drawn(**options: str) -> Axes:
-    return plot_capacity(thin(), Figure().add_subplot(), **options)
+def drawn(language: str = "en") -> Axes:
+    return plot_capacity(thin(), Figure().add_subplot(), language=language)
 
 
 def points_of(axes: Axes, label: str) -> tuple[float, float]:
@@ -50,7 +50,7 @@ def test_the_static_demand_is_that_of_the_spectrum_at_the_secant_period() -> Non
 
 
 def test_the_linear_demand_is_half_the_peak() -> None:
-    assert points_of(drawn(), "linear demand SLV") == (0.0, pytest.approx(0.5 * 0.15 * 1.2))
+    assert points_of(drawn(), "linear demand SLV") == pytest.approx((0.0, 0.5 * 0.15 * 1.2))
 
 
 def test_a_demand_of_runs_stands_at_their_mean() -> None:
@@ -58,7 +58,8 @@ def test_a_demand_of_runs_stands_at_their_mean() -> None:
     runs = tied().runs
     assert runs is not None
     assert runs.mean_m is not None
-    assert points_of(axes, "mean of records SLV") == (pytest.approx(1e3 * runs.mean_m), 0.0)
+    expected = pytest.approx((1e3 * runs.mean_m, 0.0))
+    assert points_of(axes, "mean of records SLV") == expected
 
 
 def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
@@ -69,7 +70,9 @@ def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
 
 def test_italian_axes_have_italian_words_and_commas() -> None:
     axes = drawn(language="it")
-    axes.figure.draw_without_rendering()
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    figure.draw_without_rendering()
     ticks = [label.get_text() for label in axes.get_yticklabels()]
     assert axes.get_xlabel() == "spostamento d [mm]"
     assert any("," in tick for tick in ticks)

@@ -43,8 +43,10 @@ def test_all_that_acts_is_named_with_its_force() -> None:
     for group in (facade.loads, facade.masses):
         for each in group:
             assert f"{each.name}\n{each.weight_kn:g}\N{NO-BREAK SPACE}kN" in found
-    for force in (*facade.ties, *facade.thrusts):
-        assert f"{force.name}\n{force.force_kn:g}\N{NO-BREAK SPACE}kN" in found
+    forces = [(each.name, each.force_kn) for each in facade.ties]
+    forces += [(each.name, each.force_kn) for each in facade.thrusts]
+    for name, force in forces:
+        assert f"{name}\n{force:g}\N{NO-BREAK SPACE}kN" in found
     assert "cerniera" in found
     assert f"parete\n{18 * 0.5 * 4 * 6:g}\N{NO-BREAK SPACE}kN" in found
     assert len(found) == 6
