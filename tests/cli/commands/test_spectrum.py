@@ -16,6 +16,7 @@ from rocksteady import (
     simulate,
     summarise_spectra,
 )
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.numbers import number
@@ -206,7 +207,8 @@ def test_blocks_of_given_sizes_at_several_scales(files: list[Path]) -> None:
 
 def test_one_sided_blocks_stand_against_a_wall_by_either_size(files: list[Path]) -> None:
     record = read_record(files[2])
-    for sizes, ratio in (("--width-m 0.4 --height-m 1.2:2:3", 0.0), (GRID, 0.4), (GRID, "housner")):
+    ratios: tuple[Restitution, ...] = (0.0, 0.4, "housner")
+    for sizes, ratio in zip(("--width-m 0.4 --height-m 1.2:2:3", GRID, GRID), ratios, strict=True):
         for sign in ("", "--reverse"):
             command = f"spectrum {sizes} --one-sided -r {ratio} {sign} --json --record {files[2]}"
             values = rocksteady(command).json
