@@ -19,6 +19,7 @@ def facade_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     Path("floor.csv").write_text("period_s,sa_g\n0,0.3\n0.5,0.9\n6,0.02\n", encoding="utf-8")
     point = {"period_s": 0.5, "damping": 0.08}
     return {
+        t["block"].against_wall: {"restitution": 0.4},
         rs.Facade: fields(facade),
         rs.Load: fields(facade.loads[0]),
         rs.PushingMass: fields(facade.masses[0]),

@@ -52,7 +52,7 @@ def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear
             else:
                 assert found.share[place, sign] == pytest.approx(peak, rel=1e-12, abs=0.0)
     assert 0 < fell < found.share.size
-    assert found.model == model.name
+    assert found.model.name == model.name
 
 
 @pytest.mark.parametrize(("seed", "times"), [(0, 1.2), (1, 2.4), (2, 3.0), (4, 2.0)])

@@ -203,8 +203,8 @@ class Facade:
     ...     name="front",
     ...     thickness_m=0.3,
     ...     height_m=3.0,
-    ...     loads=[roof],
-    ...     ties=[Tie(name="rods", force_kn=4.0, z_m=2.8)],
+    ...     loads=(roof,),
+    ...     ties=(Tie(name="rods", force_kn=4.0, z_m=2.8),),
     ... )
     >>> print(f"a0 {tied.mechanism.a0_g:.4f} g")
     a0 0.3543 g

@@ -32,7 +32,7 @@ def write_facade_folder(
     out: Path | str,
     *,
     language: str = "en",
-    motions: "Sequence[Record | BaseMotion]" = (),
+    motions: "Sequence[Record | BaseMotion] | None" = None,
     command: str = "",
     files: Sequence[Path | str] = (),
     force: bool = False,

@@ -32,7 +32,7 @@ LONGEST = 18
 
 @checked
 def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en") -> "Axes":
-    """Draw the section of a facade to scale, with its hinge and all that acts on it.
+    """Draw the section of a facade to scale, with its hinge and forces.
 
     The outer face is at position 0, the building on the right. The dashed outline leans outwards
     by 5°, for the eye alone. Loads point down, ties pull inwards, thrusts push outwards; masses
