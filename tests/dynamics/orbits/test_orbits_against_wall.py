@@ -186,6 +186,7 @@ def test_an_orbit_closes_by_an_adaptive_integrator(model: Nonlinear | None) -> N
         )
         assert run.y[0, -1] == pytest.approx(0.0, abs=1e-9)
         assert -e * run.y[1, -1] == pytest.approx(orbit.start.speed, abs=1e-9)
+        assert run.sol is not None
         course = run.sol(np.linspace(0.0, span, 3001))[0]
         assert course[1:-1].min() > 0.0
         assert orbit.highest == pytest.approx(course.max(), abs=1e-6)

@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import side_phase
+from rocksteady.kernels.core.forcing import side_forcing
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     AT_REST,
@@ -36,7 +37,7 @@ from rocksteady.kernels.core.tables import (
     March,
     free_side,
 )
-from rocksteady.kernels.march.march import march, side_forcing
+from rocksteady.kernels.march.march import march
 from tests.kernels.scattering import draws, scattered
 from tests.kernels.tables import (
     NONE,

@@ -14,6 +14,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rocksteady.kernels.core.tables import (
+    AMPLITUDE,
+    CONSTANT,
+    FREQUENCY,
+    LEAN,
+    RATE,
+    SLOPE,
+    Floats,
+)
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import acos, atan2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
@@ -72,6 +81,20 @@ def make_forcing(constant: float, slope: float, amplitude: float, frequency: flo
         rising,
         node_sine,
         node_cosine,
+    )
+
+
+@compiled
+def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Forcing:
+    """Return the forcing of a segment seen from one side, its slope counted from `elapsed`."""
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    constant = segments[index, CONSTANT] + segments[index, SLOPE] * elapsed
+    return make_forcing(
+        side * constant / lean - 1.0,
+        side * segments[index, SLOPE] / (lean * rate),
+        segments[index, AMPLITUDE] / lean,
+        segments[index, FREQUENCY] / rate,
     )
 
 

@@ -24,14 +24,12 @@ from rocksteady.kernels.core.clock import (
     side_phase,
     uplift_clock,
 )
-from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.forcing import side_forcing
 from rocksteady.kernels.core.scatter import is_scattered, largest_restitution, restitution_of
 from rocksteady.kernels.core.tables import (
     ALIKE,
-    AMPLITUDE,
     AT_REST,
     CEILING,
-    CONSTANT,
     DURATION,
     ENDED_BY_SPAN,
     ENDED_BY_UPLIFT,
@@ -64,7 +62,7 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
-from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
+from rocksteady.kernels.machine_code.compilation import allocating, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
@@ -74,20 +72,6 @@ from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
 from rocksteady.kernels.nonlinear.samples import fly_through as fly_through_nonlinear
 from rocksteady.kernels.nonlinear.samples import rest_through as rest_through_nonlinear
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
-
-
-@compiled
-def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Forcing:
-    """Return the forcing of a segment seen from one side, its slope counted from `elapsed`."""
-    row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    constant = segments[index, CONSTANT] + segments[index, SLOPE] * elapsed
-    return make_forcing(
-        side * constant / lean - 1.0,
-        side * segments[index, SLOPE] / (lean * rate),
-        segments[index, AMPLITUDE] / lean,
-        segments[index, FREQUENCY] / rate,
-    )
 
 
 @inlined

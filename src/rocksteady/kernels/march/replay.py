@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
-from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.core.forcing import Forcing, side_forcing
 from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
     ENDED_BY_NO_RETURN,
@@ -30,7 +30,6 @@ from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return

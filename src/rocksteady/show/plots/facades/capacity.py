@@ -10,7 +10,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.check_facade import DAMPINGS
 from rocksteady.risk.facades.facade_check import Check, FacadeCheck
-from rocksteady.show.plots.facades._axes import decimal_marks, symbol
+from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new

@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
-from rocksteady.show.plots.facades._axes import decimal_marks, symbol
+from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal

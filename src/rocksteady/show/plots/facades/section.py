@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade import Facade
-from rocksteady.show.plots.facades._axes import decimal_marks
+from rocksteady.show.plots.facades._lettering import decimal_marks
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
