@@ -100,6 +100,7 @@ ALLOWED = {
     ("risk/assess/two_numbers.py", "math.erfc"): "the normal distribution, for a probability",
     ("risk/assess/two_numbers.py", "math.log"): "the same",
     ("risk/ensemble/_uplift.py", "numpy.interp"): "vertical samples at times of horizontal ones",
+    ("risk/facades/record_demand.py", "numpy.interp"): DEMAND,
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",

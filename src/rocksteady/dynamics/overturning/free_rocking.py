@@ -74,8 +74,8 @@ def free_rocking_period(
     array([ 1.868581,  5.267832, 11.972891])
     >>> free_rocking_period([0.1, 0.5, 0.9], alpha=0.2).round(6)
     array([ 1.873831,  5.274018, 11.976509])
-    >>> free_rocking_period([0.1, 0.5, 0.9], one_sided=True).round(6)
-    array([0.93429 , 2.633916, 5.986446])
+    >>> free_rocking_period([0.1, 0.5, 0.9], one_sided=True).round(5)
+    array([0.93429, 2.63392, 5.98645])
     """
     flights = 1.0 if one_sided else 2.0  # each up and down again
     phi = real_array("amplitude_ratio", amplitude_ratio)

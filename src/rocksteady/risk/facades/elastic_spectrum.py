@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from rocksteady.errors import ModelError, Words
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -167,7 +168,7 @@ class ElasticSpectrum:
             return self.cc * self.tc_star_s
         assert self.soil is not None
         factor, power = SOIL_PERIODS[self.soil]
-        return factor * math.pow(self.tc_star_s, 1.0 + power)
+        return factor * float(exp((1.0 + power) * log(self.tc_star_s)))
 
     @property
     def td_s(self) -> float:

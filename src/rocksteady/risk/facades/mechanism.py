@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from rocksteady.errors import InputError
-from rocksteady.kernels.elementary.arrays import atan2
+from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked_result
@@ -141,7 +141,7 @@ class Mechanism(Result):
     @property
     def p_rad_s(self) -> float:
         """Frequency parameter of the equivalent block, sqrt(g sqrt(M^2 + K^2)/(I FC)) [rad/s]."""
-        moment = math.hypot(self.stabilising_kn_m, self.weight_moment_kn_m)
+        moment = hypot(self.stabilising_kn_m, self.weight_moment_kn_m)
         return math.sqrt(STANDARD_GRAVITY * moment / (self.inertia_kn_m2 * self.confidence_factor))
 
     @property

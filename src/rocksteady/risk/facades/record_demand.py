@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -22,7 +23,7 @@ FEWEST = 7
 """Records from which on a mean counts (NTC 2018, 7.3.5)."""
 FIRST_S, LAST_S = 0.05, 8.0
 """Periods between which the pseudo-acceleration is tabulated [s]."""
-PERIODS_S: Floats = np.geomspace(FIRST_S, LAST_S, 30)
+PERIODS_S: Floats = FIRST_S * exp(np.linspace(0.0, 1.0, 30) * log(LAST_S / FIRST_S))
 COARSE, FINE = 16, 7
 """Periods of the search for the largest ordinate: evenly spaced, then between its neighbours."""
 
