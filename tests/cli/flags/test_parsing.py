@@ -90,6 +90,8 @@ def test_only_the_digits_that_everyone_reads_are_numbers() -> None:
     assert float("\N{ARABIC-INDIC DIGIT TWO}") == 2.0
     with pytest.raises(ValueError, match="\N{ARABIC-INDIC DIGIT TWO}"):
         decimal("\N{ARABIC-INDIC DIGIT TWO}")
+    with pytest.raises(ValueError, match="1_7"):
+        decimal("1_7")
     assert math.isinf(decimal("inf"))
 
 

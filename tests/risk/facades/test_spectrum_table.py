@@ -1,6 +1,7 @@
 """Tables of spectra: their rows and dampings, what is between them, and what is refused."""
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -115,3 +116,20 @@ def test_a_fault_of_a_file_is_named_in_one_line(
         read_spectrum_table(file, spectrum_damping=damping)
     assert line in str(refusal.value)
     assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("rows", "named"),
+    [
+        ("0,0.3\n0.5,0_1.7_5\n4,0.1", "line 3, sa_g = '0_1.7_5'"),
+        ("0,12\n0.5,25\n4,8", "per cent by 100"),
+        ("0,0.3\n500,0.75\n4000,0.1", "periods in seconds"),
+    ],
+)
+def test_digits_grouped_per_cent_and_milliseconds_are_refused(
+    rows: str, named: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "spectrum.csv"
+    file.write_text(f"period_s,sa_g\n{rows}\n", "utf-8")
+    with pytest.raises(RocksteadyError, match=re.escape(named)):
+        read_spectrum_table(file, spectrum_damping=0.05)

@@ -32,7 +32,7 @@ def decimal(text: str) -> float:
     ValueError
         If it is none.
     """
-    if not text.isascii():
+    if not text.isascii() or "_" in text:
         raise ValueError(text)
     return float(text)
 

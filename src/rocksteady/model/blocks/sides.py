@@ -49,7 +49,8 @@ def wall_restitution_value(value: object, *, name: str = "restitution") -> float
         If `value` is not a number in [0, 1].
     """
     hint = "give the ratio of the angular velocities after and before the impact on the wall"
-    return in_range(name, value, 0.0, 1.0, "[]", hint=hint)
+    # The sum makes 0 of -0, which would else be written into tables and stores.
+    return in_range(name, value, 0.0, 1.0, "[]", hint=hint) + 0.0
 
 
 @checked

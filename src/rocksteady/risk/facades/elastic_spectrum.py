@@ -40,7 +40,7 @@ LONGEST_S: Final = 60.0
 """Longest period that is answered [s]."""
 
 LIMITS: Final[Mapping[str, tuple[float, float, str]]] = {
-    "ag_g": (0.001, 2.0, "give a_g in g, as 0.2"),
+    "ag_g": (0.001, 1.0, "give a_g in g, as 0.2: divide m/s^2 by 9.81"),
     "f0": (1.5, 5.0, "give F0 of the site, as 2.5"),
     "tc_star_s": (0.05, 1.0, "give TC* of the site in seconds, as 0.35"),
     "soil_factor": (0.5, 4.0, "give S_S, as 1.2"),

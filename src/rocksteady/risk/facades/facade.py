@@ -36,6 +36,12 @@ BOUNDS: Final[Mapping[str, tuple[float, float, Ends, str]]] = {
 }
 """Lowest and highest number of each quantity, whether they belong to it, and what to do."""
 
+MOST_HELD: Final = 10.0
+"""M/K above which the forces of ties are taken for ones in another unit."""
+
+MOST_KN_M2: Final = 1e4
+"""Mean stress at the base [kN/m^2] above which weights are taken for ones in another unit."""
+
 
 @checked
 @dataclass(frozen=True, kw_only=True)
@@ -191,7 +197,8 @@ class Facade:
     InputError
         If a number is outside its range.
     ModelError
-        If the facade falls by itself, or rocks to both sides with loads, ties or thrusts.
+        If the facade falls by itself, is held beyond reason, or rocks to both sides with loads,
+        ties or thrusts.
 
     Examples
     --------
@@ -236,6 +243,7 @@ class Facade:
         self._check_restitution()
         self._check_places()
         self._check_sides()
+        self._check_stress()
         self._check_stands()
 
     @property
@@ -297,6 +305,14 @@ class Facade:
                 f"the hinge lies inside the wall, below thickness_m = {self.thickness_m:g}",
                 "give the distance inwards from the outer face; 0 where nothing crushes",
             )
+        for load in self.loads:
+            if load.x_m > 2.0 * self.thickness_m:
+                raise InputError(
+                    f"x_m of {load.name}",
+                    load.x_m,
+                    f"it is at most twice thickness_m = {self.thickness_m:g}",
+                    "give the distance of the load inwards from the outer face in metres",
+                )
         for group, most in (("loads", 2.0), ("masses", 2.0), ("ties", 1.0), ("thrusts", 1.0)):
             for each in getattr(self, group):
                 if each.z_m > most * self.height_m:
@@ -321,9 +337,32 @@ class Facade:
                     f"leave {group} out, or set one_sided = true",
                 )
 
+    def _check_stress(self) -> None:
+        """Refuse weights that no masonry carries, as those in N are."""
+        carried = math.fsum(load.weight_kn for load in self.loads)
+        stress = (self.weight_kn + carried) / (self.thickness_m * self.length_m)
+        if carried and stress > MOST_KN_M2:
+            heaviest = max(self.loads, key=lambda load: load.weight_kn)
+            raise InputError(
+                f"weight_kn of {heaviest.name}",
+                heaviest.weight_kn,
+                f"weights on the base make {number(stress / 1e3)} MPa, and masonry bears less than "
+                f"{MOST_KN_M2 / 1e3:g} MPa",
+                KILONEWTONS,
+            )
+
     def _check_stands(self) -> None:
-        """Refuse a facade that falls without an earthquake."""
-        held = self.mechanism.stabilising_kn_m
+        """Refuse a facade that falls without an earthquake, or that ties hold in any."""
+        found = self.mechanism
+        held = found.stabilising_kn_m
+        if self.ties and held > MOST_HELD * found.weight_moment_kn_m:
+            raise ModelError(
+                "force_kn of the ties",
+                Words(f"hold {number(held)} kN m about the hinge, with the weights"),
+                f"a facade is held by at most {MOST_HELD:g} times its weights times their heights, "
+                f"which are {number(found.weight_moment_kn_m)} kN m",
+                KILONEWTONS,
+            )
         if held > 0.0:
             return
         pushed = _moment(self.thrusts)
@@ -348,8 +387,10 @@ def _check_numbers(
 ) -> None:
     """Validate the name and the numbers of a thing, and keep them as floats."""
     name: object = thing.name
-    if not isinstance(name, str) or not name.strip() or "\n" in name:
-        raise InputError("name", name, "it must be a text in one line", "give a name, as 'roof'")
+    if not isinstance(name, str) or not name.strip() or not name.isprintable():
+        # Others break lines, move the cursor of a terminal or turn the text around.
+        valid = "it must be a text of printable characters in one line"
+        raise InputError("name", name, valid, "give a name, as 'roof'")
     place = f" of {kind} {thing.name}" if kind else ""
     for key in keys:
         low, high, ends, hint = BOUNDS[key]

@@ -210,9 +210,8 @@ def _spectrum(keys: SpectrumKeys, source: str, table: str, folder: Path) -> Dema
             name = named(source, table, "table")
             raise InputError(name, keys.table, "it must be a file", "name a table in CSV")
         file = folder / keys.table
-        return _made(
-            read_spectrum_table, {"path": file, "spectrum_damping": keys.damping}, f"{source}: "
-        )
+        place = f"{source}: [{table}] "
+        return _made(read_spectrum_table, {"path": file, "spectrum_damping": keys.damping}, place)
     if keys.damping is not None:
         raise ModelError(
             named(source, table, "damping"),

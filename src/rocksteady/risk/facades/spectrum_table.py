@@ -12,9 +12,14 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number
-from rocksteady.risk.facades.elastic_spectrum import damping_value, displacement_of, period_value
+from rocksteady.risk.facades.elastic_spectrum import (
+    LONGEST_S,
+    damping_value,
+    displacement_of,
+    period_value,
+)
 from rocksteady.risk.facades.remark import Remark
-from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
+from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
 from rocksteady.risk.screens.spectra import RIGID_S, TabulatedSpectrum, damping_factor, tabulated
 
 HINT: Final = "write period_s,sa_g and a line for each period, the first one 0"
@@ -27,7 +32,7 @@ COLUMNS: Final = Columns(
     things="points",
     example="period_s,sa_g",
 )
-MOST_G: Final = 30.0
+MOST_G: Final = 10.0
 """Spectral acceleration [g] above which a table is taken for one in m/s^2 or in per cent."""
 
 
@@ -176,14 +181,14 @@ def read_spectrum_table(
         )
     curves: dict[float, dict[float, float]] = {}
     for place, cells in table.lines():
-        period = _cell(place, "period_s", cells["period_s"])
-        xi = _cell(place, "damping", cells["damping"]) if several else stated
+        period = number_in(place, "period_s", cells["period_s"])
+        xi = number_in(place, "damping", cells["damping"]) if several else stated
         assert xi is not None
         curve = curves.setdefault(xi, {})
         if period in curve:
             hint = "give each period once for each damping"
             raise InputError(f"{place}, period_s", cells["period_s"], "it occurs twice", hint)
-        curve[period] = _cell(place, "sa_g", cells["sa_g"])
+        curve[period] = number_in(place, "sa_g", cells["sa_g"])
     periods = list(next(iter(curves.values())))
     for xi, curve in curves.items():
         if list(curve) != periods:
@@ -216,8 +221,11 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
     if one.ndim != 1 or other.ndim not in (1, 2) or not rows.size:
         raise InputError("values_g", values, "there is one for each period", hint)
     if rows[:, 1:].max() > MOST_G:
-        hint = "give values in g: divide m/s^2 by 9.81"
+        hint = "give values in g: divide m/s^2 by 9.81 and per cent by 100"
         raise InputError("values_g", float(rows[:, 1:].max()), f"it is at most {MOST_G:g} g", hint)
+    if one.max() > LONGEST_S:
+        hint = "give periods in seconds, as 0.5"
+        raise InputError("periods_s", float(one.max()), f"it is at most {LONGEST_S:g} s", hint)
     row = isinstance(damping, list | tuple) or getattr(damping, "ndim", 0) == 1
     dampings = list(damping) if row else [damping]
     for each in dampings:
@@ -225,15 +233,3 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
     found = tabulated(rows.tolist(), dampings)
     assert found is not None
     return found
-
-
-def _cell(place: str, column: str, text: str) -> float:
-    """Return the number of a cell."""
-    try:
-        value = float(text) if text.isascii() else math.nan
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        hint = "write a point for a decimal comma" if "," in text else "write a number alone"
-        raise InputError(f"{place}, {column}", text, "it must be a number", hint)
-    return value

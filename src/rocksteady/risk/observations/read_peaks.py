@@ -7,7 +7,7 @@ from pathlib import Path
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.free_rocking.release import Release
-from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
+from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
 
 UNITS: Mapping[str, float] = {
     "peak_rad": 1.0,
@@ -97,7 +97,7 @@ def read_peaks(path: Path | str) -> list[Release]:
 
 def _release(name: str, rows: list[tuple[str, dict[str, str]]], peak: str) -> Release:
     """Return the release of a test; what it refuses names the lines."""
-    peaks = [UNITS[peak] * _number(place, peak, cells[peak]) for place, cells in rows]
+    peaks = [UNITS[peak] * number_in(place, peak, cells[peak]) for place, cells in rows]
     for value, (place, cells) in zip(peaks, rows, strict=True):
         if not 0.0 < value < 0.5 * math.pi:
             raise InputError(
@@ -107,7 +107,7 @@ def _release(name: str, rows: list[tuple[str, dict[str, str]]], peak: str) -> Re
                 "give abs(theta), and its side in a column side",
             )
     numbers = {
-        key: [_number(place, column, cells[column]) for place, cells in rows]
+        key: [number_in(place, column, cells[column]) for place, cells in rows]
         for key, column in (("sigma_rad", "sigma_rad"), ("times_s", "t_s"))
         if column in rows[0][1] and any(cells[column] for _, cells in rows)
     }
@@ -119,18 +119,6 @@ def _release(name: str, rows: list[tuple[str, dict[str, str]]], peak: str) -> Re
     except InputError as error:
         where = f"{rows[0][0]}, test {name}: {error.name}"
         raise InputError(where, error.value, error.valid, error.hint) from None
-
-
-def _number(place: str, column: str, cell: str) -> float:
-    """Return the number of a cell."""
-    try:
-        value = float(cell) if cell.isascii() else math.nan
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
-        raise InputError(f"{place}, {column}", cell, "it must be a number", hint)
-    return value
 
 
 def _side(place: str, cell: str) -> int:

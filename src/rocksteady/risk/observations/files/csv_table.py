@@ -4,6 +4,7 @@ import csv
 import difflib
 import hashlib
 import io
+import math
 import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -102,6 +103,25 @@ def read_csv_table(file: Path, columns: Columns, *, name: str, hint: str) -> Csv
         rows=rows,
         sha256=hashlib.sha256(content).hexdigest(),
     )
+
+
+def number_in(place: str, column: str, cell: str) -> float:
+    """Return the number of a cell.
+
+    Raises
+    ------
+    InputError
+        With file, line and column, if it is none: of Python's, only finite ones that everyone
+        reads, so that neither "1_7" is 17 nor a digit of another script a number.
+    """
+    try:
+        value = float(cell) if cell.isascii() and "_" not in cell else math.nan
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
+        raise InputError(f"{place}, {column}", cell, "it must be a number", hint)
+    return value
 
 
 def refuse_doubled(place: str, column: str, value: str, lines: dict[str, str], hint: str) -> None:
