@@ -100,7 +100,7 @@ def test_disagreement_shows_at_the_top_with_its_reason() -> None:
         "verifica soddisfatta con analisi cinematica lineare, non soddisfatta con analisi "
         "cinematica non lineare e analisi dinamica non lineare." in page.text
     )
-    assert "parete più spessa" in page.text
+    assert "cresce con lo spessore" in page.text
 
 
 def test_without_a_demand_there_is_no_verdict() -> None:

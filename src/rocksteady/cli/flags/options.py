@@ -200,9 +200,9 @@ OneSided = Annotated[
     bool | None,
     typer.Option(
         "--one-sided",
-        help="Stand the block against a wall: it rocks to the positive side alone, and "
-        "--restitution, in \\[0, 1], is then that of the wall ('housner', the default of a block: "
-        "angular momentum on base, wall and base).",
+        help="Stand the block against a wall, which it leaves on its positive side alone; "
+        "--restitution, in \\[0, 1], is then that of the wall: default of a block 'housner', "
+        "from angular momentum.",
         rich_help_panel=BLOCK,
     ),
 ]

@@ -1,4 +1,4 @@
-"""A facade: wall, parapet or gable with what it carries, what holds it and what pushes it."""
+"""A facade: wall, parapet or gable with its loads, pushing masses, ties and thrusts."""
 
 import functools
 import math
@@ -46,7 +46,7 @@ MOST_KN_M2: Final = 1e4
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Load:
-    """A weight that the facade carries and that moves with it.
+    """A weight on the facade that moves with it [kN].
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ class Load:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class PushingMass:
-    """A mass that pushes the facade in an earthquake and does not weigh on it.
+    """A mass that pushes the facade in an earthquake but does not load it [kN].
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class PushingMass:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Tie:
-    """A tie that pulls the facade inwards with a constant force.
+    """A tie that pulls the facade inwards with a constant force [kN].
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ class Tie:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Thrust:
-    """A static thrust that pushes the facade outwards, as of an arch or a roof.
+    """A static outward thrust on the facade [kN], as of an arch or a roof.
 
     Parameters
     ----------
@@ -182,14 +182,14 @@ class Facade:
     hinge_inset_m
         Distance of the hinge inwards from the outer face [m], where masonry crushes; default 0.
     loads, masses, ties, thrusts
-        What it carries, what pushes it in an earthquake, what holds it and what pushes it always,
-        each on the whole length; default none.
+        Weights on the facade, masses that push it in an earthquake, ties that hold it and static
+        thrusts on it, each on the whole length; default none.
     confidence_factor
         FC from 1 to 2: 1.35 (default) of knowledge level LC1, 1.2 of LC2, 1.0 of LC3.
     one_sided
-        Whether what stands behind stops it; None (default) for True, of a parapet False.
+        Whether the building behind stops it; default None: True, of a parapet False.
     restitution
-        Of the impacts on what stands behind, in [0, 1], or of two-sided rocking, in (0, 1];
+        Of the impacts on the building behind, in [0, 1], or of two-sided rocking, in (0, 1];
         "housner" (default) for conservation of angular momentum.
 
     Raises
@@ -248,7 +248,7 @@ class Facade:
 
     @property
     def knowledge_level(self) -> str | None:
-        """Level of knowledge with its confidence factor; None where none has it."""
+        """Knowledge level of the confidence factor; None of any other factor."""
         levels = {factor: level for level, factor in KNOWLEDGE_LEVELS.items()}
         return levels.get(self.confidence_factor)
 
@@ -291,7 +291,7 @@ class Facade:
         )
 
     def _check_restitution(self) -> None:
-        """Refuse a restitution that is none of the wall's, or of rocking to both sides."""
+        """Refuse a restitution outside the range of one-sided or of two-sided rocking."""
         if housner_factor(self.restitution) is None:
             fit = wall_restitution_value if self.one_sided else restitution_value
             object.__setattr__(self, "restitution", fit(self.restitution))

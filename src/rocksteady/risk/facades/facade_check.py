@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
@@ -19,6 +19,10 @@ Method = Literal["linear", "nonlinear static", "dynamic"]
 
 PAGES: Final = "272-277"
 """Pages of the circular, as the transcription has them."""
+IN_TABLE: Final = ("no_demand", "q", "mean_of_runs", "eta")
+"""Remarks that a text leaves out: its table shows them, or they follow from a formula."""
+MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "value", left=True))
+"""Columns of the table of the mechanism."""
 
 
 @checked_result
@@ -73,7 +77,7 @@ class Check:
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FacadeCheck(Result):
-    """Checks of a facade by C8.7.1 of Circolare 2019 n. 7, from `rocksteady.check_facade`.
+    """Checks of a facade by Circolare 2019 n. 7, C8.7.1, from `rocksteady.check_facade`.
 
     Attributes
     ----------
@@ -94,14 +98,14 @@ class FacadeCheck(Result):
         return self.facade.mechanism
 
     def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:
-        """Return the accepting or the refusing checks of a limit state.
+        """Return the checks of a limit state that are satisfied, or those that are not.
 
         Parameters
         ----------
         limit_state
             "SLD", "SLV" or "SLC".
         satisfied
-            True for the accepting ones.
+            True for checks that are satisfied, False for those that are not.
         """
         return tuple(
             check
@@ -122,28 +126,29 @@ class FacadeCheck(Result):
 
     def _reasons(self) -> Iterator[Remark]:
         for state in self.states:
-            accepting = {check.method for check in self.decided(state, True)}
-            refusing = {check.method for check in self.decided(state, False)}
+            passing = {check.method for check in self.decided(state, True)}
+            failing = {check.method for check in self.decided(state, False)}
             pair = {"nonlinear static", "dynamic"}
-            if pair <= accepting | refusing and not (pair <= accepting or pair <= refusing):
+            if pair <= passing | failing and not (pair <= passing or pair <= failing):
                 period = self.mechanism.t_slc_s if state == "SLC" else self.mechanism.t_slv_s
                 damping = "10" if state == "SLC" else "8"
                 yield Remark("static_or_dynamic", (f"{period:.3g}", damping))
-            if accepting and refusing and "linear" in accepting | refusing:
+            if passing and failing and "linear" in passing | failing:
                 yield Remark("linear_or_displacement")
 
     @property
     def verdict(self) -> str:
-        """Which checks accept and which refuse, in a line."""
-        parts = []
+        """Outcome of each limit state, in a line; the methods where they disagree."""
+        outcomes: dict[str, list[str]] = {}
         for state in self.states:
-            yes, no = self.decided(state, True), self.decided(state, False)
-            words = [f"accepted by {_listed(yes)}"] if yes else []
-            words += [f"refused by {_listed(no)}"] if no else []
-            parts.append(f"{state} {' and '.join(words)}")
-        return f"{self.facade.name}: " + (
-            "; ".join(parts) if parts else "capacity alone, no demand is given"
-        )
+            passed, failed = self.decided(state, True), self.decided(state, False)
+            if passed and failed:
+                words = f"satisfied ({_listed(passed)}), not satisfied ({_listed(failed)})"
+            else:
+                words = "satisfied" if passed else "not satisfied"
+            outcomes.setdefault(words, []).append(state)
+        parts = [f"{_joined(states)} {words}" for words, states in outcomes.items()]
+        return f"{self.facade.name}: {'; '.join(parts) or 'capacity alone, without a demand'}"
 
     @property
     def sentence(self) -> str:
@@ -155,18 +160,16 @@ class FacadeCheck(Result):
         """What a reader must know of the formulas."""
         found = self.mechanism
         numbers = (1.0 / found.e_star, found.alpha0, found.uplift_g, found.a0_g)
-        remarks = [
-            Remark("transcription"),
-            Remark("second_bullets"),
-            Remark("uplift", tuple(f"{value:.3g}" for value in numbers)),
-        ]
-        facade = self.facade
-        if facade.loads or facade.masses or facade.ties or facade.thrusts:
-            remarks.append(Remark("in_line"))
+        remarks = [Remark("transcription"), Remark("second_conditions")]
+        if self.runs is not None:
+            remarks.append(Remark("uplift", tuple(f"{value:.3g}" for value in numbers)))
+            facade = self.facade
+            if facade.loads or facade.masses or facade.ties or facade.thrusts:
+                remarks.append(Remark("in_line"))
         return tuple(remarks)
 
     def describe(self) -> Description:
-        """Return the mechanism, a row for each check, the reasons and what was assumed."""
+        """Return the verdict, a row for each check, the mechanism, the reasons and remarks."""
         mechanism = self.mechanism.describe()
         rows = [_row(check) for check in self.checks]
         shown = [
@@ -185,20 +188,40 @@ class FacadeCheck(Result):
             Column("capacity", "capacity"),
             Column("satisfied", "satisfied"),
         ]
-        facts = [*mechanism.facts, Fact("verdict", self.sentence)]
+        # People read the checks first: the facts are a table below them.
+        facts = [replace(fact, label="") for fact in mechanism.facts]
+        facts.append(Fact("verdict", self.sentence))
+        sizes = [
+            {"name": fact.label, "value": fact.words}
+            for fact in mechanism.facts
+            if fact.key not in ("name", "d_slv_m", "d_slc_m")
+        ]
         if self.runs is not None:
             facts.append(Fact("runs", self.runs.describe().to_dict()))
-        remarks = [
-            f"{check.limit_state} {check.method}: {check.remark}."
-            for check in self.checks
-            if check.remarks
-        ]
         return Description(
             headline=self.verdict,
             facts=facts,
-            tables=[Table("checks", rows), Table("", shown, columns)],
-            notes=[*map(str, self.reasons), *remarks, *map(str, self.remarks)],
+            tables=[
+                Table("checks", rows),
+                Table("", shown, columns),
+                Table("", sizes, MECHANISM, title="Mechanism"),
+            ],
+            notes=[*map(str, self.reasons), *self._of_checks(), *map(str, self.remarks)],
         )
+
+    def _of_checks(self) -> Iterator[str]:
+        """Yield how demands were made, as far as the table does not show it."""
+        missing = [
+            check.limit_state
+            for check in self.checks
+            if any(remark.key == "no_demand" for remark in check.remarks)
+        ]
+        if missing:
+            yield f"No demand is given for {_joined(list(dict.fromkeys(missing)))}: capacity alone."
+        for check in self.checks:
+            words = "; ".join(str(each) for each in check.remarks if each.key not in IN_TABLE)
+            if words:
+                yield f"{check.limit_state} {check.method}: {words}."
 
 
 def _row(check: Check) -> dict[str, object]:
@@ -218,12 +241,13 @@ def _row(check: Check) -> dict[str, object]:
 
 
 def _listed(checks: tuple[Check, ...]) -> str:
-    """Return the methods with demand and capacity."""
-    words = [
-        f"{check.method} ({_words(check, check.demand)} of {_words(check, check.capacity)})"
-        for check in checks
-    ]
-    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+    """Return the methods of checks."""
+    return ", ".join(check.method for check in checks)
+
+
+def _joined(names: list[str]) -> str:
+    """Return an enumeration."""
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
 def _words(check: Check, value: float | None) -> str:

@@ -9,13 +9,13 @@ LimitState = Literal["SLD", "SLV", "SLC"]
 
 
 class DemandSpectrum(Protocol):
-    """What a limit state demands: an elastic spectrum, a table, or the spectra of records."""
+    """Demand of a limit state: an elastic spectrum, a table, or the spectra of records."""
 
     def sa_g(self, period_s: float, damping: float) -> float:
         """Return the spectral acceleration [g] at a period [s]; the peak at period 0."""
 
     def displacement_m(self, period_s: float, damping: float) -> float:
-        """Return the displacement [m] that is demanded at a secant period [s]."""
+        """Return the displacement demand [m] at a secant period [s]."""
 
 
 @checked

@@ -38,11 +38,11 @@ ENDED: Final = (int(Status.AT_REST), int(Status.ROCKING))
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FacadeRuns(Result):
-    """Largest displacements of a facade under records, from `rocksteady.run_facade`.
+    """Largest displacements of a facade under records [m], from `rocksteady.run_facade`.
 
-    A run counts as beyond d0 where the wall overturns, where it tilts beyond its balance and comes
-    back, and where its end could not be decided.  A displacement is that of the control point,
-    ``d = d0 theta/theta0``, and infinite of a run whose wall does not come back.
+    A run counts as beyond d0 where the facade overturns, where it tilts beyond its balance and
+    comes back, and where its end could not be decided.  A displacement is that of the control
+    point, ``d = d0 theta/theta0``, and infinite where the facade does not come back.
 
     Attributes
     ----------
@@ -128,7 +128,7 @@ class FacadeRuns(Result):
         given = plural(len(self.records), "record")
         return (
             f"The mean of the largest displacements needs {FEWEST} records and there "
-            f"{'is' if len(self.records) == 1 else 'are'} {given}: no verdict; give more records."
+            f"{'is' if len(self.records) == 1 else 'are'} {given}: no verdict; add records."
         )
 
     def describe(self) -> Description:
@@ -147,6 +147,11 @@ class FacadeRuns(Result):
             Fact("base_factor", mechanism.base_factor, "factor of the base acceleration"),
         ]
         rows, runs = list(self._by_record()), list(self._by_run())
+        criterion = (
+            "Circolare 2019 n. 7, C8.7.1.2.1.9 (pp. 272-277, unreviewed transcription): no run "
+            f"beyond d0, and a mean of the largest displacements of at most d_{self.limit_state}; "
+            "of each record the larger of both signs counts."
+        )
         columns = (
             Column("record", "record", left=True),
             Column("pga_g", "PGA [g]", number),
@@ -161,7 +166,7 @@ class FacadeRuns(Result):
                 Table("runs", runs),
                 Table("records", rows, columns, title="Largest displacement of each record"),
             ],
-            notes=self._notes(),
+            notes=[*self.remarks, criterion],
         )
 
     def _by_record(self) -> Any:
@@ -197,29 +202,25 @@ class FacadeRuns(Result):
                     "beyond_d0": ratio > 1.0,
                 }
 
-    def _notes(self) -> list[str]:
-        """Return what a reader must know of the runs."""
+    @property
+    def remarks(self) -> list[str]:
+        """What a reader must know of the runs."""
         notes = [] if self.refusal is None else [self.refusal]
         still = int((self.share == 0.0).sum())
         if still:
-            notes.append(f"In {still} of {self.share.size} runs the wall does not lift.")
+            notes.append(f"In {still} of {self.share.size} runs the facade does not lift.")
         undecided = int((~np.isin(self.status, (*ENDED, int(Status.OVERTURNED)))).sum())
         if undecided:
             notes.append(
                 f"The end of {plural(undecided, 'run')} could not be decided, or the base fell "
-                "away under the wall: counted as beyond d0."
+                "away under the facade: counted as beyond d0."
             )
         back = self.beyond_d0 & np.isfinite(self.share)
         if back.any():
             notes.append(
-                f"In {plural(int(back.sum()), 'run')} the wall tilts beyond d0 and comes back: "
+                f"In {plural(int(back.sum()), 'run')} the facade tilts beyond d0 and comes back: "
                 "counted as beyond d0."
             )
-        notes.append(
-            "Circolare 2019 n. 7, C8.7.1.2.1.9 (pp. 272-277, unreviewed transcription): no run "
-            "beyond d0, and the mean over the records of the largest displacements, of the worse "
-            f"sign, at most d_{self.limit_state}."
-        )
         return notes
 
 
@@ -237,7 +238,7 @@ def run_facade(
 ) -> FacadeRuns:
     """Run a facade under records and return its largest displacements [m].
 
-    The wall is its equivalent block (`Mechanism.block`), at rest as each record begins; it is
+    The facade is its equivalent block (`Mechanism.block`), at rest as each record begins; it is
     followed after the record's end to rest or proven overturning::
 
         theta'' = -p^2 [sin(theta0 - theta) + lambda a(t)/g cos(theta0 - theta)],
@@ -250,7 +251,7 @@ def run_facade(
     Parameters
     ----------
     facade
-        The wall.
+        The facade.
     records
         Records, or `BaseMotion` of a horizontal and a vertical record; 7 or more for a verdict.
     scale
@@ -260,8 +261,8 @@ def run_facade(
     limit_state
         What the records stand for: "SLV" (default) or "SLC", whose limit the mean has.
     directions
-        "both" (default) for the records as they are and reversed, as a wall may face either way; or
-        one of "as recorded" and "reversed".
+        "both" (default) for the records as they are and reversed, as a facade may face either way;
+        or one of "as recorded" and "reversed".
     model
         `Nonlinear()` (default), or `Linear()`.
     run

@@ -1,4 +1,4 @@
-"""Overturning mechanism of a facade: collapse multiplier, capacity curve, equivalent block."""
+"""Overturning mechanism of a facade: activation multiplier, capacity curve, equivalent block."""
 
 import math
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
 
 SHARE_SLV, SHARE_SLC = 0.4, 0.6
-"""Ultimate displacements d_SLV and d_SLC as shares of d0 (Circolare 2019 n. 7, C8.7.1.2.1)."""
+"""Displacement capacities d_SLV and d_SLC as shares of d0 (Circolare 2019 n. 7, C8.7.1.2.1)."""
 FACTOR_SLV, FACTOR_SLC = 1.68, 1.56
 """Factors of the secant periods T_SLV and T_SLC (formulas C8.7.1.10 and C8.7.1.11)."""
 
@@ -88,13 +88,13 @@ class Mechanism(Result):
 
     @property
     def e_star(self) -> float:
-        """Share of the mass that takes part, e* = D^2/(sum(P + Q) S) (C8.7.1.5)."""
+        """Participating mass fraction, e* = D^2/(sum(P + Q) S) (C8.7.1.5)."""
         push = self.push_moment_kn_m
         return push * push / (self.push_kn * self.second_moment_kn_m2)
 
     @property
     def mass_kg(self) -> float:
-        """Mass that takes part, D^2/(g S) [kg]."""
+        """Participating mass, D^2/(g S) [kg]."""
         push = self.push_moment_kn_m
         return 1e3 * push * push / (STANDARD_GRAVITY * self.second_moment_kn_m2)
 
@@ -120,12 +120,12 @@ class Mechanism(Result):
 
     @property
     def d_slv_m(self) -> float:
-        """Ultimate displacement of SLV, 0.4 d0 [m]."""
+        """Displacement capacity of SLV, 0.4 d0 [m]."""
         return SHARE_SLV * self.d0_m
 
     @property
     def d_slc_m(self) -> float:
-        """Ultimate displacement of SLC, 0.6 d0 [m]."""
+        """Displacement capacity of SLC, 0.6 d0 [m]."""
         return SHARE_SLC * self.d0_m
 
     @property
@@ -210,20 +210,35 @@ class Mechanism(Result):
         """Return what the formulas of the circular give, and the equivalent block."""
         facts = [
             Fact("name", self.name, "facade"),
-            Fact("alpha0", self.alpha0, "alpha_0 (1)", number(self.alpha0)),
-            Fact("e_star", self.e_star, "e* (5)", number(self.e_star)),
-            Fact("mass_kg", self.mass_kg, "mass that takes part", quantity(self.mass_kg, "kg")),
+            Fact("alpha0", self.alpha0, "activation multiplier alpha_0 (1)", number(self.alpha0)),
+            Fact("e_star", self.e_star, "participating mass fraction e* (5)", number(self.e_star)),
+            Fact("mass_kg", self.mass_kg, "participating mass", quantity(self.mass_kg, "kg")),
             Fact("confidence_factor", self.confidence_factor, "confidence factor FC"),
-            Fact("a0_g", self.a0_g, "a0 (3)", quantity(self.a0_g, "g")),
-            Fact("d0_m", self.d0_m, "d0", length(self.d0_m)),
+            Fact("a0_g", self.a0_g, "activation acceleration a0 (3)", quantity(self.a0_g, "g")),
+            Fact("d0_m", self.d0_m, "displacement of zero capacity d0", length(self.d0_m)),
             Fact("d_slv_m", self.d_slv_m, "d_SLV = 0.4 d0", length(self.d_slv_m)),
             Fact("d_slc_m", self.d_slc_m, "d_SLC = 0.6 d0", length(self.d_slc_m)),
-            Fact("t_slv_s", self.t_slv_s, "T_SLV (10)", quantity(self.t_slv_s, "s")),
-            Fact("t_slc_s", self.t_slc_s, "T_SLC (11)", quantity(self.t_slc_s, "s")),
-            Fact("theta0_rad", self.theta0_rad, "theta0 = alpha", angle(self.theta0_rad)),
-            Fact("p_rad_s", self.p_rad_s, "p with FC", quantity(self.p_rad_s, "rad/s")),
-            Fact("base_factor", self.base_factor, "factor of the base acceleration"),
-            Fact("uplift_g", self.uplift_g, "block lifts at", quantity(self.uplift_g, "g")),
+            Fact("t_slv_s", self.t_slv_s, "secant period T_SLV (10)", quantity(self.t_slv_s, "s")),
+            Fact("t_slc_s", self.t_slc_s, "secant period T_SLC (11)", quantity(self.t_slc_s, "s")),
+            Fact(
+                "theta0_rad",
+                self.theta0_rad,
+                "slenderness of the block theta0",
+                angle(self.theta0_rad),
+            ),
+            Fact(
+                "p_rad_s",
+                self.p_rad_s,
+                "frequency parameter p, with FC",
+                quantity(self.p_rad_s, "rad/s"),
+            ),
+            Fact("base_factor", self.base_factor, "factor of the base acceleration, with FC"),
+            Fact(
+                "uplift_g",
+                self.uplift_g,
+                "uplift acceleration alpha_0 g/FC",
+                quantity(self.uplift_g, "g"),
+            ),
         ]
         return Description(
             headline=f"{self.name}: a0 {quantity(self.a0_g, 'g')}, d0 {length(self.d0_m)}, "

@@ -77,10 +77,10 @@ class FacadeFile(Result):
             Fact("kind", facade.kind, "kind"),
             Fact("thickness_m", facade.thickness_m, "thickness", f"{facade.thickness_m:g} m"),
             Fact("height_m", facade.height_m, "height", f"{facade.height_m:g} m"),
-            Fact("weight_kn", facade.weight_kn, "weight of its own", f"{facade.weight_kn:.4g} kN"),
+            Fact("weight_kn", facade.weight_kn, "own weight", f"{facade.weight_kn:.4g} kN"),
             *(Fact(key, count, key) for key, count in acting.items()),
             Fact("confidence_factor", facade.confidence_factor, "confidence factor FC"),
-            Fact("one_sided", facade.one_sided, "stands against what is behind"),
+            Fact("one_sided", facade.one_sided, "one-sided"),
             Fact("demand", list(self.demand.given), "demand", ", ".join(self.demand.given) or "—"),
             Fact("sha256", self.sha256),
         ]

@@ -31,12 +31,12 @@ COARSE, FINE = 16, 7
 @checked
 @dataclass(frozen=True, kw_only=True)
 class RecordDemand:
-    """Displacements and accelerations that records demand of a facade, means over the records.
+    """Mean displacement [m] and acceleration [g] demands of records on a facade.
 
     Parameters
     ----------
     records
-        Horizontal records as they shake the wall's base, 7 or more; scaled ones for a limit state.
+        Horizontal records at the base of the facade, 7 or more, scaled to the limit state.
 
     Raises
     ------
@@ -70,8 +70,8 @@ class RecordDemand:
     def displacement_m(self, period_s: float, damping: float) -> float:
         """Return the mean over the records of the largest S_D [m] up to a period.
 
-        The circular has it from T0 on, which the transcription does not define: it is taken from 0,
-        on the safe side.
+        The lower end T0 of the circular could not be read: the search begins at period 0, on the
+        safe side.
 
         Parameters
         ----------

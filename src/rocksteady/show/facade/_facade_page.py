@@ -12,7 +12,6 @@ from rocksteady.show.facade._facade_tables import (
     check_rows,
     demand_rows,
     facade_rows,
-    headline_of,
     in_words,
     mean_row,
     mechanism_rows,
@@ -21,9 +20,9 @@ from rocksteady.show.facade._facade_tables import (
     remarks_of_checks,
     run_rows,
     sentences_of,
-    verdict_of,
     whole_sentence,
 )
+from rocksteady.show.plots.facades.headline import headline_of, verdict_of
 from rocksteady.show.plots.facades.languages import TABLES, Language
 from rocksteady.show.report import render
 from rocksteady.show.style.wording import cleaned, plain_name

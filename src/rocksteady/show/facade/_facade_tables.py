@@ -14,16 +14,11 @@ from rocksteady.risk.facades.facade_check import Check, FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from rocksteady.show.plots.facades.headline import LOOKS
 from rocksteady.show.plots.facades.languages import Language
 
 Row = dict[str, Any]
 
-LOOKS = {
-    True: ("satisfied", "agrees"),
-    False: ("not_satisfied", "differs"),
-    None: ("no_verdict", "open"),
-}
-"""Words and look of each outcome of a check."""
 LENGTH_DIGITS = 4
 """Digits of a size that was given."""
 
@@ -46,6 +41,7 @@ def typeset(text: str) -> str:
     'a₀ FC and 0.4 d₀, T₀, θ², S_e(0)'
     """
     text = re.sub(r"\b([adT])0\b", "\\1₀", text)
+    text = re.sub(r"\beta\b", "η", text.replace("alpha_0", "α₀").replace("272-277", "272–277"))
     return text.replace("theta^2", "θ²")
 
 
@@ -75,31 +71,6 @@ def whole_sentence(text: str) -> str:
     )
     text = text[:1].upper() + text[1:] if word else text
     return text if text.endswith(".") else f"{text}."
-
-
-def headline_of(check: FacadeCheck, words: Language) -> str:
-    """Return how many checks hold; empty where there is one sentence alone."""
-    decided = [each.satisfied for each in check.checks if each.satisfied is not None]
-    failed = decided.count(False)
-    if len(decided) < 2:
-        return ""
-    if failed in (0, len(decided)):
-        return words["headline_no" if failed else "headline_all"]
-    return words(
-        "headline_one" if failed == 1 else "headline_some", failed=failed, all=len(decided)
-    )
-
-
-def verdict_of(check: FacadeCheck, words: Language) -> Row:
-    """Return word and look of the badge at the top."""
-    decided = [each.satisfied for each in check.checks if each.satisfied is not None]
-    if not decided:
-        return {"word": words["no_verdict"], "look": "open"}
-    for state in check.states:
-        if check.decided(state, True) and check.decided(state, False):
-            return {"word": words["differ"], "look": "raised"}
-    word, look = LOOKS[all(decided)]
-    return {"word": words[word], "look": look}
 
 
 def sentences_of(check: FacadeCheck, words: Language) -> list[str]:

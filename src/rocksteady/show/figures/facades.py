@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.plots.facades.capacity import plot_capacity
+from rocksteady.show.plots.facades.headline import title_of
+from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
 from rocksteady.show.plots.facades.section import plot_facade
 from rocksteady.show.style.page import SCREEN, Page
@@ -18,17 +20,13 @@ ROW, LEAST, MOST = 0.3, 4.6, 9.0
 """Height of a record's row, and lowest and highest figure [inches]."""
 
 
-def facade_figure(
-    check: FacadeCheck, title: str = "", *, language: str = "en", page: Page = SCREEN
-) -> "Figure":
-    """Return a figure of the section beside the capacity curve, with the runs below them.
+def facade_figure(check: FacadeCheck, *, language: str = "en", page: Page = SCREEN) -> "Figure":
+    """Return a figure of the section, the capacity curve and the runs of a facade.
 
     Parameters
     ----------
     check
         From `rocksteady.check_facade`.
-    title
-        Above the panels.
     language
         "en" or "it".
     page
@@ -39,6 +37,7 @@ def facade_figure(
     InputError
         If there is no such language.
     """
+    title = title_of(check, language_of(language))
     runs = check.runs if isinstance(check.runs, FacadeRuns) else None
     rows = 0 if runs is None else len(runs.records)
     stacked = page.stacks(WIDE)

@@ -129,7 +129,7 @@ def test_the_example_runs_without_a_file_and_fits(tmp_path: Path) -> None:
     ran = rocksteady("facade --example")
     assert ran.code == 0
     assert fits(ran.out)
-    assert "The wall is made up and the motions are synthetic" in ran.out
+    assert "the wall is invented and the motions are synthetic" in ran.out
     assert "synthetic 10" in ran.out
     out = tmp_path / "answer"
     assert rocksteady("facade --example --language it --json --out", out).json["synthetic"]

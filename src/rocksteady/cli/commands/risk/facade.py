@@ -1,4 +1,4 @@
-"""`rocksteady facade`: the checks of a wall that leans out, static and dynamic."""
+"""`rocksteady facade`: checks of a facade against overturning, static and dynamic."""
 
 import shlex
 from dataclasses import replace
@@ -35,13 +35,13 @@ if TYPE_CHECKING:
     from rocksteady.risk.facades.facade_runs import FacadeRuns
 
 HELP = (
-    "Will the wall fall outwards? Checks of a facade, parapet or gable by Circolare 2019 n. 7, "
+    "Will the facade fall outwards? Checks of a wall, parapet or gable by Circolare 2019 n. 7, "
     "C8.7.1: linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
-    "FILE describes the wall in TOML (docs/facades.md), with loads, ties and the demand of each "
-    "limit state. --records runs the wall under ground motions, as recorded and reversed: no run "
-    "may go beyond d0, and the mean of the largest displacements has a limit. Where FILE states no "
-    "demand for their limit state, 7 records or more give the static checks theirs. --out writes a "
-    "report in English or Italian."
+    "FILE describes the facade in TOML (docs/facades.md), with loads, ties and the demand of each "
+    "limit state. --records runs it under ground motions, as recorded and reversed: no run may go "
+    "beyond d0, and the mean of the largest displacements has a limit. If FILE has no demand for "
+    "the limit state of the records, 7 records or more give it. --out writes a report in English "
+    "or Italian."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -83,7 +83,7 @@ LimitState = Annotated[
     typer.Option(
         "--limit-state",
         metavar="NAME",
-        help="Choose what the records stand for: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
+        help="Choose the limit state of the records: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
         rich_help_panel=RUNS,
     ),
 ]
@@ -102,7 +102,7 @@ WallRestitution = Annotated[
         "--restitution",
         "-r",
         metavar="E",
-        help="Set the restitution of impacts on what stands behind, in [0, 1], or 'housner'; "
+        help="Set the restitution of impacts on the building behind, in [0, 1], or 'housner'; "
         "default that of FILE.",
         rich_help_panel=RUNS,
     ),
@@ -139,7 +139,7 @@ ExampleFlag = Annotated[
     bool,
     typer.Option(
         "--example",
-        help=f"Check a made-up wall, under {EXAMPLE_MOTIONS} synthetic motions: no file is needed.",
+        help=f"Check an invented wall under {EXAMPLE_MOTIONS} synthetic motions, without a file.",
         rich_help_panel=RUNS,
     ),
 ]
@@ -360,11 +360,10 @@ def _in_text(found: "FacadeCheck", *, example: bool) -> "Description":
     description = found.describe()
     tables, notes = [*description.tables], [*description.notes]
     if found.runs is not None:
-        runs = found.runs.describe()
-        tables += runs.tables
-        notes += [note for note in runs.notes if note not in notes]
+        tables += found.runs.describe().tables
+        notes += found.runs.remarks
     if example:
-        words = "The wall is made up and the motions are synthetic: no earthquake made them."
+        words = "An example: the wall is invented and the motions are synthetic."
         notes.insert(0, words)
     return replace(description, tables=tables, notes=notes)
 
@@ -386,9 +385,7 @@ def _write(
     if output.plot is not None:
         from rocksteady.show.figures.facades import facade_figure
 
-        write_figure(
-            output.plot, facade_figure(found, found.verdict, language=language, page=output.page)
-        )
+        write_figure(output.plot, facade_figure(found, language=language, page=output.page))
     if out is not None:
         from rocksteady.show.facade.facade_folder import write_facade_folder
 

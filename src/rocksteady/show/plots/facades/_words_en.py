@@ -23,7 +23,7 @@ ENGLISH: Final[dict[str, str]] = {
     "period_of": "{symbol} = {period}",
     "spectrum_of": "{state} spectrum, {damping} %",
     "demand_static": "static demand {state}",
-    "demand_dynamic": "mean of records {state}",
+    "demand_dynamic": "mean of runs {state}",
     "demand_linear": "linear demand {state}",
     "mean_largest": "mean {share}",
     "sign_as recorded": "as recorded",
@@ -33,7 +33,7 @@ ENGLISH: Final[dict[str, str]] = {
     "skip": "To the content",
     "contents": "Contents",
     "kicker": "Rocksteady · Facade checked with Circolare 2019 n. 7, C8.7.1",
-    "title": "{name}: does it hold?",
+    "title": "{name}: are the checks satisfied?",
     "footer": (
         "Implements published equations; the engineer verifies. No statement of compliance with "
         "any code."
@@ -57,10 +57,10 @@ ENGLISH: Final[dict[str, str]] = {
     "sentence_fails": "{state}: not satisfied with the {methods}.",
     "sentence_differs": "{state}: satisfied with the {passed}, not with the {failed}.",
     "sentence_none": (
-        "No check: neither a demand nor records are given. {The} starts to move at a spectral "
-        "acceleration of {a0} and has no resistance left at a displacement of {d0}."
+        "No check: neither a demand nor records are given. The mechanism is activated at a "
+        "spectral acceleration of {a0} and its capacity vanishes at a displacement of {d0}."
     ),
-    "why_agree": "All methods that were used agree.",
+    "why_agree": "All methods agree.",
     "why_nothing": "Give a demand, or 7 records or more, for a verdict.",
     # Table of checks
     "checks_caption": (
@@ -79,7 +79,7 @@ ENGLISH: Final[dict[str, str]] = {
     "quantity_linear_SLD": "peak acceleration S_e(0) ≤ a₀",
     "quantity_linear_SLV": "peak acceleration S_e(0)/q ≤ a₀, q = 2",
     "quantity_nonlinear static": "spectral displacement S_D(T_{state}) ≤ d_{state}",
-    "quantity_dynamic": "no run beyond d₀, mean of the largest d ≤ d_{state}",
+    "quantity_dynamic": "no run beyond d₀, mean of largest d ≤ d_{state}",
     "beyond_all": "beyond d₀",
     # Pictures
     "alt_section": (
@@ -99,12 +99,12 @@ ENGLISH: Final[dict[str, str]] = {
     "alt_mean": "the mean is {mean}",
     "alt_no_mean": "there is no mean",
     "capacity_note": (
-        "Section to scale, leaning by 5° for the eye alone. A line through the origin is a period; "
-        "a square or diamond left of its limit satisfies it. Bars or arrows at the edge lie beyond "
-        "the picture."
+        "Section to scale; the dashed outline leans by 5° for illustration. A line through the "
+        "origin is a period; a square or diamond left of its limit satisfies it. Arrows at the "
+        "edge mark values beyond the picture."
     ),
     # Sections
-    "section_why": "Why, and what to mind",
+    "section_why": "Reasons and remarks",
     "section_runs": "Records",
     "section_wall": "The wall",
     "section_parapet": "The parapet",
@@ -112,11 +112,11 @@ ENGLISH: Final[dict[str, str]] = {
     "section_mechanism": "The mechanism",
     "section_demand": "Demand",
     "section_method": "Method",
-    "section_limits": "What is assumed, and what is not covered",
+    "section_limits": "Assumptions and limits",
     "section_inputs": "Inputs",
     # Notes
     "mind_linear": "The runs use the linear equations, which hold for small rotations.",
-    "remarks_caption": "How each demand was made",
+    "remarks_caption": "How each demand is obtained",
     # The facade
     "fact_kind": "kind",
     "fact_thickness": "thickness",
@@ -129,42 +129,42 @@ ENGLISH: Final[dict[str, str]] = {
     "fact_fc": "confidence factor FC",
     "fact_level": "knowledge level {level}",
     "fact_sides": "rocking",
-    "one_sided": "one-sided: what stands behind stops it",
+    "one_sided": "one-sided: the building behind stops it",
     "two_sided": "two-sided: it rocks to both sides",
-    "fact_restitution": "restitution of the velocity",
-    "housner": "Housner: angular momentum is kept",
+    "fact_restitution": "coefficient of restitution",
+    "housner": "from conservation of angular momentum",
     "facade_caption": "Geometry and material",
     "acting_caption": (
-        "What acts on it, on the whole length; x inwards from the outer face, z above the hinge."
+        "Actions on the whole length; x inwards from the outer face, z above the hinge."
     ),
     "col_name": "name",
     "col_kind": "kind",
     "col_force": "force",
     "col_x": "x",
     "col_z": "z",
-    "kind_load": "load, weighs on it",
+    "kind_load": "vertical load, moves with it",
     "kind_mass": "mass, pushes in an earthquake only",
     "kind_tie": "tie, pulls inwards",
     "kind_thrust": "thrust, pushes outwards",
     # The mechanism
-    "mechanism_caption": "What follows from geometry and weights. † Unreviewed transcription.",
+    "mechanism_caption": "Quantities from geometry and weights. † Unreviewed transcription.",
     "col_symbol": "symbol",
     "col_meaning": "meaning",
     "col_value": "value",
     "col_source": "from",
     "m_alpha0": "activation multiplier",
-    "m_e_star": "share of the mass that takes part",
-    "m_mass": "mass that takes part",
-    "m_a0": "spectral acceleration of activation",
-    "m_d0": "ultimate displacement, no resistance left",
+    "m_e_star": "participating mass fraction",
+    "m_mass": "participating mass",
+    "m_a0": "spectral acceleration at activation",
+    "m_d0": "displacement at which the capacity vanishes",
     "m_dslv": "displacement capacity of SLV, 0.4 d₀",
     "m_dslc": "displacement capacity of SLC, 0.6 d₀",
     "m_tslv": "secant period of SLV",
     "m_tslc": "secant period of SLC",
-    "m_theta0": "rotation without restoring moment, the block's α",
+    "m_theta0": "rotation of zero restoring moment, slenderness of the block",
     "m_p": "frequency parameter, with FC",
     "m_lambda": "factor of the ground acceleration, with FC",
-    "m_uplift": "ground acceleration that lifts the block, α₀/FC",
+    "m_uplift": "ground acceleration at uplift",
     "m_fc": "confidence factor",
     "equivalent": "equivalent block",
     # Demand
@@ -175,20 +175,22 @@ ENGLISH: Final[dict[str, str]] = {
     "demand_records": "{count} records, mean of their spectra",
     # Records
     "runs_intro": (
-        "{records} records, {signs}: {the} as a rigid block that leans outwards only, followed "
-        "to rest or to overturning. Of each record the larger displacement counts."
+        "{records} records, {signs}: {the} is a rigid block that rocks outwards only, and the "
+        "motion is followed to rest or to overturning. Of each record the larger displacement "
+        "counts."
     ),
     "runs_intro_two_sided": (
-        "{records} records, {signs}: {the} as a rigid block that rocks to both sides, followed "
-        "to rest or to overturning. Of each record the larger displacement counts."
+        "{records} records, {signs}: {the} is a rigid block that rocks to both sides, and the "
+        "motion is followed to rest or to overturning. Of each record the larger displacement "
+        "counts."
     ),
     "signs_2": "both signs",
     "signs_1": "one sign",
-    "runs_caption": "Largest displacement of each record, with both signs as far as they were run.",
+    "runs_caption": "Largest displacement of each record, for each sign that was run.",
     "col_record": "record",
     "col_pga": "PGA",
     "col_scale": "factor",
-    "col_largest": "larger, over d₀",
+    "col_largest": "larger/d₀",
     "status_at-rest": "at rest",
     "status_rocking": "rocking",
     "status_overturned": "overturns",
@@ -202,16 +204,16 @@ ENGLISH: Final[dict[str, str]] = {
     # Method
     "method_1_name": "Kinematic analysis.",
     "method_1": (
-        "{The} turns outwards about its hinge. With weights P that move with it, masses Q "
-        "that push it, ties T and thrusts H, the moment M = ΣP(x − x_h) + ΣTz − ΣHz holds it and "
-        "D = Σ(P + Q)z is moved: α₀ = M/D (1)†. With e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, "
-        "a₀ = α₀ g/(e* FC) (3)†, and the capacity falls along a line to zero at "
-        "d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz)."
+        "{The} turns outwards about its hinge. With weights P that move with it, masses Q that "
+        "push it, ties T and thrusts H, the stabilising moment is M = ΣP(x − x_h) + ΣTz − ΣHz and "
+        "the overturning moment at α = 1 is D = Σ(P + Q)z: α₀ = M/D (1)†. With "
+        "e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, a₀ = α₀ g/(e* FC) (3)†, and the capacity falls "
+        "linearly to zero at d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz)."
     ),
     "method_2_name": "Linear check.",
     "method_2": (
-        "SLD: the peak acceleration at the base is at most a₀ (8)†. SLV: half of it is, with the "
-        "behaviour factor q = 2†."
+        "SLD: the peak acceleration at the base is at most a₀ (8)†. SLV: the peak acceleration "
+        "divided by the behaviour factor q = 2 is at most a₀†."
     ),
     "method_3_name": "Nonlinear static check.",
     "method_3": (
@@ -223,40 +225,41 @@ ENGLISH: Final[dict[str, str]] = {
         "No run goes beyond d₀, and the mean over 7 records or more of the largest displacements "
         "is at most d_SLV or d_SLC (C8.7.1.2.1.9)†. Between impacts a run solves "
         "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
-        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block and no oscillator."
+        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block, not an oscillator."
     ),
     # Assumptions
     "assumed": "Assumed",
     "assumed_bullets": (
-        "d_SLV = 0.4 d₀ and d_SLC = 0.6 d₀ alone, since the second bullets could not be read†."
+        "d_SLV = 0.4 d₀ and d_SLC = 0.6 d₀ alone: the second condition on each could not be "
+        "read, and the limits may be smaller†."
     ),
     "assumed_t0": (
         "With records the largest spectral displacement is taken from period 0 to T_SLV or "
-        "T_SLC: the lower end T₀ could not be read†. This is never less than the circular's."
+        "T_SLC: the lower end T₀ could not be read†. The demand is never smaller for it."
     ),
     "assumed_mean": (
-        "Records stand for the site and the limit state; the mean of the largest displacements "
-        "needs 7 of them. A fall in one run refuses the facade, whatever the mean."
+        "Records represent the site and the limit state; the mean of the largest displacements "
+        "needs 7 of them. One run beyond d₀ fails the check, whatever the mean."
     ),
     "assumed_fc": (
-        "FC divides the moment that holds {the} in the runs too: it lifts at α₀ g/FC and turns "
-        "back more slowly."
+        "FC divides the stabilising moment in the runs too: {the} lifts at α₀ g/FC and returns "
+        "more slowly."
     ),
     "assumed_block": (
-        "The equivalent block is exact where all masses stand in line with the hinge and nothing "
-        "else acts; with ties, thrusts and pushing masses to the order of θ²."
+        "The equivalent block is exact where all masses lie in line with the hinge and nothing "
+        "else acts; with ties, thrusts and pushing masses it is accurate to the order of θ²."
     ),
-    "assumed_balance": "A run beyond d₀ counts as a fall, even where {the} comes back.",
+    "assumed_balance": "A run beyond d₀ counts as overturning, even where {the} comes back.",
     "assumed_restitution": (
-        "Restitution at the impact is a choice: measured values of masonry scatter, and a larger "
-        "one keeps {the} moving for longer."
+        "The coefficient of restitution is a choice: measured values of masonry scatter, and a "
+        "larger one prolongs the motion."
     ),
     "not_covered": "Not covered",
     "not_rigid": (
         "One rigid, monolithic body: a wall of leaves without bond falls apart before it turns."
     ),
-    "not_crushing": "No crushing of the masonry at the hinge beyond the inset that is given.",
-    "not_sliding": "No sliding of {the}, nor of what it carries.",
+    "not_crushing": "No crushing of the masonry at the hinge beyond the given inset.",
+    "not_sliding": "No sliding of {the} or of its loads.",
     "not_diaphragm": (
         "No flexible floors, roofs or diaphragms: loads keep their weight, and the building behind "
         "does not move relative to the ground."
@@ -264,13 +267,13 @@ ENGLISH: Final[dict[str, str]] = {
     "not_ties": "Ties pull with a constant force: no stretching, no yielding, no pull-out.",
     "not_corners": "No bond with cross walls and no friction against them.",
     "not_height": (
-        "Amplification by the building only where the demand is a floor spectrum, or the records "
-        "are of the floor."
+        "No amplification over the height of the building, unless the demand is a floor spectrum "
+        "or the records are those of a floor."
     ),
     # Inputs
     "inputs_files": "Files that were read, with the SHA-256 of their bytes.",
     "inputs_file": "file",
-    "inputs_command": "The command that makes this page again, with the same files:",
+    "inputs_command": "Command that makes this page again, with the same files:",
     "inputs_motions": "Records, with the first 16 digits of the SHA-256 of their samples.",
     "inputs_made": "Made by rocksteady {version} (kernels {kernels}, NumPy {numpy}).",
     # Remarks of the checks

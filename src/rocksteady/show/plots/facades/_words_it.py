@@ -13,7 +13,7 @@ ITALIAN: Final[dict[str, str]] = {
     "the_gable": "il timpano",
     "hinge": "cerniera",
     "axis_position": "posizione [m]",
-    "axis_height": "altezza sulla cerniera [m]",
+    "axis_height": "quota sopra la cerniera [m]",
     "axis_displacement": "spostamento d [mm]",
     "axis_acceleration": "accelerazione spettrale a [g]",
     "axis_share": "spostamento massimo d/d₀",
@@ -21,7 +21,7 @@ ITALIAN: Final[dict[str, str]] = {
     "period_of": "{symbol} = {period}",
     "spectrum_of": "spettro {state}, {damping} %",
     "demand_static": "domanda statica {state}",
-    "demand_dynamic": "media accelerogrammi {state}",
+    "demand_dynamic": "media delle analisi {state}",
     "demand_linear": "domanda lineare {state}",
     "mean_largest": "media {share}",
     "sign_as recorded": "verso registrato",
@@ -31,7 +31,7 @@ ITALIAN: Final[dict[str, str]] = {
     "skip": "Vai al contenuto",
     "contents": "Indice",
     "kicker": "Rocksteady · Verifica di un meccanismo locale, Circolare 2019 n. 7, C8.7.1",
-    "title": "{name}: la verifica è soddisfatta?",
+    "title": "{name}: le verifiche sono soddisfatte?",
     "footer": (
         "Il programma applica formule pubblicate; la verifica resta compito del progettista. "
         "Nessuna dichiarazione di conformità a norme."
@@ -56,10 +56,10 @@ ITALIAN: Final[dict[str, str]] = {
     "sentence_differs": "{state}: verifica soddisfatta con {passed}, non soddisfatta con {failed}.",
     "sentence_none": (
         "Nessuna verifica: mancano sia la domanda sia gli accelerogrammi. Il meccanismo si "
-        "attiva a un'accelerazione spettrale di {a0} ed esaurisce la resistenza a uno "
+        "attiva a un'accelerazione spettrale di {a0} e la sua capacità si annulla a uno "
         "spostamento di {d0}."
     ),
-    "why_agree": "Tutti i metodi impiegati concordano.",
+    "why_agree": "Tutti i metodi concordano.",
     "why_nothing": "Per un esito servono una domanda oppure almeno 7 accelerogrammi.",
     # Table of checks
     "checks_caption": (
@@ -78,7 +78,7 @@ ITALIAN: Final[dict[str, str]] = {
     "quantity_linear_SLD": "accelerazione di picco S_e(0) ≤ a₀",
     "quantity_linear_SLV": "accelerazione di picco S_e(0)/q ≤ a₀, q = 2",
     "quantity_nonlinear static": "spostamento spettrale S_D(T_{state}) ≤ d_{state}",
-    "quantity_dynamic": "nessuna analisi oltre d₀, media dei massimi d ≤ d_{state}",
+    "quantity_dynamic": "nessuna analisi oltre d₀, media dei d massimi ≤ d_{state}",
     "beyond_all": "oltre d₀",
     # Pictures
     "alt_section": (
@@ -98,12 +98,12 @@ ITALIAN: Final[dict[str, str]] = {
     "alt_mean": "la media vale {mean}",
     "alt_no_mean": "non c'è media",
     "capacity_note": (
-        "Sezione in scala, con il profilo inclinato di 5° solo per l'occhio. Una retta per "
-        "l'origine è un periodo; un quadrato o un rombo a sinistra del proprio limite lo soddisfa. "
-        "Trattini o frecce al bordo cadono fuori dalla figura."
+        "Sezione in scala; il profilo tratteggiato è inclinato di 5° a scopo illustrativo. Una "
+        "retta per l'origine è un periodo; un quadrato o un rombo a sinistra del proprio limite lo "
+        "soddisfa. Le frecce al bordo indicano valori fuori dalla figura."
     ),
     # Sections
-    "section_why": "Perché, e a che cosa badare",
+    "section_why": "Motivazioni e avvertenze",
     "section_runs": "Accelerogrammi",
     "section_wall": "La parete",
     "section_parapet": "Il parapetto",
@@ -111,15 +111,15 @@ ITALIAN: Final[dict[str, str]] = {
     "section_mechanism": "Il meccanismo di ribaltamento",
     "section_demand": "Domanda sismica",
     "section_method": "Metodo",
-    "section_limits": "Che cosa si assume e che cosa resta escluso",
+    "section_limits": "Ipotesi e limiti",
     "section_inputs": "Dati di ingresso",
     # Notes
     "mind_linear": "Le analisi usano le equazioni lineari, valide per piccole rotazioni.",
-    "remarks_caption": "Come è ricavata ciascuna domanda",
+    "remarks_caption": "Come si ricava ciascuna domanda",
     # The facade
     "fact_kind": "tipo",
     "fact_thickness": "spessore",
-    "fact_height": "altezza sulla cerniera",
+    "fact_height": "altezza sopra la cerniera",
     "fact_length": "lunghezza",
     "fact_base": "lunghezza della base",
     "fact_unit_weight": "peso specifico",
@@ -128,10 +128,10 @@ ITALIAN: Final[dict[str, str]] = {
     "fact_fc": "fattore di confidenza FC",
     "fact_level": "livello di conoscenza {level}",
     "fact_sides": "oscillazione",
-    "one_sided": "monolatera: ciò che sta dietro la arresta",
+    "one_sided": "monolatera: l'edificio retrostante fa da arresto",
     "two_sided": "bilatera: oscilla verso entrambi i lati",
-    "fact_restitution": "restituzione della velocità",
-    "housner": "Housner: il momento angolare si conserva",
+    "fact_restitution": "coefficiente di restituzione",
+    "housner": "dalla conservazione del momento angolare",
     "facade_caption": "Geometria e materiale",
     "acting_caption": (
         "Azioni sull'intera lunghezza; x verso l'interno dalla faccia esterna, z sopra la cerniera."
@@ -155,15 +155,15 @@ ITALIAN: Final[dict[str, str]] = {
     "m_e_star": "frazione di massa partecipante",
     "m_mass": "massa partecipante",
     "m_a0": "accelerazione spettrale di attivazione",
-    "m_d0": "spostamento ultimo, resistenza esaurita",
+    "m_d0": "spostamento a capacità nulla",
     "m_dslv": "capacità di spostamento SLV, 0,4 d₀",
     "m_dslc": "capacità di spostamento SLC, 0,6 d₀",
     "m_tslv": "periodo secante SLV",
     "m_tslc": "periodo secante SLC",
-    "m_theta0": "rotazione a momento stabilizzante nullo, α del blocco",
+    "m_theta0": "rotazione a momento stabilizzante nullo, snellezza del blocco",
     "m_p": "parametro di frequenza, con FC",
     "m_lambda": "fattore dell'accelerazione al suolo, con FC",
-    "m_uplift": "accelerazione al suolo che solleva il blocco, α₀/FC",
+    "m_uplift": "accelerazione al suolo al sollevamento",
     "m_fc": "fattore di confidenza",
     "equivalent": "blocco equivalente",
     # Demand
@@ -174,7 +174,7 @@ ITALIAN: Final[dict[str, str]] = {
     "demand_records": "{count} accelerogrammi, media dei loro spettri",
     # Records
     "runs_intro": (
-        "{records} accelerogrammi, {signs}: {the} è un blocco rigido che si inclina solo verso "
+        "{records} accelerogrammi, {signs}: {the} è un blocco rigido che oscilla solo verso "
         "l'esterno (oscillazione monolatera), e il moto è seguito fino alla quiete o al "
         "ribaltamento. Di ogni accelerogramma conta lo spostamento maggiore."
     ),
@@ -189,7 +189,7 @@ ITALIAN: Final[dict[str, str]] = {
     "col_record": "accelerogramma",
     "col_pga": "PGA",
     "col_scale": "fattore",
-    "col_largest": "maggiore, su d₀",
+    "col_largest": "maggiore/d₀",
     "status_at-rest": "in quiete",
     "status_rocking": "in oscillazione",
     "status_overturned": "ribaltamento",
@@ -214,17 +214,17 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "method_2_name": "Verifica lineare.",
     "method_2": (
-        "SLD: l'accelerazione di picco alla base non supera a₀ (8)†. SLV: non lo supera la sua "
-        "metà, con il fattore di comportamento q = 2†."
+        "SLD: l'accelerazione di picco alla base non supera a₀ (8)†. SLV: l'accelerazione di picco "
+        "divisa per il fattore di comportamento q = 2 non supera a₀†."
     ),
-    "method_3_name": "Verifica cinematica non lineare.",
+    "method_3_name": "Verifica statica non lineare.",
     "method_3": (
         "T_SLV = 1,68 π √(d_SLV/a(d_SLV)) (10)†, T_SLC = 1,56 π √(d_SLC/a(d_SLC)) (11)†. La "
         "domanda è S_e(T) T²/(4π²) (12)†, con smorzamento 8 % per SLV e 10 % per SLC."
     ),
     "method_4_name": "Verifica dinamica non lineare.",
     "method_4": (
-        "Nessuna analisi va oltre d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
+        "Nessuna analisi supera d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
         "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l'altro si risolve "
         "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
         "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore."
@@ -232,16 +232,17 @@ ITALIAN: Final[dict[str, str]] = {
     # Assumptions
     "assumed": "Si assume",
     "assumed_bullets": (
-        "d_SLV = 0,4 d₀ e d_SLC = 0,6 d₀ soltanto, perché i secondi punti non sono leggibili†."
+        "Soltanto d_SLV = 0,4 d₀ e d_SLC = 0,6 d₀: la seconda condizione su ciascuno non è "
+        "leggibile, e i limiti potrebbero essere minori†."
     ),
     "assumed_t0": (
         "Con gli accelerogrammi lo spostamento spettrale massimo è cercato dal periodo 0 fino a "
-        "T_SLV o T_SLC: l'estremo inferiore T₀ non è leggibile†. Il valore non è mai minore di "
-        "quello della circolare."
+        "T_SLV o T_SLC: l'estremo inferiore T₀ non è leggibile†. La domanda non risulta mai "
+        "minore."
     ),
     "assumed_mean": (
         "Gli accelerogrammi rappresentano il sito e lo stato limite; per la media degli "
-        "spostamenti massimi ne servono 7. Basta un ribaltamento perché la verifica non sia "
+        "spostamenti massimi ne servono 7. Basta un'analisi oltre d₀ perché la verifica non sia "
         "soddisfatta, qualunque sia la media."
     ),
     "assumed_fc": (
@@ -250,12 +251,12 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "assumed_block": (
         "Il blocco equivalente è esatto quando tutte le masse sono allineate con la cerniera e non "
-        "agisce altro; con catene, spinte e masse che spingono vale a meno di θ²."
+        "agisce altro; con catene, spinte e masse che spingono è approssimato all'ordine θ²."
     ),
     "assumed_balance": "Un'analisi oltre d₀ conta come ribaltamento, anche se {the} ritorna.",
     "assumed_restitution": (
-        "La restituzione all'urto è una scelta: i valori misurati per la muratura sono dispersi, e "
-        "un valore maggiore fa durare più a lungo il moto."
+        "Il coefficiente di restituzione è una scelta: i valori misurati per la muratura sono "
+        "dispersi, e un valore maggiore prolunga il moto."
     ),
     "not_covered": "Resta escluso",
     "not_rigid": (
@@ -274,19 +275,19 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "not_corners": "Nessun ammorsamento con i muri trasversali, né attrito contro di essi.",
     "not_height": (
-        "L'amplificazione lungo l'altezza dell'edificio solo se la domanda è uno spettro di piano "
-        "o gli accelerogrammi sono di piano."
+        "Nessuna amplificazione lungo l'altezza dell'edificio, salvo che la domanda sia uno "
+        "spettro di piano o gli accelerogrammi siano di piano."
     ),
     # Inputs
     "inputs_files": "File letti, con lo SHA-256 del loro contenuto.",
     "inputs_file": "file",
-    "inputs_command": "Il comando che produce di nuovo questa pagina, con gli stessi file:",
+    "inputs_command": "Comando che produce di nuovo questa pagina, con gli stessi file:",
     "inputs_motions": "Accelerogrammi, con le prime 16 cifre dello SHA-256 dei campioni.",
     "inputs_made": "Prodotto da rocksteady {version} (kernel {kernels}, NumPy {numpy}).",
     # Remarks of the checks
-    "remark_eta": "η {0} per smorzamento {1} %",
+    "remark_eta": "η = {0} per smorzamento {1} %",
     "remark_beyond_4_s": (
-        "T = {0} s supera i 4 s fino a cui le NTC 2018 danno lo spettro: lo spostamento è "
+        "T = {0} s supera i 4 s a cui termina lo spettro delle NTC 2018: lo spostamento è "
         "mantenuto costante"
     ),
     "remark_table_as_given": "tabella con smorzamento {0} %",
@@ -295,40 +296,39 @@ ITALIAN: Final[dict[str, str]] = {
         "tabella con smorzamento {0} % riportata a {1} % con il fattore {2}, rapporto degli η"
     ),
     "remark_records": (
-        "media sugli accelerogrammi del massimo S_D fino a T, da 0 invece che da T₀, che non è "
-        "stato possibile leggere: a favore di sicurezza"
+        "media sugli accelerogrammi del massimo S_D dal periodo 0 a T; l'estremo inferiore T₀ non "
+        "è leggibile: a favore di sicurezza"
     ),
     "remark_peak_of_records": "media delle PGA degli accelerogrammi",
     "remark_q": "S_e(0) diviso q = {0}",
     "remark_no_demand": "nessuna domanda assegnata per {0}: solo la capacità",
     "remark_no_runs": "nessuna analisi con accelerogrammi",
     "remark_few_records": "la media richiede almeno {0} accelerogrammi",
-    "remark_beyond_d0": "almeno un'analisi va oltre d₀: {0}",
+    "remark_beyond_d0": "analisi oltre d₀ con {0}",
     "remark_mean_of_runs": "media degli spostamenti massimi, nessuna analisi oltre d₀",
     "remark_linear_or_displacement": (
-        "La verifica lineare confronta con a₀ l'accelerazione di picco divisa per q = 2, qualunque "
-        "sia la dimensione della parete; a parità di snellezza, le verifiche in spostamento "
-        "concedono di più a una parete più spessa e di meno a una più sottile."
+        "La verifica lineare confronta l'accelerazione di picco divisa per q = 2 con a₀, che non "
+        "dipende dalle dimensioni; la capacità di spostamento cresce con lo spessore."
     ),
     "remark_static_or_dynamic": (
-        "La verifica statica ricava lo spostamento da un oscillatore elastico che non esiste, "
-        "con periodo secante {0} s e smorzamento {1} %; la verifica dinamica segue il blocco "
-        "rigido dal sollevamento attraverso ogni urto."
+        "La domanda statica non lineare è lo spostamento di un oscillatore elastico di periodo "
+        "secante {0} s e smorzamento {1} %; quella dinamica è lo spostamento di un blocco rigido "
+        "che si solleva, ricade e perde velocità a ogni urto."
     ),
     "remark_transcription": (
         "Le formule della Circolare 2019 n. 7, C8.7.1, pp. 272–277, provengono da una trascrizione "
-        "non revisionata."
+        "non revisionata: confrontare con il testo ufficiale."
     ),
-    "remark_second_bullets": (
-        "Di d_SLV e d_SLC la seconda condizione della circolare non è leggibile nella "
-        "trascrizione: valgono soltanto 0,4 d₀ e 0,6 d₀."
+    "remark_second_conditions": (
+        "La seconda condizione su d_SLV e su d_SLC non è leggibile nella trascrizione: si usano "
+        "soltanto 0,4 d₀ e 0,6 d₀."
     ),
     "remark_uplift": (
-        "a₀ FC è 1/e* = {0} volte l'accelerazione che solleva un blocco rigido, {1} g: la verifica "
-        "dinamica lascia muovere la parete da {2} g (con FC), quelle statiche da a₀ = {3} g."
+        "a₀ FC è 1/e* = {0} volte l'accelerazione α₀ g = {1} g che solleva un blocco rigido: il "
+        "moto inizia a {2} g nelle analisi dinamiche (con FC), ad a₀ = {3} g in quelle statiche."
     ),
     "remark_in_line": (
-        "Il blocco equivalente è esatto dove tutte le masse sono allineate con la cerniera, e a "
-        "meno di termini in θ² con carichi, catene, spinte o masse che spingono."
+        "Con carichi, catene, spinte o masse che spingono il blocco equivalente è approssimato "
+        "all'ordine θ²; è esatto dove tutte le masse sono allineate con la cerniera."
     ),
 }
