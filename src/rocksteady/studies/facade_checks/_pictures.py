@@ -1,0 +1,290 @@
+"""Pictures of the study: verdicts over slenderness and height, ratios, worked walls."""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady import plot_capacity, plot_trajectory
+from rocksteady.show.style import palette
+from rocksteady.show.style.legends import draw_legend, line_scale, text_size
+from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE, CheckedWalls
+from rocksteady.studies.facade_checks._findings import CLASSES
+from rocksteady.studies.facade_checks._worked_walls import WorkedWall
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FILLS = {
+    7: palette.REST,
+    6: palette.SYMMETRIC,
+    5: palette.UNSYMMETRIC,
+    3: palette.ROCKING,
+    4: palette.SWEEPS[0],
+    2: palette.LINES[0],
+    1: palette.APERIODIC,
+    0: "#4a4a4c",
+}
+"""Of the combinations of verdicts."""
+EDGES: tuple[Any, ...] = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)))
+"""Borders of the three checks."""
+STEPS = (0.25, 0.5, 0.7, 1.0, 1.4, 2.0, 4.0)
+"""Borders of the fills of a ratio."""
+RATIO_FILLS = (
+    "#f4f9fe", "#d5e9fb", "#b3d7f5", "#8cc2ee", "#f6d2b4", "#e9a878", "#cf7a45", "#8a3f10",
+)  # fmt: skip
+"""Below 1 blue, above 1 brown: each darker than the one before it."""
+BEYOND = "#4a4a4c"
+WIDE = 7.2
+TOP = 1.12
+"""Where the mark of a run beyond d0 stands, over d0."""
+LABEL_X, LABEL_Y = "slenderness  $h/t$", "height  $h$ [m]"
+
+
+def verdict_figure(
+    found: CheckedWalls, walls: tuple[WorkedWall, ...] = (), *, page: Page = SCREEN
+) -> "Figure":
+    """Return the combinations of verdicts, a panel for each level."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    count = len(found.plane.levels_g)
+    stacked = page.stacks(WIDE)
+    high = (0.62 * count + 0.25) if stacked else 0.0
+    with page.figure(WIDE, 3.6 if count > 1 else 4.6, "", stacked=high or None) as figure:
+        panels = figure.subplots(
+            count if stacked else 1, 1 if stacked else count,
+            sharex=True, sharey=True, squeeze=False,
+        ).ravel()  # fmt: skip
+        for level, axes in enumerate(panels):
+            draw_verdicts(found, level, axes)
+            for number, wall in enumerate(walls, start=1):
+                if wall.level == level:
+                    _mark(axes, found, wall, number)
+            last = stacked is False or level == count - 1
+            axes.set_xlabel(LABEL_X if last else "")
+            axes.set_ylabel(LABEL_Y if stacked or level == 0 else "")
+        inks = inks_of(panels[0])
+        handles: list[Any] = [
+            Patch(facecolor=FILLS[kind], edgecolor=inks.ink, lw=0.4, label=words)
+            for kind, words in CLASSES.items()
+            if (found.classes == kind).any()
+        ]
+        handles += [
+            Line2D([], [], color=inks.ink, lw=1.3, ls=dash, label=f"border of the {name} check")
+            for name, dash in zip(METHODS, EDGES, strict=True)
+        ]
+        figure.legend(
+            handles=handles, loc="outside lower left", ncols=1 if stacked else 2,
+            fontsize=text_size(panels[0], 8.0), frameon=False, labelcolor=inks.ink,
+            handlelength=2.4, columnspacing=1.4, borderaxespad=0.3,
+        )  # fmt: skip
+    return figure
+
+
+def draw_verdicts(found: CheckedWalls, level: int, axes: "Axes") -> None:
+    """Draw the combinations of verdicts at a level, and the borders of the checks."""
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    kinds = sorted(FILLS)
+    x, y = _edges(found.plane.slendernesses), _edges(found.plane.heights_m)
+    axes.pcolormesh(
+        x, y, found.classes[level], cmap=ListedColormap([FILLS[kind] for kind in kinds]),
+        norm=BoundaryNorm(np.arange(len(kinds) + 1) - 0.5, len(kinds)), rasterized=False,
+    )  # fmt: skip
+    inks = inks_of(axes)
+    for (_, ratio), dash in zip(found.ratios.items(), EDGES, strict=True):
+        path = _border(x, y, ratio[level] <= 1.0)
+        # On any fill: light beneath, dark above.
+        axes.plot(*path, color="#ffffff", lw=2.6 * line_scale(axes), solid_capstyle="butt")
+        axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes), ls=dash)
+    axes.grid(visible=False)
+    axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
+    axes.locator_params(axis="y", integer=True)
+    axes.set_title(f"PGA {found.plane.levels_g[level]:g} g", color=inks.ink)
+
+
+def _edges(points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the edges of cells around points."""
+    inner = 0.5 * (points[1:] + points[:-1])
+    return np.concatenate(([1.5 * points[0] - 0.5 * points[1]], inner,
+                           [1.5 * points[-1] - 0.5 * points[-2]]))  # fmt: skip
+
+
+def _border(
+    x: NDArray[np.float64], y: NDArray[np.float64], accepts: NDArray[np.bool_]
+) -> tuple[list[float], list[float]]:
+    """Return the edges between cells that a check accepts and refuses; nan between pieces."""
+    across: list[float] = []
+    up: list[float] = []
+    for row, column in np.argwhere(accepts[:, 1:] != accepts[:, :-1]).tolist():
+        across += [x[column + 1], x[column + 1], np.nan]
+        up += [y[row], y[row + 1], np.nan]
+    for row, column in np.argwhere(accepts[1:] != accepts[:-1]).tolist():
+        across += [x[column], x[column + 1], np.nan]
+        up += [y[row + 1], y[row + 1], np.nan]
+    return _joined(across, up)
+
+
+def _joined(across: list[float], up: list[float]) -> tuple[list[float], list[float]]:
+    """Return pieces joined end to end where they meet, so that dashes run on."""
+    ends = [((across[k], up[k]), (across[k + 1], up[k + 1])) for k in range(0, len(across), 3)]
+    found_x: list[float] = []
+    found_y: list[float] = []
+    while ends:
+        path = list(ends.pop())
+        grown = True
+        while grown:
+            grown = False
+            for piece in ends:
+                first, last = piece
+                if path[-1] in piece:
+                    path.append(last if path[-1] == first else first)
+                elif path[0] in piece:
+                    path.insert(0, last if path[0] == first else first)
+                else:
+                    continue
+                ends.remove(piece)
+                grown = True
+                break
+        found_x += [*(each[0] for each in path), np.nan]
+        found_y += [*(each[1] for each in path), np.nan]
+    return found_x, found_y
+
+
+def _mark(axes: "Axes", found: CheckedWalls, wall: WorkedWall, number: int) -> None:
+    """Write the number of a worked wall into its cell."""
+    axes.annotate(
+        str(number),
+        (found.plane.slendernesses[wall.column], found.plane.heights_m[wall.row]),
+        ha="center", va="center_baseline", fontsize=text_size(axes, 8.0), color=palette.INK,
+        bbox={"boxstyle": "circle,pad=0.25", "fc": "#ffffff", "ec": palette.INK, "lw": 0.9},
+        zorder=6.0, annotation_clip=False,
+    )  # fmt: skip
+
+
+def ratio_figure(found: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
+    """Return demand over capacity: a row for each level, a column for each check."""
+    from matplotlib.patches import Patch
+
+    count = len(found.plane.levels_g)
+    narrow = page.stacks(WIDE)
+    high = 0.5 * count + 0.42
+    with page.figure(WIDE, 1.9 * count + 0.9, "", stacked=high) as figure:
+        panels = figure.subplots(count, 3, sharex=True, sharey=True, squeeze=False)
+        for level in range(count):
+            for column, (name, ratio) in enumerate(found.ratios.items()):
+                axes = panels[level, column]
+                draw_ratio(found, ratio[level], axes)
+                if level == 0:
+                    title = name if not narrow else name.replace("nonlinear ", "")
+                    axes.set_title(title[0].upper() + title[1:])
+                if column == 0:
+                    axes.set_ylabel(f"PGA {found.plane.levels_g[level]:g} g\n{LABEL_Y}")
+                if level == count - 1:
+                    axes.set_xlabel(LABEL_X)
+        inks = inks_of(panels[0, 0])
+        bounds = ("", *(f"{each:g}" for each in STEPS), "")
+        labels = [
+            f"{low} to {top}" if low and top else f"below {top}" if top else f"above {low}"
+            for low, top in pairwise(bounds)
+        ]
+        fills = [*zip(RATIO_FILLS, labels, strict=True), (BEYOND, "a run beyond $d_0$")]
+        figure.legend(
+            handles=[Patch(facecolor=fill, edgecolor=inks.ink, lw=0.4, label=words)
+                     for fill, words in fills],
+            title="demand over capacity", loc="outside lower left", ncols=3 if narrow else 5,
+            fontsize=text_size(panels[0, 0], 8.0), title_fontsize=text_size(panels[0, 0], 8.0),
+            frameon=False, labelcolor=inks.ink, handlelength=1.6, columnspacing=1.2,
+            alignment="left", borderaxespad=0.3,
+        )  # fmt: skip
+    return figure
+
+
+def draw_ratio(found: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") -> None:
+    """Draw demand over capacity of one check at one level."""
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    x, y = _edges(found.plane.slendernesses), _edges(found.plane.heights_m)
+    # A ratio of exactly 1 is accepted.
+    place = np.where(np.isinf(ratio), len(STEPS) + 1, np.searchsorted(STEPS, ratio, side="left"))
+    colours = [*RATIO_FILLS, BEYOND]
+    axes.pcolormesh(
+        x, y, place, cmap=ListedColormap(colours),
+        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)),
+    )  # fmt: skip
+    path = _border(x, y, ratio <= 1.0)
+    axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes))
+    axes.grid(visible=False)
+    axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
+    axes.locator_params(axis="y", integer=True)
+
+
+def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
+    """Return the capacity curve of a wall, its records one by one, and a run."""
+    stacked = page.stacks(WIDE)
+    with page.figure(WIDE, 6.4, "", stacked=3.9) as figure:
+        if stacked:
+            grid = figure.add_gridspec(3, 1, height_ratios=(1.0, 0.9, 0.6))
+            places = [grid[0, 0], grid[1, 0], grid[2, 0]]
+        else:
+            grid = figure.add_gridspec(2, 2, height_ratios=(1.0, 0.62))
+            places = [grid[0, 0], grid[0, 1], grid[1, :]]
+        first, second, third = (figure.add_subplot(each) for each in places)
+        plot_capacity(wall.check, first)
+        first.set_title("Capacity and demand", pad=16.0)
+        draw_records(wall, second)
+        plot_trajectory(wall.history, third, legend="none")
+        name = palette.shortened(wall.runs.records[wall.governing], 24)
+        third.set_title(f"Run under {name}, {wall.direction}")
+        third.set_ylabel(r"$\theta/\theta_0 = d/d_0$")
+        third.axhline(SHARE, color=inks_of(third).lines[1], lw=0.9, ls=(0, (6, 2)))
+        third.set_ylim(top=min(third.get_ylim()[1], 1.6))
+    return figure
+
+
+def draw_records(wall: WorkedWall, axes: "Axes") -> None:
+    """Draw the largest displacement of each record over its largest spectral one."""
+    runs, inks, scale = wall.runs, inks_of(axes), line_scale(axes)
+    d0 = wall.check.mechanism.d0_m
+    spectral, share = wall.spectra_m / d0, runs.share.max(axis=1)
+    over = share > 1.0
+    axes.set_title("Record by record", pad=15.0)
+    axes.axvline(SHARE, color=inks.ink, lw=0.9, ls=palette.DASHES[1])
+    axes.axhline(SHARE, color=inks.ink, lw=0.9, ls=palette.DASHES[1])
+    axes.axhline(1.0, color=inks.ink, lw=0.9, ls=palette.DASHES[2])
+    axes.plot(
+        spectral[~over], share[~over], "o", ms=4.0 * scale, color=inks.lines[0], ls="none",
+        label="record that comes back",
+    )  # fmt: skip
+    axes.plot(
+        spectral[over], np.full(int(over.sum()), TOP), "^", ms=6.5 * scale, color=inks.impact,
+        ls="none", label="record with a run beyond $d_0$", clip_on=False, zorder=4.0,
+    )  # fmt: skip
+    axes.plot(
+        spectral[wall.governing], min(share[wall.governing], TOP), "o", ms=10.0 * scale,
+        mfc="none", mec=inks.ink, mew=1.1, ls="none", label="the run below", clip_on=False,
+        zorder=5.0,
+    )  # fmt: skip
+    mean = float(share.mean())
+    axes.plot(
+        spectral.mean(), min(mean, TOP), "D", ms=6.0 * scale, color=inks.paper, mec=inks.lines[1],
+        mew=1.5, ls="none", zorder=4.5, clip_on=False,
+        label="means" if np.isfinite(mean) else r"means; that of the runs is $\infty$",
+    )  # fmt: skip
+    axes.set(
+        xlabel=r"largest $S_D$ up to $T_{\mathrm{SLV}}$, over $d_0$",
+        ylabel="largest $d/d_0$ of the runs",
+        xlim=(0.0, 1.06 * max(float(spectral.max()), 1.1 * SHARE)),
+        ylim=(0.0, TOP + 0.06),
+    )
+    axes.annotate(
+        r"$d_{\mathrm{SLV}}$", (SHARE, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+        textcoords="offset points", ha="center", va="bottom", fontsize=text_size(axes, 8.0),
+        color=inks.ink,
+    )  # fmt: skip
+    draw_legend(axes, "below")
