@@ -37,8 +37,8 @@ ATLAS_EXAMPLES = (
 FACADE_HELP = (
     "Where linear, nonlinear static and dynamic checks of a facade disagree.\n\n"
     "Bare walls over slenderness and height, checked in the three ways of Circolare 2019 n. 7, "
-    "with the demand of all three from the same records. Writes maps of the verdicts and of demand over "
-    "capacity, two walls on which the checks disagree with the reasons, the data as CSV, "
+    "with the demand of all three from the same records. Writes maps of the verdicts and of demand "
+    "over capacity, two walls on which the checks disagree with the reasons, the data as CSV, "
     "facade-checks.json, and the page facade-checks.html.\n\n"
     "Takes about half a minute with the default of 10 synthetic motions, minutes with 50 records. "
     "What is finished is kept in the folder, and --resume continues after whatever ended the run."

@@ -201,18 +201,18 @@ def reasons(wall: WorkedWall) -> list[str]:
             )
             + f" The run ends after {plural(impacts, 'impact')}."
         )
-    still, lively = wall.others["nonlinear, e = 0"], wall.others["nonlinear, e = 0.8"]
-    if wall.kind == "dynamic refuses" and still <= 1.0:
+    damped, lively = wall.others["nonlinear, e = 0"], wall.others["nonlinear, e = 0.8"]
+    if wall.kind == "dynamic refuses" and damped <= 1.0:
         words = "velocity that it keeps from one return to the next"
         if lively <= 1.0:
             words = "the moment of its returns, which restitution shifts"
         texts.append(
             f"What brings it down is {words}: with restitution 0 the dynamic check "
-            f"{_verdict(still)}, with 0.8 it {_verdict(lively)}. No static check knows the returns."
+            f"{_verdict(damped)}, with 0.8 it {_verdict(lively)}. No static check knows the returns."
         )
     else:
         texts.append(
-            f"With restitution 0 the dynamic check {_verdict(still)}, with 0.8 it "
+            f"With restitution 0 the dynamic check {_verdict(damped)}, with 0.8 it "
             f"{_verdict(lively)}."
         )
     texts.append(

@@ -227,7 +227,7 @@ def draw_ratio(found: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") ->
 def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
     """Return the capacity curve of a wall, its records one by one, and a run."""
     stacked = page.stacks(WIDE)
-    with page.figure(WIDE, 6.4, "", stacked=3.9) as figure:
+    with page.figure(WIDE, 7.6, "", stacked=3.9) as figure:
         if stacked:
             grid = figure.add_gridspec(3, 1, height_ratios=(1.0, 0.9, 0.6))
             places = [grid[0, 0], grid[1, 0], grid[2, 0]]
