@@ -98,14 +98,14 @@ class FacadeCheck(Result):
         return self.facade.mechanism
 
     def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:
-        """Return the checks of a limit state that are satisfied, or those that are not.
+        """Return the satisfied or the failed checks of a limit state.
 
         Parameters
         ----------
         limit_state
             "SLD", "SLV" or "SLC".
         satisfied
-            True for checks that are satisfied, False for those that are not.
+            True for satisfied checks, False for failed ones.
         """
         return tuple(
             check
