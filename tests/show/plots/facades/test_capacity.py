@@ -59,7 +59,7 @@ def test_a_demand_of_runs_stands_at_their_mean() -> None:
     assert runs is not None
     assert runs.mean_m is not None
     expected = pytest.approx((1e3 * runs.mean_m, 0.0))
-    assert points_of(axes, "mean of records SLV") == expected
+    assert points_of(axes, "mean of runs SLV") == expected
 
 
 def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
