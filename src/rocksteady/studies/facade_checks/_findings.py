@@ -208,7 +208,8 @@ def reasons(wall: WorkedWall) -> list[str]:
             words = "the moment of its returns, which restitution shifts"
         texts.append(
             f"What brings it down is {words}: with restitution 0 the dynamic check "
-            f"{_verdict(damped)}, with 0.8 it {_verdict(lively)}. No static check knows the returns."
+            f"{_verdict(damped)}, with 0.8 it {_verdict(lively)}. No static check "
+            "knows the returns."
         )
     else:
         texts.append(

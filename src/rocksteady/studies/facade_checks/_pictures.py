@@ -42,6 +42,8 @@ BEYOND = "#4a4a4c"
 WIDE = 7.2
 TOP = 1.12
 """Where the mark of a run beyond d0 stands, over d0."""
+ASIDE_S = 1.5
+"""Time of a run that is shown before the first impact and after the last [s]."""
 LABEL_X, LABEL_Y = "slenderness  $h/t$", "height  $h$ [m]"
 
 
@@ -94,7 +96,7 @@ def draw_verdicts(found: CheckedWalls, level: int, axes: "Axes") -> None:
     x, y = _edges(found.plane.slendernesses), _edges(found.plane.heights_m)
     axes.pcolormesh(
         x, y, found.classes[level], cmap=ListedColormap([FILLS[kind] for kind in kinds]),
-        norm=BoundaryNorm(np.arange(len(kinds) + 1) - 0.5, len(kinds)), rasterized=False,
+        norm=BoundaryNorm(np.arange(len(kinds) + 1) - 0.5, len(kinds)), edgecolors="face", lw=0.3,
     )  # fmt: skip
     inks = inks_of(axes)
     for (_, ratio), dash in zip(found.ratios.items(), EDGES, strict=True):
@@ -215,7 +217,7 @@ def draw_ratio(found: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") ->
     colours = [*RATIO_FILLS, BEYOND]
     axes.pcolormesh(
         x, y, place, cmap=ListedColormap(colours),
-        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)),
+        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)), edgecolors="face", lw=0.3,
     )  # fmt: skip
     path = _border(x, y, ratio <= 1.0)
     axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes))
@@ -238,13 +240,24 @@ def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
         plot_capacity(wall.check, first)
         first.set_title("Capacity and demand", pad=16.0)
         draw_records(wall, second)
-        plot_trajectory(wall.history, third, legend="none")
+        plot_trajectory(wall.history, third, span=_span(wall), legend="none")
         name = palette.shortened(wall.runs.records[wall.governing], 24)
         third.set_title(f"Run under {name}, {wall.direction}")
         third.set_ylabel(r"$\theta/\theta_0 = d/d_0$")
         third.axhline(SHARE, color=inks_of(third).lines[1], lw=0.9, ls=(0, (6, 2)))
         third.set_ylim(top=min(third.get_ylim()[1], 1.6))
     return figure
+
+
+def _span(wall: WorkedWall) -> tuple[float, float]:
+    """Return the pivot times between which the wall rocks, with a little before and after."""
+    history, aside = wall.history, wall.check.mechanism.p_rad_s * ASIDE_S
+    impacts = history.impacts.pt
+    last = history.shown_to_pt
+    if history.overturn_time_pt is None and len(impacts):
+        last = min(last, float(impacts[-1]) + aside)
+    first = max(0.0, float(impacts[0]) - aside) if len(impacts) else 0.0
+    return first, last
 
 
 def draw_records(wall: WorkedWall, axes: "Axes") -> None:
@@ -261,10 +274,11 @@ def draw_records(wall: WorkedWall, axes: "Axes") -> None:
         spectral[~over], share[~over], "o", ms=4.0 * scale, color=inks.lines[0], ls="none",
         label="record that comes back",
     )  # fmt: skip
-    axes.plot(
-        spectral[over], np.full(int(over.sum()), TOP), "^", ms=6.5 * scale, color=inks.impact,
-        ls="none", label="record with a run beyond $d_0$", clip_on=False, zorder=4.0,
-    )  # fmt: skip
+    if over.any():  # no artist without points: it would take the layout out of its bounds
+        axes.plot(
+            spectral[over], np.full(int(over.sum()), TOP), "^", ms=6.5 * scale, color=inks.impact,
+            ls="none", label="record with a run beyond $d_0$", clip_on=False, zorder=4.0,
+        )  # fmt: skip
     axes.plot(
         spectral[wall.governing], min(share[wall.governing], TOP), "o", ms=10.0 * scale,
         mfc="none", mec=inks.ink, mew=1.1, ls="none", label="the run below", clip_on=False,
