@@ -217,7 +217,8 @@ def draw_ratio(found: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") ->
     colours = [*RATIO_FILLS, BEYOND]
     axes.pcolormesh(
         x, y, place, cmap=ListedColormap(colours),
-        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)), edgecolors="face", lw=0.3,
+        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)),
+        edgecolors="face", lw=0.3,
     )  # fmt: skip
     path = _border(x, y, ratio <= 1.0)
     axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes))

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import Facade, InputError, Record, RecordDemand, make_synthetic_suite
+from rocksteady.results.numbers import plural
 
 Floats = NDArray[np.float64]
 
@@ -120,7 +121,7 @@ def _axis(name: str, values: ArrayLike, least: int) -> Floats:
     low, high, hint = BOUNDS[name]
     points = np.atleast_1d(np.array(values, dtype=np.float64))
     if points.ndim != 1 or points.size < least:
-        raise InputError(name, points.tolist(), f"it has {least} values or more", hint)
+        raise InputError(name, points.tolist(), f"it has {plural(least, 'value')} or more", hint)
     if not (np.diff(points) > 0.0).all():
         raise InputError(name, points.tolist(), "its values ascend", hint)
     for end in (float(points[0]), float(points[-1])):

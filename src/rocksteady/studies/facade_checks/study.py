@@ -8,7 +8,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import Record, Run, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
@@ -308,13 +309,7 @@ def _hash(record: Record) -> str:
 
 def _command(plane: Plane) -> str:
     """Return the command that makes the page of a plane again."""
-    axes = [
-        f"{flag} {points[0]:.15g}:{points[-1]:.15g}:{len(points)}"
-        for flag, points in (
-            ("--height-m", plane.heights_m),
-            ("--slenderness", plane.slendernesses),
-        )
-    ]
+    axes = [f"--height-m {_axis(plane.heights_m)}", f"--slenderness {_axis(plane.slendernesses)}"]
     levels = ",".join(f"{each:.15g}" for each in plane.levels_g.tolist())
     records = [] if plane.synthetic else ["--records FOLDER"]
     return " ".join(
@@ -325,3 +320,11 @@ def _command(plane: Plane) -> str:
             f"--pga-g {levels} --confidence-factor {plane.confidence_factor:.15g} --out DIR",
         ]
     )
+
+
+def _axis(points: NDArray[np.float64]) -> str:
+    """Return an axis as the command line has it."""
+    first, last, count = float(points[0]), float(points[-1]), len(points)
+    if np.allclose(points, np.linspace(first, last, count), rtol=1e-12):
+        return f"{first:.15g}:{last:.15g}:{count}"
+    return ",".join(f"{each:.15g}" for each in points.tolist())
