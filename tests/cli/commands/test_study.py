@@ -1,4 +1,4 @@
-"""`rocksteady study atlas`: its contract, its text, and when it says no."""
+"""`rocksteady study`: the contract of each, its text, and when it says no."""
 
 import json
 import re
@@ -243,3 +243,48 @@ def test_a_folder_in_the_way_is_refused_before_anything_is_computed(tmp_path: Pa
 
 def test_out_must_be_given() -> None:
     assert "--out" in refused("study atlas")
+
+
+# ------------------------------------------------------------------------------ checks of facades
+
+WALLS = "study facade-checks --height-m 3:6:2 --slenderness 8:16:2 --pga-g 0.3"
+
+
+def test_checks_of_facades_keep_the_contract(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from rocksteady.studies.facade_checks import study as checks
+
+    for name in ("verdict_figure", "ratio_figure", "worked_figure"):
+        monkeypatch.setattr(checks, name, lambda *_, **__: tiny())
+    folder = tmp_path / "out"
+    ran = rocksteady(f"{WALLS} --workers 1 --json --out", folder)
+    assert ran.code == 0, ran.err
+    values = ran.json
+    assert values["schema"] == "rocksteady/facade-checks/1"
+    assert (values["synthetic"], len(values["records"])) == (True, 10)
+    assert values["height_m"] == [3.0, 6.0]
+    assert values["files"] == sorted(file.name for file in folder.iterdir())
+    assert "--force" in refused(f"{WALLS} --out", folder)
+    again = rocksteady(f"{WALLS} --force --out", folder)
+    assert again.code == 0
+    assert "agree on" in again.out
+    assert f"open {folder / 'facade-checks.html'}" in again.out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ("--height-m 3", "2 values or more"),
+        ("--height-m high", "--height-m"),
+        ("--slenderness 1:9:3", "slenderness"),
+        ("--pga-g 0.3,0.2", "ascend"),
+        ("--confidence-factor 3", "confidence_factor"),
+        ("--workers 0", "--workers"),
+        ("--records nowhere", "--records"),
+    ],
+)
+def test_checks_of_facades_refuse_in_one_line(arguments: str, words: str, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    assert words in refused(f"study facade-checks {arguments} --out", folder)
+    assert not folder.exists()
