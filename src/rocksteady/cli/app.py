@@ -134,7 +134,7 @@ def run(arguments: list[str]) -> int:
     except TyperException as error:
         return _usage_error(error, arguments)
     except RocksteadyError as error:
-        flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
+        flag = _flag(error.name, arguments)
         code = _complain(str(error).replace(f"{error.name} ", f"{flag} ", 1))
         return INCOMPLETE if isinstance(error, UnfinishedError) else code
     except (KeyboardInterrupt, typer.Abort):
@@ -153,6 +153,13 @@ def run(arguments: list[str]) -> int:
         return INTERNAL
     terminal.say_notes()
     return _interrupted() if code == INTERRUPTED else _code(code)
+
+
+def _flag(name: str, arguments: list[str]) -> str:
+    """Return the flag that an argument of the library is, --records where that one was given."""
+    flag = FLAG_OF_ARGUMENT.get(name, name)
+    plural = f"{flag}s"
+    return plural if any(each.partition("=")[0] == plural for each in arguments) else flag
 
 
 @cache

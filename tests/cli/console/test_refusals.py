@@ -20,6 +20,7 @@ EMPTY = {
     "simulate --width-m 0.5 --height-m 2 --record a.AT2 --vertical": "--vertical",
     "spectrum --alpha-rad 0.2 --record a.AT2 --record": "--record",
     "record a.AT2": "record",
+    "facade wall.toml --records": "--records",
 }
 """Command lines up to a path, and what the path is called in errors."""
 

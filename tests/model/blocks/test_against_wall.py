@@ -165,3 +165,10 @@ def test_results_and_titles_name_the_wall_and_one_side(free: Block) -> None:
     for text in (block_text(block), case_text(block)):
         assert "against a wall, restitution 0.5" in text
         assert "/" not in text.replace("rad/s", "")
+
+
+def test_a_restitution_of_minus_zero_is_zero() -> None:
+    # Of a free side the kernels read -0 as a wall: no table or store has it for a number.
+    block = Block.rectangle(width=0.3, height=3.0).against_wall(-0.0)
+    assert str(block.restitution) == "0.0"
+    assert str(DimensionlessBlock(restitution=-0.0, one_sided=True).restitution) == "0.0"

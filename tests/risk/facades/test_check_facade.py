@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -193,3 +194,16 @@ def test_more_shaking_never_accepts_what_less_refused(ag: float, factor: float) 
         assert other.demand > one.demand
         assert bool(one.satisfied) >= bool(other.satisfied)
         assert one.ratio == pytest.approx(one.demand / one.capacity)
+
+
+def test_runs_of_another_facade_are_refused() -> None:
+    other = replace(WALL, name="other", thickness_m=2.0)
+    assert line(check_facade(other, runs=runs([0.1] * 7, facade=other)), "SLV", "dynamic").satisfied
+    with pytest.raises(RocksteadyError, match="another facade, other"):
+        check_facade(WALL, runs=runs([0.1] * 7, facade=other))
+
+
+def test_the_verdict_of_few_records_does_not_pass_for_one_without_runs() -> None:
+    assert check_facade(WALL).verdict.endswith("no demand is given")
+    assert check_facade(WALL, runs=runs([0.1] * 6)).verdict.endswith("needs 7 records or more")
+    assert "needs 7" not in check_facade(WALL, runs=runs([0.1] * 7)).verdict

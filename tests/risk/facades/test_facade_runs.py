@@ -16,8 +16,10 @@ from rocksteady import (
     ModelError,
     Nonlinear,
     Record,
+    RecordDemand,
     Run,
     Status,
+    make_synthetic_suite,
     run_facade,
     simulate,
 )
@@ -215,8 +217,8 @@ def test_the_same_bits_for_any_workers(run: Run) -> None:
 
 
 def test_records_of_one_name_are_told_apart() -> None:
-    record = motion(0, 0.3 * G)
-    found = run_facade(BARE, [record, record])
+    other = replace(motion(1, 0.3 * G), name="motion 0")
+    found = run_facade(BARE, [motion(0, 0.3 * G), other])
     assert found.records == ("motion 0", "motion 0 (2)")
 
 
@@ -226,3 +228,18 @@ def test_a_wall_that_does_not_lift_stands() -> None:
     assert found.satisfied
     assert not any(row["uplift"] for row in found.to_dict()["runs"])
     assert run_facade(BARE, motion(0, 1.01 * G * BARE.mechanism.uplift_g)).share.max() > 0.0
+
+
+def test_a_motion_counts_once_whatever_its_name_and_with_a_vertical_one() -> None:
+    suite = list(make_synthetic_suite(7))
+    with pytest.raises(InputError, match="one motion twice, as synthetic 2 and as copy"):
+        run_facade(BARE, [*suite, replace(suite[1], name="copy")])
+    with pytest.raises(InputError, match="one motion twice"):
+        RecordDemand(records=(*suite[:6], replace(suite[1], name="copy")))
+    four = suite[:4]
+    paired = [*four, *(BaseMotion(each, each.scaled(0.2)) for each in four)]
+    found = run_facade(BARE, paired, pga_g=0.01)
+    assert (len(found.records), found.motions, found.enough) == (8, 4, False)
+    assert "there are 4 different records" in str(found.refusal)
+    whole = [*suite, BaseMotion(suite[0], suite[0].scaled(0.2))]
+    assert run_facade(BARE, whole, pga_g=0.01).enough

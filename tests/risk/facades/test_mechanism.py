@@ -244,3 +244,9 @@ def test_the_description_has_the_numbers_under_their_names() -> None:
     for key in ("a0_g", "d0_m", "t_slv_s", "t_slc_s", "alpha0", "e_star", "p_rad_s"):
         assert values[key] == getattr(found, key)
     assert "200 mm" in found.summary()
+
+
+def test_a_factor_of_housner_is_refused_as_a_person_writes_it() -> None:
+    wall = Facade(name="f", thickness_m=0.3, height_m=3.0, restitution=("housner", 3.0))
+    with pytest.raises(InputError, match=r"'housner\*3\.0'"):
+        wall.mechanism.block()

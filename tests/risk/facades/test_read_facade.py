@@ -128,7 +128,7 @@ WRONG = [
     (HEAD + f"[demand.slv]\n{SITE}soil = 'F'\n", "[demand.slv] soil = 'F' is not valid: it must"),
     (HEAD + f"[demand.slv]\n{SITE}soil = 'A'\ndamping = 0.05\n", "damping goes with a table alone"),
     (HEAD + "[demand.slv]\ntable = 'a.csv'\nag_g = 0.2\n", "[demand.slv] ag_g does not go with"),
-    (HEAD + "[demand.slv]\ntable = 'none.csv'\ndamping = 0.05\n", "wall.toml: [demand.slv] spectrum = "),
+    (HEAD + "[demand.slv]\ntable = 'none.csv'\ndamping = 0.05\n", "[demand.slv] spectrum = "),
     (HEAD + "[demand.slv]\ntable = 'none.csv'\ndamping = 0.05\n", "No such file"),
     (HEAD + "[demand.slv]\ntable = ' '\n", "[demand.slv] table = ' ' is not valid"),
     (HEAD + '[demand.slv]\ntable = "a\\u0000b"\n', "[demand.slv] table = 'a\\x00b' is not valid"),

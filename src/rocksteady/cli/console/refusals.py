@@ -96,7 +96,7 @@ def _values_of(found: dict[str, Any]) -> set[str]:
 def _check_paths(command: TyperCommand, found: dict[str, Any]) -> None:
     """Refuse names of files that are empty, which would mean this folder, or too long for any."""
     for each in command.params:
-        if each.metavar not in PATHS:
+        if not PATHS & set((each.metavar or "").split("|")):
             continue
         flag = each.opts[0] if each.param_type_name == "option" else str(command.name)
         given = found.get(each.name)

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final
 
-from rocksteady.errors import RocksteadyError
+from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
@@ -56,6 +56,8 @@ def check_facade(
 
     Raises
     ------
+    InputError
+        If the runs are those of another facade.
     ModelError
         If a period lies outside a table.
 
@@ -73,6 +75,13 @@ def check_facade(
     front: SLV satisfied (linear), not satisfied (nonlinear static)
     """
     given = FacadeDemand() if demand is None else demand
+    if runs is not None and runs.facade != facade:
+        raise InputError(
+            "runs",
+            Words(f"are those of another facade, {runs.facade.name}"),
+            f"{facade.name} is checked by its own",
+            "run this facade with run_facade",
+        )
     return FacadeCheck(
         facade=facade,
         demand=given,

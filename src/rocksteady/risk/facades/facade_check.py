@@ -148,6 +148,8 @@ class FacadeCheck(Result):
                 words = "satisfied" if passed else "not satisfied"
             outcomes.setdefault(words, []).append(state)
         parts = [f"{_joined(states)} {words}" for words, states in outcomes.items()]
+        if self.runs is not None and not self.runs.enough:
+            parts.append("no verdict by dynamic, which needs 7 records or more")
         return f"{self.facade.name}: {'; '.join(parts) or 'capacity alone, without a demand'}"
 
     @property

@@ -18,6 +18,7 @@ from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.facades._same_motions import different_motions
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
@@ -63,6 +64,8 @@ class FacadeRuns(Result):
         Codes of `rocksteady.Status`, shape (records, directions).
     share
         Largest displacement over d0, shape (records, directions).
+    motions
+        Number of different horizontal motions in the records; None (default) where each differs.
     """
 
     facade: Facade
@@ -75,6 +78,7 @@ class FacadeRuns(Result):
     vertical: tuple[bool, ...]
     status: Integers
     share: Floats
+    motions: int | None = None
 
     @property
     def displacement_m(self) -> Floats:
@@ -90,8 +94,12 @@ class FacadeRuns(Result):
 
     @property
     def enough(self) -> bool:
-        """Whether there are records for a mean, 7 or more."""
-        return len(self.records) >= FEWEST
+        """Whether there are different motions for a mean, 7 or more."""
+        return self._different >= FEWEST
+
+    @property
+    def _different(self) -> int:
+        return len(self.records) if self.motions is None else self.motions
 
     @property
     def mean_m(self) -> float | None:
@@ -125,10 +133,10 @@ class FacadeRuns(Result):
         """Why there is no check of the mean; None where there is one."""
         if self.enough:
             return None
-        given = plural(len(self.records), "record")
+        given = plural(self._different, "record" if self.motions is None else "different record")
         return (
             f"The mean of the largest displacements needs {FEWEST} records and there "
-            f"{'is' if len(self.records) == 1 else 'are'} {given}: no verdict; add records."
+            f"{'is' if self._different == 1 else 'are'} {given}: no verdict; add records."
         )
 
     def describe(self) -> Description:
@@ -271,8 +279,8 @@ def run_facade(
     Raises
     ------
     InputError, ModelError
-        If `scale` and `pga_g` are both given or not above 0, a record has too large accelerations,
-        or the linear model meets a vertical motion.
+        If `scale` and `pga_g` are both given or not above 0, a record is there twice or has too
+        large accelerations, or the linear model meets a vertical motion.
 
     Examples
     --------
@@ -283,6 +291,7 @@ def run_facade(
     (True, ())
     """
     grounds = grounds_of(records)
+    different = different_motions(grounds)
     peaks = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
     factors = _factors(scale, pga_g, peaks)
     mechanism = facade.mechanism
@@ -315,6 +324,7 @@ def run_facade(
         vertical=tuple(ground.vertical is not None for ground in grounds),
         status=status,
         share=np.where(np.isin(status, ENDED), tilt, np.inf),
+        motions=None if different == len(grounds) else different,
     )
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.housner_forms import form_text, housner_factor
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite, in_range, positive
@@ -199,9 +200,10 @@ class Mechanism(Result):
             )
             return made.against_wall(self.restitution) if self.one_sided else made
         except InputError as error:
+            factor = housner_factor(self.restitution)
             raise InputError(
                 "restitution",
-                self.restitution,
+                self.restitution if factor is None else form_text(factor),
                 f"{self.name} has theta0 = {math.degrees(alpha):.3g} degrees: {error.valid}",
                 "give the restitution as a number, or check the ties",
             ) from None

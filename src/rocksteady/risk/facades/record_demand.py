@@ -11,11 +11,13 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
+from rocksteady.risk.facades._same_motions import different_motions
 from rocksteady.seismic.measures.response_spectrum import (
     LONGEST_S,
     SHORTEST,
     compute_response_spectrum,
 )
+from rocksteady.seismic.spectra.grounds import grounds_of
 
 Floats = NDArray[np.float64]
 
@@ -41,7 +43,7 @@ class RecordDemand:
     Raises
     ------
     InputError
-        If there are fewer than 7.
+        If there are fewer than 7, or one is there twice.
 
     Examples
     --------
@@ -66,6 +68,7 @@ class RecordDemand:
                 f"a mean over records needs {FEWEST} or more",
                 "give more records, or a spectrum",
             )
+        different_motions(grounds_of(self.records))
 
     def displacement_m(self, period_s: float, damping: float) -> float:
         """Return the mean over the records of the largest S_D [m] up to a period.

@@ -236,3 +236,22 @@ def test_help_shows_examples() -> None:
 def test_the_motions_of_the_fixture_shake(folder: Path) -> None:
     record = read_record(folder / "seven" / "m1.AT2")
     assert np.abs(record.acceleration_m_s2).max() > 1.0
+
+
+def test_an_exit_code_of_a_check_without_a_verdict_is_no_yes(folder: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    line = refused("facade --check", folder / "bare.toml", "--out", out)
+    assert "no check has a verdict" in line
+    assert not out.exists()
+    line = refused("facade --check --records", folder / "three", folder / "wall.toml")
+    assert "needs 7 records" in line
+    assert "there are 3" in line
+    assert rocksteady("facade --check", folder / "wall.toml").code == 1
+
+
+def test_copies_of_a_record_are_no_more_records(folder: Path, tmp_path: Path) -> None:
+    for number in range(7):
+        copy = tmp_path / f"c{number}.AT2"
+        copy.write_bytes((folder / "seven" / "m1.AT2").read_bytes())
+    line = refused("facade --records", tmp_path, folder / "wall.toml")
+    assert line.startswith("rocksteady: --records have one motion twice")

@@ -147,7 +147,7 @@ CheckFlag = Annotated[
     bool,
     typer.Option(
         "--check",
-        help="Leave with exit code 1 where a check is not satisfied.",
+        help="Leave with exit code 1 where a check is not satisfied; without a verdict with 2.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
@@ -236,6 +236,8 @@ def facade(
         remark_on_scale(float(runs.scale.max()), "the largest factor multiplies a record")
         demand = _with_records(demand, suite.motions, runs)
     found = check_facade(wall, demand, runs=runs)
+    if check:
+        _refuse_open(found)
     _write(context, found, output, out, (suite.motions, files), language=tongue)
     if output.as_json:
         values = {
@@ -351,8 +353,27 @@ def _with_records(
         ground.record.scaled(factor)
         for ground, factor in zip(grounds_of(motions), runs.scale.tolist(), strict=True)
     ]
-    own = RecordDemand(records=tuple(scaled))
+    own = RecordDemand(records=tuple(dict.fromkeys(scaled)))  # once with and without vertical ones
     return replace(demand, **{key: own})
+
+
+def _refuse_open(found: "FacadeCheck") -> None:
+    """Refuse --check where nothing is checked: an exit code 0 would pass for a yes.
+
+    Raises
+    ------
+    FlagError
+        If no check has a verdict, or the runs have none.
+    """
+    if found.runs is not None and found.runs.refusal is not None:
+        raise FlagError("--check", True, found.runs.refusal, "add records, or leave out --check")
+    if not found.states:
+        raise FlagError(
+            "--check",
+            True,
+            "neither the file nor records give a demand: no check has a verdict",
+            "add [demand.slv] to the file or --records DIR, or leave out --check",
+        )
 
 
 def _in_text(found: "FacadeCheck", *, example: bool) -> "Description":
