@@ -207,3 +207,11 @@ def test_the_verdict_of_few_records_does_not_pass_for_one_without_runs() -> None
     assert check_facade(WALL).verdict.endswith("no demand is given")
     assert check_facade(WALL, runs=runs([0.1] * 6)).verdict.endswith("needs 7 records or more")
     assert "needs 7" not in check_facade(WALL, runs=runs([0.1] * 7)).verdict
+
+
+def test_limit_states_that_are_exchanged_are_refused() -> None:
+    assert FacadeDemand(sld=rock(0.1), slc=rock(0.1)).given == ("SLD", "SLC")
+    with pytest.raises(RocksteadyError, match=r"ag_g of slv is 0\.3, above that of slc, 0\.2"):
+        FacadeDemand(sld=rock(0.1), slv=rock(0.3), slc=rock(0.2))
+    with pytest.raises(RocksteadyError, match="sld and slc are exchanged"):
+        FacadeDemand(sld=rock(0.3), slc=rock(0.2))

@@ -237,9 +237,12 @@ def test_a_motion_counts_once_whatever_its_name_and_with_a_vertical_one() -> Non
     with pytest.raises(InputError, match="one motion twice"):
         RecordDemand(records=(*suite[:6], replace(suite[1], name="copy")))
     four = suite[:4]
-    paired = [*four, *(BaseMotion(each, each.scaled(0.2)) for each in four)]
+    paired: list[Record | BaseMotion] = [
+        *four,
+        *(BaseMotion(each, each.scaled(0.2)) for each in four),
+    ]
     found = run_facade(BARE, paired, pga_g=0.01)
     assert (len(found.records), found.motions, found.enough) == (8, 4, False)
     assert "there are 4 different records" in str(found.refusal)
-    whole = [*suite, BaseMotion(suite[0], suite[0].scaled(0.2))]
+    whole: list[Record | BaseMotion] = [*suite, BaseMotion(suite[0], suite[0].scaled(0.2))]
     assert run_facade(BARE, whole, pga_g=0.01).enough

@@ -1,9 +1,12 @@
 """Demand on a facade: a spectrum for each limit state."""
 
+import itertools
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
+from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 
 LimitState = Literal["SLD", "SLV", "SLC"]
 
@@ -33,6 +36,8 @@ class FacadeDemand:
     ------
     InputError
         If one is no spectrum.
+    ModelError
+        If an elastic spectrum has a larger a_g than that of a rarer limit state.
 
     Examples
     --------
@@ -45,6 +50,19 @@ class FacadeDemand:
     sld: DemandSpectrum | None = None
     slv: DemandSpectrum | None = None
     slc: DemandSpectrum | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse limit states in a wrong order: a rarer earthquake has no smaller a_g."""
+        states = {"sld": self.sld, "slv": self.slv, "slc": self.slc}
+        sites = [(key, site) for key, site in states.items() if isinstance(site, ElasticSpectrum)]
+        for (key, site), (rarer, other) in itertools.pairwise(sites):
+            if site.ag_g > other.ag_g:
+                raise ModelError(
+                    f"ag_g of {key}",
+                    Words(f"is {site.ag_g:g}, above that of {rarer}, {other.ag_g:g}"),
+                    "SLD, SLV and SLC are earthquakes of rising return periods",
+                    f"check whether {key} and {rarer} are exchanged",
+                )
 
     @property
     def given(self) -> tuple[str, ...]:

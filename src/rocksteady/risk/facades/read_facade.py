@@ -192,13 +192,12 @@ def _form(text: str, source: str) -> Any:
 def _demand(given: FacadeInput, source: str, folder: Path) -> FacadeDemand:
     """Return the spectrum of each limit state."""
     states = {name: getattr(given.demand, name) for name in given.demand.__struct_fields__}
-    return FacadeDemand(
-        **{
-            name: _spectrum(keys, source, f"demand.{name}", folder)
-            for name, keys in states.items()
-            if keys is not None
-        }
-    )
+    spectra = {
+        name: _spectrum(keys, source, f"demand.{name}", folder)
+        for name, keys in states.items()
+        if keys is not None
+    }
+    return _made(FacadeDemand, spectra, f"{source}: [demand] ")
 
 
 def _spectrum(keys: SpectrumKeys, source: str, table: str, folder: Path) -> DemandSpectrum:
