@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from rocksteady.errors import InputError, Words
-from rocksteady.seismic.spectra.grounds import GroundShaking
+from rocksteady.seismic.spectra.batch import GroundShaking
 
 MOST_SHOWN: Final = 60
 
