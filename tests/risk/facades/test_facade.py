@@ -125,16 +125,16 @@ def test_a_name_has_no_characters_that_do_not_print(name: str) -> None:
 def test_a_tie_in_newtons_is_refused() -> None:
     # 54 kN at 3 m make 162 kN m: 4 kN at 2.8 m leave it rocking, 4000 kN do not.
     assert (
-        Facade(**SIZES, ties=[Tie(name="rods", z_m=2.8, force_kn=4.0)]).mechanism.theta0_rad
+        Facade(**SIZES, ties=(Tie(name="rods", z_m=2.8, force_kn=4.0),)).mechanism.theta0_rad
         < math.pi / 4
     )
     with pytest.raises(RocksteadyError, match=r"force_kn of the ties.*162 kN m.*in kN"):
-        Facade(**SIZES, ties=[Tie(name="rods", z_m=2.8, force_kn=4000.0)])
+        Facade(**SIZES, ties=(Tie(name="rods", z_m=2.8, force_kn=4000.0),))
 
 
 def test_a_load_in_newtons_or_centimetres_is_refused() -> None:
     # On 0.5 m x 1 m, 5000 kN and 54 kN make 10.1 MPa.
     with pytest.raises(RocksteadyError, match=r"weight_kn of roof.*10\.1 MPa"):
-        Facade(**SIZES, loads=[Load(name="roof", weight_kn=5000.0, x_m=0.2, z_m=3.0)])
+        Facade(**SIZES, loads=(Load(name="roof", weight_kn=5000.0, x_m=0.2, z_m=3.0),))
     with pytest.raises(RocksteadyError, match=r"x_m of roof.*twice thickness_m = 0\.5"):
-        Facade(**SIZES, loads=[Load(name="roof", weight_kn=5.0, x_m=5.0, z_m=3.0)])
+        Facade(**SIZES, loads=(Load(name="roof", weight_kn=5.0, x_m=5.0, z_m=3.0),))
