@@ -206,7 +206,7 @@ def facade_things(record: rs.Record) -> dict[str, Any]:
     floor = rs.SpectrumTable(periods_s=[0.0, 0.5, 6.0], values_g=[0.3, 0.9, 0.02], damping=0.05)
     seven = rs.RecordDemand(records=tuple(record.scaled(0.7 + 0.1 * k) for k in range(7)))
     loads = rs.FacadeDemand(sld=site, slv=floor, slc=seven)
-    fronts = rs.run_facade(front, [record] * 7, scale=0.1)
+    fronts = rs.run_facade(front, seven.records, scale=0.1)
     return {
         "facade": front,
         "mechanism": front.mechanism,
