@@ -1,6 +1,7 @@
 """Many blocks on many records: each cell against a time history, levels, directions, refusals."""
 
 import functools
+import math
 from itertools import product
 
 import numpy as np
@@ -243,3 +244,27 @@ def test_refusals(given: dict[str, object], words: str) -> None:
 def test_the_linear_model_has_no_vertical_motion() -> None:
     with pytest.raises(ModelError, match="vertical"):
         simulate_many(BLOCKS[0], BaseMotion(SUITE[0], lifting()), model=Linear())
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+@pytest.mark.parametrize("wall", [False, True])
+def test_a_crest_that_just_touches_uplift_is_decided(model: Model, *, wall: bool) -> None:
+    """To the last bits of the level a block lifts or not, and never stays between the two."""
+    block = Block.rectangle(width=0.4, height=2.0)
+    uplift = block.alpha if isinstance(model, Linear) else 0.2
+    levels = np.unique(uplift * (1.0 + np.arange(-8, 9) * 2.0**-53))
+    assert len(levels) > 8
+    shape = np.array([0.0, -0.5, 0.3, 1.0, -0.7, 0.0])
+    crests = [
+        Record(acceleration_m_s2=top * shape, dt_s=0.02, name=f"crest {top:.3g}")
+        for top in (1.0, 0.7654321, 1.0 / 3.0, math.pi)
+    ]
+    fates = simulate_many(
+        [block.against_wall() if wall else block],
+        crests,
+        pga_g=levels,
+        reverse="both",
+        model=model,
+    )
+    assert (fates["status"] == int(Status.AT_REST)).all()
+    assert int(fates["impacts"].max()) < 100

@@ -116,7 +116,8 @@ def starts_positive(forcing: Forcing, phase: float) -> bool:
             # Zero but for rounding: where it is going decides.
             r = forcing.slope + forcing.amplitude * forcing.frequency * cosine
         return r > 0.0
-    if forcing.constant == 0.0:
+    if abs(forcing.constant) <= 4.0 * EPSILON and forcing.slope != 0.0:
+        # The constant is a base acceleration less 1, so that this too is zero but for rounding.
         return forcing.slope > 0.0
     return forcing.constant > 0.0
 
