@@ -40,7 +40,7 @@ FACADE_HELP = (
     "with the demand of all three from the same records. Writes maps of the verdicts and of demand "
     "over capacity, two walls on which the checks disagree with the reasons, the data as CSV, "
     "facade-checks.json, and the page facade-checks.html.\n\n"
-    "Takes about half a minute with the default of 10 synthetic motions, minutes with 50 records. "
+    "Takes a minute or two with the default of 10 synthetic motions, some five with 50 records. "
     "What is finished is kept in the folder, and --resume continues after whatever ended the run."
 )
 FACADE_EXAMPLES = (
