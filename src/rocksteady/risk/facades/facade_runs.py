@@ -249,7 +249,7 @@ def run_facade(
     The facade is its equivalent block (`Mechanism.block`), at rest as each record begins; it is
     followed after the record's end to rest or proven overturning::
 
-        theta'' = -p^2 [sin(theta0 - theta) + lambda a(t)/g cos(theta0 - theta)],
+        theta'' = -p^2 [sin(theta0 - theta) - lambda a(t)/g cos(theta0 - theta)],
         p^2 = sqrt(M^2 + K^2)/(I FC),    lambda = FC D/K,    d = d0 theta/theta0
 
     with the sign of a(t) that tilts outwards.  This is exact where the centres of all masses lie on
