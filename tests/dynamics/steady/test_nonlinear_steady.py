@@ -192,7 +192,7 @@ def test_what_the_linear_model_has_not_is_refused_with_its_reason() -> None:
             model=Nonlinear(),
         )
     unlike = Block.asymmetric(left=0.3, right=0.5, height=1.6)
-    with pytest.raises(ModelError, match="sides"):
+    with pytest.raises(ModelError, match="is asymmetric has none"):
         simulate(
             unlike, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), model=Nonlinear()
         )

@@ -206,7 +206,7 @@ def test_runs_of_another_facade_are_refused() -> None:
 
 
 def test_the_verdict_of_few_records_does_not_pass_for_one_without_runs() -> None:
-    assert check_facade(WALL).verdict.endswith("no demand is given")
+    assert check_facade(WALL).verdict.endswith("capacity alone, without a demand")
     assert check_facade(WALL, runs=runs([0.1] * 6)).verdict.endswith("needs 7 records or more")
     assert "needs 7" not in check_facade(WALL, runs=runs([0.1] * 7)).verdict
 

@@ -18,11 +18,10 @@ from rocksteady.dynamics.batch.attractors import (
     periods_value,
     settled_cells,
 )
-from rocksteady.dynamics.history.lowering import side_table
+from rocksteady.dynamics.history.lowering import only_side, side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
-from rocksteady.kernels.core.tables import free_side
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -443,7 +442,7 @@ def _settled(
     if seed is not None:
         part = uniform(seed, number, 2) - 0.5
         angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
-        if free_side(sides) > 0:  # a cell begins at the wall but for a rounding
+        if only_side(sides) > 0:  # a cell begins at the wall but for a rounding
             angle = np.maximum(angle, TINY)
     count = len(number)
     found = settled_cells(

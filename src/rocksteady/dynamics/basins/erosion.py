@@ -20,12 +20,13 @@ from rocksteady.dynamics.basins.window import (
     window_axes,
 )
 from rocksteady.dynamics.batch.attractors import periods_value
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
-from rocksteady.kernels.core.tables import LEAN, RATE, free_side
+from rocksteady.kernels.core.tables import LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -446,7 +447,7 @@ def _half_width(sides: Floats, run: Run) -> float:
 def _still_radius(width: float, sides: Floats, run: Run) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
     velocities = centred(width)
-    angles = against_wall(width) if free_side(sides) > 0 else velocities
+    angles = against_wall(width) if only_side(sides) > 0 else velocities
     safe = safe_states(
         sides=sides,
         frequency_ratio=1.0,

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.base_motion import lift
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.tables import free_side, is_nonlinear
+from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, exp, log, sin
 from rocksteady.kernels.march.replay import fill_states
 
@@ -215,8 +216,8 @@ def _impacts(course: Course, impacts: Impacts) -> dict[int, tuple[float, float]]
         shares, pulls = cos(alpha), pulls * sin(alpha) / alpha
     squares = np.square(sides[:, columns.RATE])
     base = (before / squares[here] + impacts.side * weight * pulls[here]) / shares[here]
-    there = here if free_side(sides) else 1 - here
-    back = 1.0 if free_side(sides) else -1.0  # the side after the impact over that before it
+    there = here if only_side(sides) else 1 - here
+    back = 1.0 if only_side(sides) else -1.0  # the side after the impact over that before it
     after = squares[there] * (base * shares[there] - back * impacts.side * weight * pulls[there])
     ratios = sides[here, columns.RESTITUTION]
     with np.errstate(divide="ignore", invalid="ignore"):

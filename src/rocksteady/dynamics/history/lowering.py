@@ -155,6 +155,13 @@ def side_table(block: DimensionlessBlock) -> Floats:
     return np.array(block.sides)
 
 
+def only_side(sides: Floats) -> int:
+    """Return the one side of a block against a wall, 1 or -1, or 0 of a block that has two."""
+    if sides[0, columns.RESTITUTION] <= 0.0:
+        return 1
+    return -1 if sides[1, columns.RESTITUTION] <= 0.0 else 0
+
+
 def symmetric_sides(restitution: Floats) -> Floats:
     """Return the sides of symmetric blocks, shape (blocks, 2, 3), from their restitutions."""
     sides = np.ones((len(restitution), 2, 3))

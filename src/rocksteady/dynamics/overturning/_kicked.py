@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.base_motion import segment_starts
-from rocksteady.dynamics.history.lowering import ceilings, samples_alike
+from rocksteady.dynamics.history.lowering import ceilings, only_side, samples_alike
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, LONGEST_REST
 from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
@@ -90,7 +90,7 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
     """Return the fields of `Fates` after one kick."""
     sides = kicked.sides
     jump = kicked.direction * size
-    walled = columns.free_side(sides) > 0
+    walled = only_side(sides) > 0
     leaning = kicked.angle or kicked.velocity + jump
     row = 0 if leaning > 0.0 or walled else 1
     lean, rate = float(sides[row, columns.LEAN]), float(sides[row, columns.RATE])

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
@@ -12,7 +13,6 @@ from rocksteady.kernels.core.tables import (
     LEAN,
     LIFT,
     NONLINEAR_SEGMENT_COLUMNS,
-    free_side,
     is_nonlinear,
 )
 from rocksteady.kernels.elementary.arrays import tan
@@ -68,10 +68,10 @@ def uplifts_of(sides: Floats) -> tuple[float, float]:
         first, second = float(sides[0, LEAN]), float(sides[1, LEAN])
     else:
         first, second = (tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
-    free = free_side(sides)
-    if free == 0:
+    side = only_side(sides)
+    if side == 0:
         return first, second
-    return (first, first) if free > 0 else (second, second)
+    return (first, first) if side > 0 else (second, second)
 
 
 def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any]]:

@@ -74,6 +74,11 @@ def restitution(
             "the restitution is what this command finds",
             "leave it out",
         )
+    if block.one_sided:
+        raise block.refuse_sides(
+            "the peaks are those of a block that rocks to both sides",
+            "leave the flag out: between equal sides both lose alike, and the peaks are the same",
+        )
     body = sized_block(block)
     output.refuse_read([peaks])
     from rocksteady.risk.free_rocking.fit_restitution import fit_restitution
