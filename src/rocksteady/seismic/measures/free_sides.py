@@ -22,7 +22,7 @@ def free_sides(block: Block) -> tuple[Side, ...]:
 
 
 def first_side(block: Block) -> Side:
-    """Return the side that lifts first: of those that are free that of the smaller alpha."""
+    """Return the free side with the smaller alpha, which lifts first."""
     return min(free_sides(block), key=lambda side: side.alpha)
 
 

@@ -35,7 +35,7 @@ class TomlTables:
     needs
         What a file must have, as a clause.
     lists
-        Names of those that may occur several times, as ``[[loads]]``.
+        Names of tables that may be repeated, as ``[[loads]]``.
     inline
         Keys of an inline table by its place.
     """
