@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from rocksteady.errors import RocksteadyError
@@ -57,7 +58,9 @@ def test_a_table_is_not_continued() -> None:
 
 WRONG: list[tuple[dict[str, Any], str]] = [
     ({"values_g": [0.3, 1.2]}, "there is one for each period"),
-    ({"values_g": "x"}, "there is one for each period"),
+    ({"values_g": "x"}, "values_g = 'x' is not valid: it must be an array of real numbers"),
+    ({"periods_s": np.ma.masked_less([0.0, 0.2, 0.8, 3.2], 0.1)}, "a mask would be lost"),
+    ({"values_g": [[0.3], [1.2, 0.1], [0.6], [0.1]]}, "give rows of one length"),
     ({"periods_s": [0.0, 0.8, 0.2, 3.0]}, "its periods must ascend"),
     ({"values_g": [0.3, 1.2, math.nan, 0.1]}, "its numbers must be finite"),
     ({"values_g": [3.0, 12.0, 60.0, 1.0]}, "divide m/s^2 by 9.81"),

@@ -212,11 +212,16 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
     import numpy as np
 
     hint = "give periods_s and values_g, one number or one row for each period"
+    columns = []
+    for name, given in (("periods_s", periods), ("values_g", values)):
+        try:
+            columns.append(np.asarray(numeric_array(name, given), np.float64))
+        except UnfitError as unfit:
+            raise InputError(name, given, *unfit.args) from None
+    one, other = columns
     try:
-        one = np.asarray(numeric_array("periods_s", periods), np.float64)
-        other = np.asarray(numeric_array("values_g", values), np.float64)
-        rows = np.column_stack([one, other])
-    except (UnfitError, TypeError, ValueError):
+        rows = np.column_stack(columns)
+    except ValueError:
         raise InputError("values_g", values, "there is one for each period", hint) from None
     if one.ndim != 1 or other.ndim not in (1, 2) or not rows.size:
         raise InputError("values_g", values, "there is one for each period", hint)
