@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.batch.harmonic import fates_of_sides
-from rocksteady.kernels.core.tables import NO_RETURN, OVERTURNED, ROCKING
+from rocksteady.kernels.core.tables import FOUND, NO_RETURN, OVERTURNED, ROCKING, STALLED
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import fly
@@ -54,3 +54,42 @@ def test_shaking_beyond_all_bounds_throws_a_block_over_at_once(
     least = (6.0 * 0.5 * math.pi / alpha / (2.0 * amplitude)) ** (1.0 / 3.0)
     assert zero.time > least * (1.0 - 1e-6)
     assert zero.time < 3.0 * least / math.cos(alpha)
+
+
+@pytest.mark.parametrize("velocity", [1e-300, 1e-60, 6.807969192843294e-34, 1e-20, 1e-12])
+def test_a_bounce_without_acceleration_lands_by_the_slope_alone(velocity: float) -> None:
+    """The acceleration starts at 0 to the last bit: y = v t - c t^3/6, back at sqrt(6 v/c)."""
+    alpha, slope = 0.24497866312686414, -0.08484947470971271
+    drive = Drive(alpha, 1.0204970376156208, slope, 0.0, 0.0, 0.0, 0.0)
+    zero = fly(
+        drive, 0.0, velocity, 0.0, 0.0267, FALSE, math.inf, FALSE, 1e-15, np.empty(0), 1.0, 1.0,
+        np.empty((WORK_ROWS, TERMS)), np.empty((0, TERMS)),
+    )  # fmt: skip
+    assert zero.event == FOUND
+    back = math.sqrt(6.0 * velocity / (-slope * math.cos(alpha)))
+    assert zero.time == pytest.approx(back, rel=1e-4)
+    assert zero.velocity == pytest.approx(-2.0 * velocity, rel=1e-3)
+
+
+@pytest.mark.parametrize("span", [1.0, 1e6])
+def test_a_flight_of_ever_so_many_steps_is_given_up(span: float) -> None:
+    """Hung up, with a weight of -1e12 M g, a block swings for ever with a period of 6e-6."""
+    drive = Drive(0.3, 0.0, 0.0, 0.0, 0.0, -1e12, 0.0)
+    zero = fly(
+        drive, 0.9, 0.0, 0.0, span, FALSE, math.inf, FALSE, 1e-15, np.empty(0), 1.0, 1.0,
+        np.empty((WORK_ROWS, TERMS)), np.empty((0, TERMS)),
+    )  # fmt: skip
+    assert zero.event == STALLED
+    assert abs(zero.angle - 1.0) < 0.1 * (1.0 + 1e-9)
+    assert zero.time < 0.1
+
+
+def test_long_flights_are_not_given_up() -> None:
+    """Balanced to the last bit a block hovers, for as many steps as fast shaking needs."""
+    drive = Drive(0.3, 0.0, 0.0, 1e-9, 300.0, 0.0, 0.0)
+    zero = fly(
+        drive, 1.0, 0.0, 0.0, 30.0, FALSE, math.inf, FALSE, 1e-15, np.empty(0), 1.0, 1.0,
+        np.empty((WORK_ROWS, TERMS)), np.empty((0, TERMS)),
+    )  # fmt: skip
+    assert zero.event != STALLED
+    assert zero.time > 20.0

@@ -1,9 +1,12 @@
 """Replay of nonlinear flights: those that are not searched for peaks have none to show."""
 
+import math
+
 import numpy as np
+import pytest
 
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.replay import peaks_of, stays_below
+from rocksteady.kernels.nonlinear.replay import last_rise_of, peaks_of, stays_below
 from tests.strategies import inner_sample_size
 
 
@@ -37,3 +40,21 @@ def test_flights_of_no_end_and_to_the_side_are_searched() -> None:
     assert stays_below(drive, 0.5, 0.0, 0.01, 1.0, 1.0)
     assert not stays_below(drive, 0.5, 0.0, np.inf, 1.0, 1.0)
     assert not stays_below(drive, 2.1, 0.0, 0.01, 9.0, 9.0)
+
+
+@pytest.mark.parametrize("share", [1e-15, 1e-12, 1e-6, 0.1])
+def test_a_flight_of_no_end_that_falls_back_never_rises_through_the_top(share: float) -> None:
+    """On a still base it needs ``2 sin(alpha/2)/alpha``; with less it turns, and passes 0 again."""
+    drive = Drive(0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    barrier = 2.0 * math.sin(0.1) / 0.2
+    slower, faster = barrier * (1.0 - share), barrier * (1.0 + 2.0 * share)
+    assert last_rise_of(drive, 0.0, 0.0, slower, math.inf, 1e-15, 1.0, 1.0) == -1.0
+    if share > 1e-14:
+        assert last_rise_of(drive, 0.0, 0.0, faster, math.inf, 1e-15, 1.0, 1.0) > 1.0
+
+
+def test_a_flight_of_ever_so_many_steps_has_no_peaks() -> None:
+    """Hung up, with a weight of -1e12 M g, a block swings for ever about 1."""
+    drive = Drive(0.3, 0.0, 0.0, 0.0, 0.0, -1e12, 0.0)
+    assert np.isnan(peaks_of(drive, 0.0, 0.9, 0.0, 1.0, 1e-15, 0.0, 0.0)).all()
+    assert 0.0 < last_rise_of(drive, 0.0, 0.9, 0.0, 1.0, 1e-15, 1.0, 2.0) < 0.1

@@ -7,7 +7,13 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, foot_forcing
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand
+from rocksteady.kernels.nonlinear.series import (
+    TERMS,
+    WORK_ROWS,
+    angle_at,
+    expand,
+    root_of_parabola,
+)
 
 mp = mpmath.mp.clone()
 mp.dps = 25
@@ -71,3 +77,23 @@ def test_short_steps_take_few_terms() -> None:
     degree, step = expand(drive, 0.0, 0.5, 0.3, 0.0, 1.0, False, 0.01, 1e-15, work)
     assert step == 0.01
     assert degree <= 9
+
+
+@pytest.mark.parametrize("velocity", [1e-300, 1e-160, 6.8e-34, 1e-16, 1e-6])
+@pytest.mark.parametrize("angle", [0.0, 1e-200, 1e-50])
+def test_a_step_from_an_acceleration_of_zero_leads_on(velocity: float, angle: float) -> None:
+    """What leaves the floor without acceleration has no parabola that leads back to it."""
+    drive = Drive(0.24497866312686414, 1.0204970376156208, -0.08484947470971271, 0.0, 0.0, 0.0, 0.0)
+    work = np.zeros((WORK_ROWS, TERMS))
+    degree, step = expand(drive, 0.0, angle, velocity, 0.0, 1.0, False, 0.0267, 1e-15, work)
+    assert work[0, 2] == 0.0
+    assert degree >= 2
+    assert 0.0 < step <= 0.0267
+    assert root_of_parabola(angle, velocity, 0.0, True) == math.inf
+
+
+def test_the_crossing_of_a_straight_line_is_ahead_or_nowhere() -> None:
+    assert root_of_parabola(2.0, -0.5, 0.0, True) == 4.0
+    assert root_of_parabola(-2.0, 0.5, 0.0, False) == 4.0
+    assert root_of_parabola(2.0, 0.5, 0.0, True) == math.inf
+    assert root_of_parabola(-2.0, -0.5, 0.0, False) == math.inf

@@ -268,3 +268,25 @@ def test_a_crest_that_just_touches_uplift_is_decided(model: Model, *, wall: bool
     )
     assert (fates["status"] == int(Status.AT_REST)).all()
     assert int(fates["impacts"].max()) < 100
+
+
+def test_a_crest_at_uplift_leaves_no_flight_without_end() -> None:
+    """A peak sample that just reaches uplift lifts the block at no acceleration at all."""
+    block = Block.rectangle(width=0.5, height=2.0, restitution=0.8)  # lifts at 0.25 g
+    bumps = (
+        (0.1, 1.1, 0.3), (-0.18, 1.9, 0.45), (0.36, 2.8, 0.45), (-0.44, 3.5, 0.25),
+        (0.48, 4.1, 0.35), (-0.48, 4.7, 0.3), (0.32, 5.4, 0.35), (-0.26, 6.2, 0.4),
+        (0.16, 6.9, 0.3), (-0.06, 7.4, 0.25),
+    )  # fmt: skip
+    time = 0.01 * np.arange(1000)
+    shapes = (c * np.maximum(0.0, 1.0 - ((time - m) / w) ** 2) ** 2 for c, m, w in bumps)
+    record = Record(acceleration_m_s2=G * sum(shapes), dt_s=0.01)
+    levels = [2.5, 2.5 / 1.8, 2.5 / 3.6, 2.5 / 4.8]
+    for model in (Nonlinear(), Linear()):
+        fates = simulate_many(block, record, scales=levels, model=model)
+        for k, level in enumerate(levels):
+            cell, run = fates.isel(level=k), simulate(block, record.scaled(level), model=model)
+            assert int(cell.status) == run.status
+            # Bounces on the crest are of the size of rounding, which differs with the units.
+            assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
+        assert int(fates.status[0]) == Status.OVERTURNED

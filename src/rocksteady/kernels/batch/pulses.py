@@ -31,6 +31,7 @@ from rocksteady.kernels.core.tables import (
     ROCKING,
     ROW_COLUMNS,
     ROW_DURATION,
+    STALLED,
     UNDECIDED,
     Floats,
     March,
@@ -190,6 +191,8 @@ def followed(
 def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
     """Return the speed with which a nonlinear block comes to lie on its side, over the barrier.
 
+    It is no number where the flight comes to no end.
+
     Parameters
     ----------
     segments, sides
@@ -219,4 +222,6 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
         np.empty((WORK_ROWS, TERMS)),
         np.empty((0, TERMS)),
     )
+    if zero.event == STALLED:
+        return math.nan
     return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)

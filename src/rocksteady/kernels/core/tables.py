@@ -71,6 +71,7 @@ ROW_COLUMNS = 8
 SPAN_END = 0  # no zero up to the end of the span
 FOUND = 1  # the first zero
 NO_RETURN = 2  # the proof that none follows
+STALLED = 4  # neither, after more steps than any flight takes; no row is written of it
 
 # What ended a recorded flight or rest.
 ENDED_BY_SPAN = whole(SPAN_END)  # the segment or the run ended

@@ -48,6 +48,7 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     ROCKING,
     SLOPE,
+    STALLED,
     UNDECIDED,
     Floats,
     March,
@@ -161,7 +162,8 @@ def march(
         Chatter slower than this comes to rest as soon as the bound of
         `rocksteady.kernels.march.rest` proves that it will.
     limit
-        Flights and rests after which the march gives up as UNDECIDED.
+        Flights and rests after which the march gives up as UNDECIDED, as it does before a
+        nonlinear flight whose steps come to nothing (`kernels.nonlinear.flight.is_stuck`).
     rows
         Array of shape (flights, 8) that receives the flights, as many as a first march without
         rows (0, 8) has counted: a march does not depend on whether it is recorded.
@@ -395,6 +397,10 @@ def _march(
                 work[:0],
             )
             duration = zero.time / rate
+            if zero.event == STALLED:
+                return UNDECIDED, March(
+                    side, angle, velocity, segment, half, phase, impacts, flights
+                )
         else:
             flight = make_flight(
                 forcing,

@@ -1,5 +1,7 @@
 """Replay of a march: state at any time, peaks, time of overturning."""
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -31,7 +33,7 @@ from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
-from rocksteady.kernels.nonlinear.flight import phase_at
+from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
 from rocksteady.kernels.nonlinear.replay import (
     Leg,
@@ -41,7 +43,7 @@ from rocksteady.kernels.nonlinear.replay import (
     peaks_of,
     stays_below,
 )
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at
+from rocksteady.kernels.nonlinear.series import ANGLE, TERMS, WORK_ROWS, angle_at
 
 
 @compiled
@@ -104,10 +106,13 @@ def fill_nonlinear(
     since: Floats,
     states: Floats,
 ) -> None:
-    """Fill what `fill_states` fills; times in order are reached in one pass over each flight."""
+    """Fill what `fill_states` fills; times in order are reached in one pass over each flight.
+
+    What lies beyond steps that come to nothing is no number.
+    """
     work = np.empty((WORK_ROWS, TERMS))
     left_out = sides[0, LEFT_OUT]
-    row = -1  # whose step the working space holds
+    row, steps = -1, 0  # whose step the working space holds, and which
     drive, seen, _, _, lean, rate = row_start(segments, sides, rows, ZERO)
     span, side = 0.0, 0.0
     leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
@@ -120,10 +125,14 @@ def fill_nonlinear(
             side = rows[row, ROW_SIDE]
             drive, seen, y, v, lean, rate = row_start(segments, sides, rows, row)
             span = rows[row, ROW_DURATION] * rate
-            leg = leg_from(drive, seen, 0.0, y, v, span, left_out, work)
+            leg, steps = leg_from(drive, seen, 0.0, y, v, span, left_out, work), 1
         time = since[i] * rate
         while time > leg.start + leg.step and leg.start + leg.step < span:
+            if is_stuck(drive, steps, leg.start):
+                work[ANGLE, 0] = work[ANGLE, 1] = math.nan
+                break
             leg = leg_after(leg, drive, seen, span, left_out, work)
+            steps += 1
         angle, velocity = angle_at(work, leg.degree, time - leg.start)
         _, turned = phase_at(drive, seen, time)
         states[0, i] = side * lean * angle

@@ -9,6 +9,7 @@ from rocksteady.kernels.core.tables import (
     PEAK_ANGLE,
     PEAK_SPEED,
     SPAN_END,
+    STALLED,
     Floats,
 )
 from rocksteady.kernels.elementary.circular import sincos_near
@@ -28,6 +29,22 @@ longer; in it the motion would grow so much that its nodes lay too close togethe
 
 FAR = 8.0
 """Angle, over that of lying on the side, to which a step may lead."""
+
+MANY_STEPS = 1000
+"""Steps that any flight may take: short ones, as to a zero close by, come first and grow."""
+SHORT_STEP = 1e-3
+"""Mean step, in units of 1/(1 + Omega), below which a flight of more than these is given up."""
+
+
+@compiled
+def is_stuck(drive: Drive, steps: int, time: float) -> bool:
+    """Return whether a flight has taken more steps than it can need for the time it has come to.
+
+    Between its samples a motion is smooth on the scale of 1/(1 + Omega), and so are its steps.  A
+    flight of a given span therefore takes ``max(MANY_STEPS, span (1 + Omega)/SHORT_STEP)`` steps at
+    most, whatever rounding does to them: steps of length 0 and a time that is no number included.
+    """
+    return steps > MANY_STEPS and not time * (1.0 + drive.frequency) > SHORT_STEP * steps
 
 
 @compiled
@@ -126,10 +143,11 @@ def fly(
     -------
     Zero
         Its event, and the state there.  The time of NO_RETURN is infinite where it is proved, and
-        that of the block lying on its side where it has come to that.
+        that of the block lying on its side where it has come to that.  STALLED where `is_stuck`
+        says so: nothing is known of what follows.
     """
     flat = HALF_PI / drive.alpha
-    time, cycle = 0.0, 0
+    time, cycle, steps = 0.0, 0, 0
     watch, varied = len(peaks) > 0, len(course) > 0
     if varied:
         begin(course)
@@ -145,6 +163,9 @@ def fly(
         left = span - time
         if left <= 0.0:
             return Zero(SPAN_END, span, cycle, here, sine, cosine, angle, velocity)
+        if is_stuck(drive, steps, time):
+            return Zero(STALLED, time, cycle, here, sine, cosine, angle, velocity)
+        steps += 1
         degree, step = expand(
             drive,
             time,

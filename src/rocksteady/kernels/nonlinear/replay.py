@@ -14,7 +14,7 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
+from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at, reach_of
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand, third_bound
 
 LONG = 1.0
@@ -82,8 +82,12 @@ def peaks_of(
     top_angle: float,
     top_speed: float,
 ) -> tuple[float, float]:
-    """Return the largest y and |y'| of a flight, or the tops given where these are larger."""
+    """Return the largest y and |y'| of a flight, or the tops given where these are larger.
+
+    They are not numbers where the flight comes to no end.
+    """
     work = np.empty((WORK_ROWS, TERMS))
+    steps = 1
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
     while True:
         third = third_bound(work, leg.degree, leg.step)
@@ -93,6 +97,9 @@ def peaks_of(
         )
         if leg.start + leg.step >= span:
             return top_angle, top_speed
+        if is_stuck(drive, steps, leg.start):
+            return math.nan, math.nan
+        steps += 1
         leg = leg_after(leg, drive, phase, span, left_out, work)
 
 
@@ -127,9 +134,11 @@ def last_rise_of(
     """Return the last time at which a flight rises through a level, or -1.
 
     Of a flight that never ends it is the last before it passes `beyond`, from where it does not
-    come back.
+    come back.  Where the steps of one that does so by a hair come to nothing, or lead below the
+    floor, it is the last that they have passed.
     """
     work = np.empty((WORK_ROWS, TERMS))
+    steps = 1
     last = -1.0
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
     while True:
@@ -139,5 +148,8 @@ def last_rise_of(
         if leg.start + leg.step >= span:
             return last
         leg = leg_after(leg, drive, phase, span, left_out, work)
-        if span == math.inf and leg.angle > max(level, beyond):
+        if span == math.inf and (leg.angle > max(level, beyond) or leg.angle < -1.0):
             return last
+        if is_stuck(drive, steps, leg.start):
+            return last
+        steps += 1

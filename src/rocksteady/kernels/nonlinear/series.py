@@ -60,14 +60,14 @@ WORK_ROWS = 6
 def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) -> float:
     """Return when ``above + velocity t + bend t^2/2`` first falls, or rises, through 0; or inf.
 
-    A bounce is one but for its last digits.
+    A bounce is one but for its last digits.  A straight line that leaves 0 never comes back to it.
     """
     root = velocity * velocity - 2.0 * bend * above
     if root > 0.0:
         far = abs(velocity) + math.sqrt(root)
         # The root in the direction of the crossing, without cancellation.
-        if falling == (velocity > 0.0) and bend != 0.0:
-            return far / abs(bend)
+        if falling == (velocity > 0.0):
+            return far / abs(bend) if bend != 0.0 else math.inf
         if far > 0.0:
             return 2.0 * abs(above) / far
     return math.inf
@@ -110,9 +110,9 @@ def expand(
             if short.exact:
                 fill_short(short, angle, velocity, work)
                 return DEGREE, step
-            # A shorter one, up to the next zero, may be exact.
+            # A shorter one, up to the next zero, may be exact; not to a zero at the start itself.
             step = BEYOND * root_of_parabola(angle, velocity, 2.0 * short.second, TRUE)
-            if not step < reach:
+            if not 0.0 < step < reach:
                 break
     return expand_series(drive, time, angle, velocity, sine, cosine, lifting, reach, left_out, work)
 

@@ -259,6 +259,9 @@ def onwards(
         code, state = march(segments, sides, before, end_half, stop, math.inf, limit, rows, peaks)
         if code != UNDECIDED:
             return code, state
+        if state.flights < limit:  # a flight that comes to no end, so that no lane may take it up
+            half, phase = state.half_cycles, state.phase
+            return UNDECIDED, March(0, 0.0, 0.0, 0, half, phase, most + 1, state.flights)
         bounced = state.impacts > before.impacts
         lifting = before.side == 0 and not bounced
         flights = 0
