@@ -45,6 +45,11 @@ demo: .venv library ## do a whole paper again, and film a block that falls; pict
 	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --animate out/simulate.gif --force
 	$(BIN)/rocksteady paper --out out/tso-wong-1989 --force
 
+.PHONY: explore
+explore: .venv library ## write the explorer, a page to touch, and open it in the browser
+	@mkdir -p out
+	$(BIN)/rocksteady explore --out out/explorer.html --force
+
 .PHONY: test
 test: .venv ## run every check, the tests marked slow excepted
 	@$(call run-in-turn,$(CHECKS),$(MAKE))
@@ -61,8 +66,9 @@ lint: .venv ## ruff: rules and format
 	$(BIN)/python -m ruff format --check
 
 .PHONY: types
-types: .venv ## mypy --strict over src and tests
+types: .venv ## mypy --strict over src and tests, and tsc over the page where there is one
 	$(BIN)/python -m mypy
+	@$(BIN)/python -m tools.page
 
 .PHONY: layers
 layers: .venv ## import-linter: who may import whom
@@ -92,6 +98,7 @@ tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, 
 .PHONY: library
 library: .venv ## compile the kernels into a library for this machine, unless that is done
 	@$(BIN)/python -m tools.aot host
+	@$(BIN)/python -m tools.aot.web.program
 
 .PHONY: .venv
 .venv: $(STAMP) ## create the environment and install the package; again only where pins changed
@@ -120,11 +127,17 @@ bench-peers: .venv library ## time other solvers beside the package; writes thei
 	done
 	$(BIN)/python -m bench.peers
 
+.PHONY: bench-explorer
+bench-explorer: .venv library ## time the explorer's page; writes its part of docs/benchmarks.md
+	@mkdir -p out docs
+	$(BIN)/python -m bench.explorer
+
 .PHONY: wheels
 wheels: .venv ## build a wheel for each platform into dist/, and check the one of this machine
 	@rm -rf build/libraries
 	@rm -f dist/rocksteady-*.whl
 	$(BIN)/python -m tools.aot build --out build/libraries
+	$(BIN)/python -m tools.aot.web.program build/libraries
 	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
 	$(BIN)/python -m tools.wheels check --wheels dist
 

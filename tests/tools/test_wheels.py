@@ -16,12 +16,17 @@ from hatchling.builders.wheel import WheelBuilder
 from packaging.metadata import Metadata
 from packaging.tags import sys_tags
 
+from rocksteady.explorer import _program as program
+from rocksteady.explorer.module import BEGINS, NAME
+from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.wheels import building
 from tools.wheels.building import INSIDE, ROOT, build
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
 
+BESIDE = (NAME, program.NAME)
+"""What every wheel has of the explorer, beside the libraries."""
 SQUARE = "double g(double x) { return x * x; }"
 TRIPLES = {
     "manylinux_2_28_x86_64": "x86_64-linux-gnu",
@@ -46,8 +51,10 @@ def library(
 
 @pytest.fixture(scope="module")
 def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Every library of every wheel, small ones."""
+    """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
+    (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
+    (folder / program.NAME).write_bytes(b"start();")
     for platform in PLATFORMS:
         for file in platform.libraries(folder):
             library(file, TRIPLES[platform.tag])
@@ -75,12 +82,14 @@ def described(wheel: Path, name: str) -> bytes:
 
 
 @pytest.mark.parametrize("platform", PLATFORMS, ids=lambda platform: platform.tag)
-def test_a_wheel_holds_the_libraries_of_its_platform_beside_the_package(
+def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_package(
     platform: Platform, libraries: Path, wheels: dict[Platform, Path]
 ) -> None:
     found, plain = content(wheels[platform]), content(wheels[PURE])
     inside = {name: found.pop(name) for name in list(found) if name.startswith(INSIDE)}
-    files = platform.libraries(libraries)
+    for name in BESIDE:
+        del plain[f"{INSIDE}/{name}"]
+    files = [*platform.libraries(libraries), *(libraries / name for name in BESIDE)]
     assert inside == {f"{INSIDE}/{file.name}": file.read_bytes() for file in files}
     assert set(found) == set(plain)
     differ = {name.rpartition("/")[2] for name in found if found[name] != plain[name]}
@@ -88,7 +97,11 @@ def test_a_wheel_holds_the_libraries_of_its_platform_beside_the_package(
 
 
 def test_a_wheel_holds_the_sources_and_nothing_else(wheels: dict[Platform, Path]) -> None:
-    found = content(wheels[PURE])
+    found = {
+        name: what
+        for name, what in content(wheels[PURE]).items()
+        if not name.startswith(f"{INSIDE}/")
+    }
     listed = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard", "rocksteady"],
         cwd=ROOT / "src",
@@ -127,19 +140,23 @@ def test_the_metadata_are_valid_and_ask_for_no_compiler(wheels: dict[Platform, P
     assert all(marker.startswith("extra == ") for marker in asking)
 
 
-def test_what_pip_builds_of_the_sources_is_the_wheel_without_a_library(
+def test_what_pip_builds_of_the_sources_is_the_wheel_without_what_is_compiled(
     wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
     assert Path(built).name == wheels[PURE].name
-    assert Path(built).read_bytes() == wheels[PURE].read_bytes()
+    ours, theirs = content(Path(built)), content(wheels[PURE])
+    for name in BESIDE:
+        del theirs[f"{INSIDE}/{name}"]
+    assert ours.keys() == theirs.keys()
+    assert {name.rpartition("/")[2] for name in ours if ours[name] != theirs[name]} == {"RECORD"}
 
 
 def test_the_same_libraries_give_the_same_bytes(
     libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     platform = PLATFORMS[0]
-    for file in platform.libraries(libraries):
+    for file in (*platform.libraries(libraries), *(libraries / name for name in BESIDE)):
         shutil.copy(file, tmp_path)  # which gives it another time stamp
     again = build(platform, tmp_path, tmp_path)
     assert again.read_bytes() == wheels[platform].read_bytes()
@@ -154,6 +171,25 @@ def test_no_wheel_is_built_without_a_library_of_its_platform(
         shutil.copy(file, tmp_path)
     with pytest.raises(SystemExit, match=f"{first.name} does not fit .*: it is missing"):
         build(platform, tmp_path, tmp_path)
+    assert list(tmp_path.glob("*.whl")) == []
+
+
+@pytest.mark.parametrize(
+    ("damage", "reason"),
+    [
+        (None, "cannot be read"),
+        (b"", "is no WebAssembly module"),
+        (BEGINS + b"0123456789abcdef", "was made from other sources"),
+    ],
+)
+def test_no_wheel_is_built_without_a_module_of_these_sources(
+    damage: bytes | None, reason: str, tmp_path: Path
+) -> None:
+    if damage is not None:
+        (tmp_path / NAME).write_bytes(damage)
+    with pytest.raises(SystemExit, match=f"{NAME} {reason}") as refusal:
+        build(PURE, tmp_path, tmp_path)
+    assert f"{program.NAME} is missing" in str(refusal.value)
     assert list(tmp_path.glob("*.whl")) == []
 
 

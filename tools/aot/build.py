@@ -39,13 +39,17 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
     """
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     bitcode = lowered()
+    emitted: dict[tuple[str, str, str], bytes] = {}
     made = []
     for name in names:
         target = TARGETS[name]
         start = time.perf_counter()
         with tempfile.TemporaryDirectory(prefix="rocksteady-") as scratch:
             objects, library = Path(scratch, "kernels.o"), Path(scratch, target.file)
-            objects.write_bytes(emit(bitcode, target))
+            kind = (target.triple, target.cpu, target.features)
+            if kind not in emitted:
+                emitted[kind] = emit(bitcode, target)
+            objects.write_bytes(emitted[kind])
             linker = link(objects, library, target, elsewhere=elsewhere)
             content = library.read_bytes()
             if not unchanged():

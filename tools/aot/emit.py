@@ -46,7 +46,7 @@ def emit(bitcode: bytes, target: Target) -> bytes:
     module.triple = target.triple
     module.data_layout = str(machine.target_data)
     _hide(module)
-    _optimise(module, machine)
+    _optimise(module, machine, unrolled=not target.static)
     missing = set(externals(module)) - RUNTIME
     if missing:
         raise ValueError(f"{target.name}: kernels call {', '.join(sorted(missing))}, of no library")
@@ -75,13 +75,14 @@ def _hide(module: binding.ModuleRef) -> None:
             variable.linkage = "internal"
 
 
-def _optimise(module: binding.ModuleRef, machine: Any) -> None:
-    """Run numba's passes over a module."""
+def _optimise(module: binding.ModuleRef, machine: Any, *, unrolled: bool) -> None:
+    """Run numba's passes over a module; loops stay as they are where size counts."""
 
     def builder(level: int) -> Any:
         options = binding.create_pipeline_tuning_options(speed_level=level)
         options.loop_vectorization = level > 2
         options.slp_vectorization = False
+        options.loop_unrolling = unrolled
         return binding.create_pass_builder(machine, options)
 
     for function in module.functions:

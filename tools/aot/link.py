@@ -6,10 +6,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.library import targets
 from rocksteady.kernels.machine_code.sources import sources_hash
-from tools.aot.targets import WASM, Target
+from tools.aot.targets import Target
 
 RUNTIME = Path(__file__).with_name("runtime.c")
 
@@ -69,8 +68,8 @@ def compilers(target: Target, *, elsewhere: bool = False) -> dict[str, list[str]
 
 def _options(target: Target) -> list[str]:
     """Return what a target's linker is told beyond the files."""
-    if target.name == WASM:
-        names = ["rs_sources", "malloc", "free", *(f"rs_{name}" for name in ENTRIES)]
+    if target.static:
+        names = ["rs_sources", "malloc", "free", *(f"rs_{name}" for name in target.entries)]
         return [
             "-mexec-model=reactor",
             "-msimd128",

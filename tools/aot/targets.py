@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from rocksteady.explorer import module
+from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.library import file_name
 
 
@@ -19,6 +21,8 @@ class Target:
         What zig calls the platform when it links, with the oldest C library that will do.
     static
         Whether code stays where it is linked, as in WebAssembly.
+    entries
+        Names of the kernels that its library exports, and holds.
     """
 
     name: str
@@ -27,17 +31,31 @@ class Target:
     features: str = ""
     linker: str = ""
     static: bool = False
+    entries: tuple[str, ...] = tuple(ENTRIES)
 
     @property
     def file(self) -> str:
         """Return the name of its library's file."""
-        return "rocksteady.wasm" if self.name == WASM else file_name(self.name)
+        return {WASM: "rocksteady.wasm", PAGE: module.NAME}.get(self.name) or file_name(self.name)
 
 
-WASM = "wasm32"
+WASM, PAGE = "wasm32", "wasm32-page"
 _LINUX = ("x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17")
 _ARM_LINUX = ("aarch64-unknown-linux-gnu", "aarch64-linux-gnu.2.17")
 _WINDOWS = ("x86_64-pc-windows-gnu", "x86_64-windows-gnu")
+_WASM = (
+    "wasm32-unknown-unknown",
+    "generic",
+    "+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext,+mutable-globals",
+    "wasm32-wasi",
+)
+_CALLED_BY_PAGES = """
+    clock fill_atan2 fill_clocks fill_cos fill_curves fill_exp fill_hypot fill_log
+    fill_log1p fill_next_up fill_peaks fill_sin fill_states fill_steady fill_tan half_cycle_jacobian
+    harmonic_segment highest_after is_nonlinear is_symmetric lane_attractors last_crossing loss
+    make_system march measured multipliers next_passage peaks_until_overturning polish pulse_fates
+    record_fates recorded_peaks segment_start settle settle_cells symmetric_from symmetric_orbit
+"""
 # Every processor of these levels runs the fastest forms that they have; no step is fused on any.
 _LEVELS = {"v2": "", "v3": "", "v4": "-prefer-256-bit"}
 
@@ -54,14 +72,8 @@ TARGETS = {
             Target(f"windows-x86-64-{level}", _WINDOWS[0], f"x86-64-{level}", "", _WINDOWS[1])
             for level in ("v2", "v3")
         ),
-        Target(
-            WASM,
-            "wasm32-unknown-unknown",
-            "generic",
-            "+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext,+mutable-globals",
-            "wasm32-wasi",
-            static=True,
-        ),
+        Target(WASM, *_WASM, static=True),
+        Target(PAGE, *_WASM, static=True, entries=tuple(_CALLED_BY_PAGES.split())),
     )
 }
 """By name."""

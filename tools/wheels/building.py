@@ -1,4 +1,4 @@
-"""Wheels of the package, each with the libraries of its platform inside."""
+"""Wheels of the package, each with the libraries of its platform and the explorer's module."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -6,30 +6,32 @@ from typing import Any
 
 from hatchling.builders.wheel import WheelBuilder
 
+from rocksteady.explorer import _program as program
+from rocksteady.explorer import module
 from tools.wheels.needs import faults
 from tools.wheels.platforms import Platform
 
 ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
-"""Folder of the libraries in a wheel."""
-LARGEST = 2_000_000
+"""Folder of the libraries and of the module in a wheel."""
+LARGEST = 3_000_000
 """Bytes of a wheel."""
 
 
 class _Builder(WheelBuilder):
-    """Builds a wheel as hatchling builds any other, with a platform's tag and libraries."""
+    """Builds a wheel as hatchling builds any other, with a platform's tag and compiled files."""
 
-    def __init__(self, platform: Platform, libraries: Sequence[Path]) -> None:
+    def __init__(self, platform: Platform, files: Sequence[Path]) -> None:
         super().__init__(str(ROOT))
         self._platform = platform
-        self._libraries = libraries
+        self._files = files
 
     def get_default_build_data(self) -> dict[str, Any]:
         """Return what hatchling lets a project say about its wheel."""
         return super().get_default_build_data() | {
             "tag": f"py3-none-{self._platform.tag}",
-            "pure_python": not self._libraries,
-            "force_include": {str(file): f"{INSIDE}/{file.name}" for file in self._libraries},
+            "pure_python": not self._platform.targets,
+            "force_include": {str(file): f"{INSIDE}/{file.name}" for file in self._files},
         }
 
 
@@ -53,12 +55,15 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     Raises
     ------
     SystemExit
-        If a library is missing, if systems to which the tag belongs could not load it, or if the
-        wheel is too large.
+        If a library or the module is missing, if the module was made from other sources, if systems
+        to which the tag belongs could not load a library, or if the wheel is too large.
     """
-    files = platform.libraries(libraries)
-    wrong = []
-    for file in files:
+    page, script = libraries / module.NAME, libraries / program.NAME
+    files = [*platform.libraries(libraries), page, script]
+    wrong = list(filter(None, [module.fault(page)]))
+    if not script.is_file():
+        wrong.append(f"{script} is missing")
+    for file in files[:-2]:
         found = faults(file, platform.tag) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
     if wrong:

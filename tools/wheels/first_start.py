@@ -140,6 +140,7 @@ def check(wheels: Sequence[Path], folder: Path) -> list[Row]:
     rows += _installed(environment)
     rows += [_without_compilers(environment), _runner(environment)]
     rows += [_import(environment), _first_picture(environment), _doctor(environment)]
+    rows.append(_explorer(environment))
     pure = [wheel for wheel in wheels if is_pure(wheel)]
     rows += [_refusal(environment, wheel) for wheel in pure]
     return rows
@@ -221,6 +222,12 @@ def _first_picture(environment: Environment) -> Row:
 def _doctor(environment: Environment) -> Row:
     done = environment.run("rocksteady", "doctor")
     return Row("rocksteady doctor", f"exit code {done.returncode}", "0", done.returncode == 0)
+
+
+def _explorer(environment: Environment) -> Row:
+    done = environment.run("rocksteady", "explore", "--no-browser", "--out", "a.html")
+    good = done.returncode == 0 and done.stderr == "wrote a.html\n"
+    return Row("rocksteady explore", done.stderr.strip() or _said(done), "wrote a.html", good)
 
 
 def _refusal(environment: Environment, pure: Path) -> Row:

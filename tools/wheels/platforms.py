@@ -28,7 +28,8 @@ class Platform:
 
 
 PURE = Platform("any")
-"""Without a library: for systems that have no other wheel, with the extra `jit`."""
+"""Without a library: for systems that have no other wheel, with the extra `jit`.  The explorer's
+module is inside as in every wheel: browsers run it on any system."""
 PLATFORMS = (
     Platform(
         "manylinux_2_28_x86_64",

@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rocksteady.explorer._bundle import ENTRY, joined
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.orbits.return_map import Section
 from tests.strategies import PLAIN
 from tools.aot.replay.outcome import MissingProgramError
 from tools.aot.replay.wasm import node
-from tools.aot.targets import TARGETS, WASM
+from tools.aot.targets import PAGE, TARGETS, WASM
 from tools.aot.web.generated import FILES, WEB, signatures, types
 
 SCRIPT = """
@@ -26,10 +27,10 @@ const kernels = await load(bytes);
 """
 
 
-def in_node(built: Path, folder: Path, lines: str) -> Any:
+def in_node(built: Path, folder: Path, lines: str, target: str = WASM) -> Any:
     """Return what a script prints as JSON that has the kernels at hand."""
     script = folder / "script.mjs"
-    values = {"loader": (WEB / "rocksteady.mjs").as_uri(), "module": built / TARGETS[WASM].file}
+    values = {"loader": (WEB / "loader.mjs").as_uri(), "module": built / TARGETS[target].file}
     script.write_text(SCRIPT % {**values, "lines": lines}, encoding="utf-8")
     try:
         command = [*node(), str(script)]
@@ -40,10 +41,18 @@ def in_node(built: Path, folder: Path, lines: str) -> Any:
     return json.loads(ran.stdout)
 
 
-@pytest.mark.parametrize("name", FILES)
-def test_what_is_made_from_the_kernels_is_up_to_date(name: str) -> None:
-    written = (WEB / name).read_text(encoding="utf-8")
-    assert written == FILES[name](), "run `python -m tools.aot.web`"
+@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.name}")
+def test_what_is_made_from_the_kernels_is_up_to_date(file: Path) -> None:
+    assert file.read_text(encoding="utf-8") == FILES[file](), "run `python -m tools.aot.web`"
+
+
+def test_the_page_knows_the_kernels_that_it_calls_and_no_other() -> None:
+    texts = "".join(joined(ENTRY).values())
+    called = set(re.findall(r"\bkernels\.(\w+)", texts)) & ENTRIES.keys()
+    called |= {
+        f"fill_{name}" for name in re.findall(r"\bevaluate(?:Each)?\([\w.]*kernels, '(\w+)'", texts)
+    }
+    assert called == set(TARGETS[PAGE].entries)
 
 
 def test_every_kernel_has_its_signature_and_its_types() -> None:
@@ -88,6 +97,20 @@ def test_results_are_numbers_objects_and_arrays_as_in_python(built: Path, tmp_pa
     assert found["pair"] == [[value.real, value.imag] for value in pair]
     assert found["linear"] is False
     assert found["nothing"] is True
+
+
+@pytest.mark.skipif(PLAIN, reason="no library is loaded")
+def test_the_page_has_the_entries_that_it_calls(built: Path, tmp_path: Path) -> None:
+    names = "Object.keys((await WebAssembly.instantiate(bytes, {})).instance.exports)"
+    lines = f"console.log(JSON.stringify({names}));"
+    whole, page = (
+        {name.removeprefix("rs_") for name in in_node(built, tmp_path, lines, target)}
+        for target in (WASM, PAGE)
+    )
+    assert whole >= ENTRIES.keys()
+    assert page & ENTRIES.keys() == set(TARGETS[PAGE].entries)
+    small, large = ((built / TARGETS[name].file).stat().st_size for name in (PAGE, WASM))
+    assert small < 0.85 * large
 
 
 @pytest.mark.skipif(PLAIN, reason="no library is loaded")

@@ -17,7 +17,7 @@ import numpy as np
 
 from rocksteady.installation._recorded import Call, Leaf, differences
 from tools.aot.replay.outcome import MissingProgramError, Repeated, read
-from tools.aot.web.generated import WEB
+from tools.aot.web.generated import REPLAY, WEB
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
 PATIENCE = 120.0
@@ -49,7 +49,7 @@ def in_node(module: Path, calls: Path) -> list[Repeated]:
     MissingProgramError
         As for `node`.
     """
-    command = [*node(), str(WEB / "replay.mjs"), str(module), str(calls)]
+    command = [*node(), str(REPLAY), str(module), str(calls)]
     ran = subprocess.run(command, capture_output=True, text=True, check=True)
     return read(ran.stdout)
 
@@ -91,8 +91,8 @@ def in_browser(module: Path, calls: Path) -> list[Repeated]:
 def page(module: bytes, calls: bytes) -> str:
     """Return a page that repeats calls and shows what came of it; all is inside."""
     # Modules of their own cannot be imported from a file: here they are one script.
-    loader = _unwrapped("signatures.mjs") + _unwrapped("rocksteady.mjs")
-    replay = _unwrapped("replay.mjs").partition("\nif (typeof process")[0]
+    loader = _unwrapped(REPLAY.with_name("signatures.mjs")) + _unwrapped(WEB / "loader.mjs")
+    replay = _unwrapped(REPLAY).partition("\nif (typeof process")[0]
     texts = ", ".join(json.dumps(base64.b64encode(data).decode()) for data in (module, calls))
     # Nothing in it waits, so that the page is not complete before all is done.
     return f"""<!doctype html>
@@ -117,9 +117,9 @@ document.getElementById('found').textContent = lines.join('\\n');
 """
 
 
-def _unwrapped(name: str) -> str:
+def _unwrapped(module: Path) -> str:
     """Return a module without the words that import and export."""
-    text = (WEB / name).read_text(encoding="utf-8")
+    text = module.read_text(encoding="utf-8")
     return re.sub(r"^(import .*|export )", "", text, flags=re.MULTILINE)
 
 

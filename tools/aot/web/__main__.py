@@ -1,8 +1,8 @@
-"""``python -m tools.aot.web``: make the types of the WebAssembly module anew from the kernels."""
+"""``python -m tools.aot.web``: make signatures and types anew from the kernels."""
 
-from tools.aot.web.generated import FILES, WEB
+from tools.aot.web.generated import FILES
 
 if __name__ == "__main__":
-    for name, content in FILES.items():
-        (WEB / name).write_text(content(), encoding="utf-8")
-        print(WEB / name)
+    for file, content in FILES.items():
+        file.write_text(content(), encoding="utf-8")
+        print(file)

@@ -1,14 +1,18 @@
 """Signatures for the loader and types for its users, both made from the kernels' annotations."""
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
+from tools.aot.targets import PAGE, TARGETS
 
-WEB = Path(__file__).parent
+WEB = Path(__file__).parents[3] / "src" / "rocksteady" / "explorer" / "parts" / "kernels"
+"""Folder of the loader, a part of the explorer's page."""
+REPLAY = Path(__file__).parent / "replay.mjs"
+"""Repeats recorded calls in node."""
 NOTE = "// Made by `python -m tools.aot.web` from the annotations of the kernels.\n"
 LEGEND = (
     "// Letters: f number, i integer, b truth value, c complex number; f2 an array of rank 2.\n"
@@ -44,12 +48,12 @@ export function kernels(instance: WebAssembly.Instance): Kernels;
 """
 
 
-def signatures() -> str:
-    """Return the module that tells the loader what each kernel takes and gives."""
+def signatures(names: Iterable[str] = ENTRIES) -> str:
+    """Return the module that tells the loader what kernels take and give."""
     named: dict[str, str] = {}
     lines = []
-    for name, kernel in ENTRIES.items():
-        signature = signature_of(inspect.unwrap(kernel))
+    for name in names:
+        signature = signature_of(inspect.unwrap(ENTRIES[name]))
         takes = ", ".join(_letters(hint, named) for hint in signature.arguments)
         gives = "null" if signature.result is None else _letters(signature.result, named)
         lines.append(f"  {name}: {{ takes: [{takes}], gives: {gives} }},\n")
@@ -57,12 +61,12 @@ def signatures() -> str:
     return f"{NOTE}{LEGEND}\n{tuples}\nexport const signatures = {{\n{''.join(lines)}}};\n"
 
 
-def types() -> str:
-    """Return the types of the loader and of the kernels, for TypeScript."""
+def types(names: Iterable[str] = ENTRIES) -> str:
+    """Return the types of the loader and of kernels, for TypeScript."""
     named: dict[str, str] = {}
     methods = []
-    for name, kernel in ENTRIES.items():
-        function = inspect.unwrap(kernel)
+    for name in names:
+        function = inspect.unwrap(ENTRIES[name])
         signature: Signature = signature_of(function)
         pairs = zip(signature.names, signature.arguments, strict=True)
         arguments = ", ".join(f"{argument}: {_type(hint, named)}" for argument, hint in pairs)
@@ -73,8 +77,13 @@ def types() -> str:
     return NOTE + HEAD + interfaces + kernels + TAIL
 
 
-FILES: dict[str, Callable[[], str]] = {"signatures.mjs": signatures, "rocksteady.d.mts": types}
-"""What makes each file."""
+_CALLED = TARGETS[PAGE].entries
+FILES: dict[Path, Callable[[], str]] = {
+    WEB / "signatures.mjs": lambda: signatures(_CALLED),
+    WEB / "loader.d.mts": lambda: types(_CALLED),
+    REPLAY.with_name("signatures.mjs"): signatures,
+}
+"""What makes each file: the page's know the kernels that it calls, the other one knows all."""
 
 
 def _letters(hint: Any, named: dict[str, str]) -> str:

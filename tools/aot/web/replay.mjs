@@ -1,6 +1,6 @@
 // Repeat recorded calls (rocksteady/installation/_recorded.py says what such a file holds) and
 // compare all bits.   node replay.mjs rocksteady.wasm CALLS
-import { load } from './rocksteady.mjs';
+import { load } from '../../../src/rocksteady/explorer/parts/kernels/loader.mjs';
 import { signatures } from './signatures.mjs';
 
 const KINDS = { 2: 'f', 3: 'i', 4: 'b' }, BYTES = { f: 8, i: 8, b: 1 };
@@ -56,5 +56,5 @@ if (typeof process !== 'undefined' && process.argv[1] === new URL(import.meta.ur
   const { readFileSync } = await import('node:fs'), { gunzipSync } = await import('node:zlib');
   const file = readFileSync(process.argv[3]), plain = file[0] === 0x1f ? gunzipSync(file) : file;
   const recorded = plain.buffer.slice(plain.byteOffset, plain.byteOffset + plain.length);
-  for (const { name, values, differing } of replay(await load(readFileSync(process.argv[2])), recorded)) console.log(name, values, differing);
+  for (const { name, values, differing } of replay(await load(readFileSync(process.argv[2]), signatures), recorded)) console.log(name, values, differing);
 }

@@ -1,0 +1,71 @@
+"""Joining of the page's modules into one script, which runs from a file and in workers."""
+
+import re
+from pathlib import Path
+
+PARTS = Path(__file__).parent / "parts"
+ENTRY = PARTS / "shell" / "main.mjs"
+
+_IMPORT = re.compile(r"^import\s*\{([^}]*)\}\s*from\s*'(\.[^']+)';\n", re.MULTILINE)
+_EXPORT = re.compile(r"^export ((?:async function|function|const|let|class) (\w+))", re.MULTILINE)
+_COMMENT = re.compile(
+    r"^[ \t]*/\*(?:(?!\*/).)*\*/[ \t]*\n|^[ \t]*//[^\n]*\n", re.MULTILINE | re.DOTALL
+)
+
+
+class PartError(ValueError):
+    """A part of the page breaks a rule that joining depends on."""
+
+
+def script(entry: Path = ENTRY) -> str:
+    """Return one script of a module and all that it imports, which calls its `start`.
+
+    Modules stand after those that they import, without comments, each in a scope of its own that
+    gives what it exports.
+
+    Raises
+    ------
+    PartError
+        If modules import each other in a circle, or one has a form that is not understood here.
+    """
+    modules = joined(entry)
+    numbers = {path: number for number, path in enumerate(modules)}
+    texts = []
+    for path, text in modules.items():
+
+        def taken(found: re.Match[str], folder: Path = path.parent) -> str:
+            names = " ".join(found[1].split()).rstrip(",")
+            return f"const {{ {names} }} = $[{numbers[(folder / found[2]).resolve()]}];\n"
+
+        given = ", ".join(name for _, name in _EXPORT.findall(text))
+        code = _COMMENT.sub("", _EXPORT.sub(r"\1", _IMPORT.sub(taken, text)))
+        if left := re.search(r"^(?:import|export)\b.*", code, re.MULTILINE):
+            raise PartError(f"{path.name} has a form that is not joined: {left[0]}")
+        if broken := [line for line in code.splitlines() if line.count("`") % 2]:
+            raise PartError(f"{path.name} has a text over several lines: {broken[0].strip()}")
+        texts.append(f"$.push((() => {{\n{code}return {{ {given} }};\n}})());\n")
+    whole = f"'use strict';\n{{\nconst $ = [];\n{''.join(texts)}$.at(-1).start();\n}}\n"
+    if "</script" in whole.lower() or "<!--" in whole:
+        raise PartError("the script holds what would end it in a page")
+    return re.sub(r"^[ \t]+|\n(?=\n)", "", whole, flags=re.MULTILINE)
+
+
+def joined(entry: Path) -> dict[Path, str]:
+    """Return the texts of a module and of all that it imports, each after those it imports."""
+    found: dict[Path, str] = {}
+    above: list[Path] = []
+
+    def visit(path: Path) -> None:
+        if path in above:
+            circle = " -> ".join(each.name for each in (*above[above.index(path) :], path))
+            raise PartError(f"modules import each other in a circle: {circle}")
+        if path in found:
+            return
+        above.append(path)
+        text = path.read_text(encoding="utf-8")
+        for _, name in _IMPORT.findall(text):
+            visit((path.parent / name).resolve())
+        found[above.pop()] = text
+
+    visit(entry.resolve())
+    return found

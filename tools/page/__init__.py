@@ -1,0 +1,1 @@
+"""Checks of the explorer's page that need other programs than Python."""
