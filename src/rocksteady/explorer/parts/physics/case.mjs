@@ -1,0 +1,92 @@
+// The block and its shaking as the kernels see them: tables of sides, starts, measures.
+
+/** @import { Floats, Kernels } from '../kernels/loader.mjs' */
+
+/**
+ * A block under harmonic shaking.
+ * @typedef {object} Case
+ * @property {number} amplitude  A = a_max / (alpha g)
+ * @property {number} frequencyRatio  Omega = omega / p
+ * @property {number} restitution  velocity after an impact over that before it
+ * @property {boolean} nonlinear  whether the full equation of motion holds
+ * @property {number} alpha  slenderness [rad], of which the nonlinear model takes notice
+ */
+
+/**
+ * Where a motion starts; the phase of the shaking is 0 at rest and in a state.
+ * @typedef {{ kind: 'rest' } | { kind: 'steady' }
+ *   | { kind: 'state', angle: number, velocity: number }
+ *   | { kind: 'impact', side: number, phase: number, speed: number }} Start
+ */
+
+/**
+ * A homogeneous rectangle.
+ * @typedef {object} Measures
+ * @property {number} alpha  slenderness [rad]
+ * @property {number} radius  half-diagonal [m]
+ * @property {number} p  frequency parameter [rad/s]
+ * @property {number} housner  restitution that conserves angular momentum
+ */
+
+export const GRAVITY = 9.80665; // [m/s2]
+
+/** Room for single numbers. @type {WeakMap<Kernels, Floats[]>} */
+const numberRooms = new WeakMap();
+/** The block measured last. @type {WeakMap<Kernels, { of: number[], found: Measures }>} */
+const measured = new WeakMap();
+
+// What a step of the nonlinear model may leave out: 1e-5 of the default tolerance (nonlinear_tables.py).
+const LEFT_OUT = 1e-5 * 1e-10;
+
+/**
+ * Return the side table of a case, shape (2, 3), or (2, 5) in the nonlinear model; free it.
+ * @param {Kernels} kernels
+ * @param {Case} given
+ * @returns {Floats}
+ */
+export function sidesOf(kernels, given) {
+  const side = [given.restitution, 1, 1];
+  if (given.nonlinear) side.push(given.alpha, LEFT_OUT);
+  return kernels.array('f', [2, side.length], [...side, ...side]);
+}
+
+/**
+ * Return the value of an elementary function of the kernels, as `evaluate(kernels, 'sin', x)`.
+ * @param {Kernels} kernels
+ * @param {'exp'|'log'|'sin'|'cos'|'tan'|'atan2'|'hypot'} name
+ * @param {...number} values
+ * @returns {number}
+ */
+export function evaluate(kernels, name, ...values) {
+  let room = numberRooms.get(kernels);
+  if (!room) {
+    room = [1, 2, 3].map(() => kernels.array('f', [1]));
+    numberRooms.set(kernels, room);
+  }
+  const [out, first, second] = room, call = /** @type {any} */ (kernels)[`fill_${name}`];
+  [first.values[0], second.values[0]] = [values[0], values[1] ?? 0];
+  if (values.length === 1) call(first, out);
+  else call(first, second, out);
+  return out.values[0];
+}
+
+/**
+ * Return the measures of a homogeneous rectangle, as `Block.rectangle` has them.
+ * @param {Kernels} kernels
+ * @param {number} width  full width [m]
+ * @param {number} height  full height [m]
+ * @param {number} [gravity]  [m/s2]
+ * @returns {Measures}
+ */
+export function measuresOf(kernels, width, height, gravity = GRAVITY) {
+  const of = [width, height, gravity], known = measured.get(kernels);
+  if (known?.of.every((value, k) => Object.is(value, of[k]))) return known.found;
+  const alpha = evaluate(kernels, 'atan2', width, height);
+  const radius = 0.5 * evaluate(kernels, 'hypot', width, height);
+  const p = Math.sqrt((0.75 * gravity) / radius);
+  const sine = evaluate(kernels, 'sin', alpha);
+  const share = (p * p * radius) / gravity;
+  const found = Object.freeze({ alpha, radius, p, housner: 1 - 2 * share * (sine * sine) });
+  measured.set(kernels, { of, found });
+  return found;
+}

@@ -1,0 +1,255 @@
+// All attractors found at a point from fixed starts: which motions coexist there.
+
+import { sidesOf } from './case.mjs';
+import { attractorKind, startAt } from './attractor.mjs';
+import { FULL_TURN, mirroredImpact, steadyStart } from './start.mjs';
+
+/** @import { Kernels } from '../kernels/loader.mjs' */
+/** @import { Case, Start } from './case.mjs' */
+/** @import { Kind } from './attractor.mjs' */
+/** @import { Impact } from './start.mjs' */
+
+/**
+ * What one start leads to.
+ * @typedef {object} Ending
+ * @property {Kind} kind
+ * @property {number} period  forcing periods; 0 without an orbit
+ * @property {number} passages  impacts and uplifts in it
+ * @property {number} rests
+ * @property {number} highest  theta/alpha; nan without an orbit
+ * @property {number} lowest
+ * @property {Impact|null} state  on the orbit
+ * @property {Start|null} start  the start itself, where there is a name for it
+ * @property {number} from  number of the start
+ * @property {boolean} mirrored  whether it is the mirror image of what that start leads to
+ * @property {number} after  forcing periods until it was known
+ */
+
+/**
+ * A motion that coexists with others, from the first start that leads to it.
+ * @typedef {Ending & { count: number, share: number, twin: number }} Coexisting
+ * `share` is that of the starts; `twin` is the place of its mirror image in the list, or -1.
+ */
+
+const IMPACT_PHASES = 12;
+// No round numbers: from some of those a block balances upright at round A and Omega.
+const IMPACT_SPEEDS = [0.047, 0.193, 0.457, 0.811];
+const TILTS = [0.31, 0.59, 0.87];
+const TILT_PHASES = 4;
+const SAME_PEAK = 1e-6; // relative difference of the peaks of one motion
+const ENDING_WHOLES = 7; // columns (kernels/batch/attractors.py)
+const ENDING_REALS = 6;
+const COEXISTING_CYCLES = 600;
+const LOSSLESS_CYCLES = 6; // motions without loss do not settle however long they are followed
+const CELL_LEFT_OVER = -1;
+
+/**
+ * Return the states from which the motions at a point are looked for, rest first: states after an
+ * impact at evenly spaced phases and speeds that do not overturn a free block, the two symmetric
+ * steady states, and tilted blocks.  Mirror images need no computation.
+ * @param {Kernels} kernels
+ * @param {Case} given
+ * @returns {{ angle: number, velocity: number, phase: number }[]}
+ */
+export function fixedStarts(kernels, given) {
+  const starts = [{ angle: 0, velocity: 0, phase: 0 }];
+  for (const branch of [1, 2]) {
+    try {
+      starts.push({ angle: 0, ...steadyStart(kernels, given, branch) });
+    } catch { /* There is none. */ }
+  }
+  for (const velocity of IMPACT_SPEEDS) {
+    for (let k = 0; k < IMPACT_PHASES; k++) {
+      starts.push({ angle: 0, velocity, phase: (k * FULL_TURN) / IMPACT_PHASES });
+    }
+  }
+  for (const angle of TILTS) {
+    for (let k = 0; k < TILT_PHASES; k++) {
+      starts.push({ angle, velocity: 0, phase: ((k + 0.5) * FULL_TURN) / TILT_PHASES });
+    }
+  }
+  return starts;
+}
+
+/**
+ * Return a fixed start for `attractorOf`: with the phase of the shaking that it has.
+ * @param {{ angle: number, velocity: number, phase: number }} state
+ * @returns {Start|null}  null of a tilted block at another phase than 0
+ */
+export function startOfFixed({ angle, velocity, phase }) {
+  if (angle !== 0) return phase === 0 ? { kind: 'state', angle, velocity } : null;
+  if (velocity === 0) return { kind: 'rest' };
+  return { kind: 'impact', side: velocity < 0 ? -1 : 1, phase, speed: Math.abs(velocity) };
+}
+
+/**
+ * Return what some of the fixed starts lead to.
+ * @param {Kernels} kernels
+ * @param {{ given: Case, from?: number, to?: number, cycles?: number }} asked
+ * @returns {{ endings: Ending[], starts: number }}  with the number of all starts
+ */
+export function endingsOf(kernels, { given, from = 0, to = Infinity, cycles }) {
+  const all = fixedStarts(kernels, given), some = all.slice(from, to), cells = some.length;
+  const most = cycles ?? (given.restitution < 1 ? COEXISTING_CYCLES : LOSSLESS_CYCLES);
+  if (!cells) return { endings: [], starts: all.length };
+  const column = (/** @type {(k: number) => number} */ value) =>
+    kernels.array('f', [cells], Float64Array.from(some, (_, k) => value(k)));
+  const a = column(() => given.amplitude), w = column(() => given.frequencyRatio);
+  const angle = column((k) => some[k].angle), velocity = column((k) => some[k].velocity + 0);
+  const phase = column((k) => some[k].phase), rest = kernels.array('f', [cells]);
+  const half = kernels.array('i', [cells]);
+  kernels.fill_clocks(phase, half, rest);
+  const leans = some.map((start) => BigInt(Math.sign(start.angle || start.velocity)));
+  const side = kernels.array('i', [cells]);
+  side.values.set(leans);
+  const whole = kernels.array('i', [cells, ENDING_WHOLES]);
+  const real = kernels.array('f', [cells, ENDING_REALS]);
+  const table = sidesOf(kernels, given), width = table.shape[1];
+  const tables = column(() => given.restitution);
+  if (!given.nonlinear) {
+    kernels.lane_attractors(
+      a, w, tables, side, angle, velocity, half, rest, most, whole, real,
+    );
+  }
+  const outcomes = whole.values;
+  const left = some.map((_, k) => k).filter((k) =>
+    given.nonlinear || Number(outcomes[k * ENDING_WHOLES]) === CELL_LEFT_OVER);
+  if (left.length) settleLeft(left);
+  const endings = some.map((_, k) => ({
+    ...endingAt(whole.values, real.values, k, from + k, given), start: startOfFixed(some[k]),
+  }));
+  const made = [a, w, angle, velocity, phase, rest, half, side, whole, real, table, tables];
+  for (const array of made) array.free();
+  return { endings, starts: all.length };
+
+  /** @param {number[]} cellsLeft */
+  function settleLeft(cellsLeft) {
+    const count = cellsLeft.length;
+    const pick = (/** @type {Float64Array} */ values) =>
+      kernels.array('f', [count], cellsLeft.map((k) => values[k]));
+    const pickWhole = (/** @type {BigInt64Array} */ values) => {
+      const array = kernels.array('i', [count]);
+      cellsLeft.forEach((k, at) => { array.values[at] = values[k]; });
+      return array;
+    };
+    const blocks = kernels.array('f', [count, 2, width]);
+    for (let at = 0; at < count; at++) blocks.values.set(table.values, at * 2 * width);
+    const picked = [pick(a.values), pick(w.values)];
+    const [sideLeft, halfLeft] = [pickWhole(side.values), pickWhole(half.values)];
+    const state = [pick(angle.values), pick(velocity.values), pick(rest.values)];
+    const wholeLeft = kernels.array('i', [count, ENDING_WHOLES]);
+    const realLeft = kernels.array('f', [count, ENDING_REALS]);
+    kernels.settle_cells(
+      picked[0], picked[1], blocks, sideLeft, state[0], state[1], halfLeft, state[2], most,
+      wholeLeft, realLeft,
+    );
+    cellsLeft.forEach((k, at) => {
+      const [first, second] = [at * ENDING_WHOLES, at * ENDING_REALS];
+      whole.values.set(wholeLeft.values.subarray(first, first + ENDING_WHOLES), k * ENDING_WHOLES);
+      real.values.set(realLeft.values.subarray(second, second + ENDING_REALS), k * ENDING_REALS);
+    });
+    const used = [...picked, ...state, blocks, sideLeft, halfLeft, wholeLeft, realLeft];
+    for (const array of used) array.free();
+  }
+}
+
+/**
+ * @param {BigInt64Array} whole
+ * @param {Float64Array} real
+ * @param {number} cell
+ * @param {number} from
+ * @param {Case} given
+ * @returns {Omit<Ending, 'start'>}
+ */
+function endingAt(whole, real, cell, from, given) {
+  const first = cell * ENDING_WHOLES;
+  const [outcome, side, passages, period, rests, symmetric, after] =
+    Array.from(whole.subarray(first, first + ENDING_WHOLES), Number);
+  const second = cell * ENDING_REALS;
+  const [phase, speed, highest, lowest, , least] = real.subarray(second, second + ENDING_REALS);
+  const kind = attractorKind(outcome, symmetric === 1, least, given.restitution);
+  const still = kind === 'rest';
+  return {
+    kind,
+    period,
+    passages,
+    rests,
+    highest: still ? 0 : highest,
+    lowest: still ? 0 : lowest,
+    state: period > 0 ? { side, phase, speed } : null,
+    from,
+    mirrored: false,
+    after,
+  };
+}
+
+/**
+ * Return whether two endings are one motion.
+ * @param {Ending} one
+ * @param {Ending} other
+ */
+export function sameEnding(one, other) {
+  const close = (/** @type {number} */ x, /** @type {number} */ y) =>
+    x === y || (Number.isNaN(x) && Number.isNaN(y))
+    || Math.abs(x - y) <= SAME_PEAK * Math.max(Math.abs(x), Math.abs(y), 1e-3);
+  return one.kind === other.kind && one.period === other.period
+    && (one.rests > 0) === (other.rests > 0) && (one.rests > 0 || one.passages === other.passages)
+    && close(one.highest, other.highest) && close(one.lowest, other.lowest);
+}
+
+/**
+ * Return the distinct motions of endings, the rest first, then orbits by period and peak; the
+ * mirror image of each start counts as another start.
+ * @param {Ending[]} endings
+ * @returns {Coexisting[]}
+ */
+export function coexistingOf(endings) {
+  /** @type {Coexisting[]} */
+  const motions = [];
+  const add = (/** @type {Ending} */ ending) => {
+    const known = motions.find((motion) => sameEnding(motion, ending));
+    if (known) known.count += 1;
+    else motions.push({ ...ending, count: 1, share: 0, twin: -1 });
+  };
+  for (const ending of endings) {
+    add(ending);
+    add(mirrorEnding(ending));
+  }
+  const places = ['rest', 'symmetric', 'unsymmetric', 'aperiodic', 'undecided', 'overturned'];
+  motions.sort((one, other) => places.indexOf(one.kind) - places.indexOf(other.kind)
+    || one.period - other.period || one.from - other.from);
+  motions.forEach((motion) => {
+    motion.share = motion.count / (2 * endings.length);
+    if (motion.kind !== 'unsymmetric') return;
+    const image = mirrorEnding(motion);
+    motion.twin = motions.findIndex((other) => other !== motion && sameEnding(other, image));
+  });
+  return motions;
+}
+
+/**
+ * Return the mirror image of an ending.
+ * @param {Ending} ending
+ * @returns {Ending}
+ */
+function mirrorEnding(ending) {
+  const { kind, highest, lowest, state } = ending;
+  if (kind !== 'unsymmetric') return ending;
+  return {
+    ...ending,
+    highest: -lowest,
+    lowest: -highest,
+    state: state && mirroredImpact(state),
+    start: null,
+    mirrored: !ending.mirrored,
+  };
+}
+
+/**
+ * Return a start on a coexisting motion, or where there is no orbit the start that leads to it.
+ * @param {Coexisting} motion
+ * @returns {Start|null}
+ */
+export function startOn(motion) {
+  return motion.kind === 'rest' ? { kind: 'rest' } : startAt(motion.state) ?? motion.start;
+}
