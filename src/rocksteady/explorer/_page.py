@@ -1,0 +1,77 @@
+"""The explorer's page: its parts, the kernels and the first view in one HTML file."""
+
+import base64
+import gzip
+import hashlib
+import html
+import json
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rocksteady import __version__
+from rocksteady.explorer._bundle import PARTS
+from rocksteady.explorer._palette import style_variables, theme_colours
+from rocksteady.explorer._program import program
+from rocksteady.explorer._still import still_picture
+
+_SLOT = re.compile(r"\{\{(\w+)\}\}")
+
+
+def document(
+    *, state: Mapping[str, str], motions: Sequence[Mapping[str, object]], module: bytes
+) -> str:
+    """Return the page.
+
+    Parameters
+    ----------
+    state
+        The first view, by the keys of the page's link.
+    motions
+        Ground motions put in, as `rocksteady.explorer._motions` writes them.
+    module
+        The kernels as WebAssembly.
+
+    Returns
+    -------
+    str
+        HTML with all that it needs inside.  Its policy lets it run its own script and nothing else:
+        it asks no server for anything.
+
+    Raises
+    ------
+    PartError
+        If a part of the page breaks a rule that joining depends on.
+    """
+    code = program()
+    style = style_variables() + (PARTS / "style.css").read_text(encoding="utf-8")
+    policy = (
+        f"default-src 'none'; script-src {_hash(code)} 'wasm-unsafe-eval'; "
+        f"style-src {_hash(style)}; worker-src blob:; img-src data: blob:; "
+        "base-uri 'none'; form-action 'none'"
+    )
+    slots = {
+        "csp": html.escape(policy),
+        "style": style,
+        "still": still_picture(),
+        "version": html.escape(__version__),
+        "palette": _block(theme_colours()),
+        "view": _block(dict(state)),
+        "motions": _block([dict(motion) for motion in motions]),
+        "kernels": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),
+        "program": code,
+    }
+    template = (PARTS / "index.html").read_text(encoding="utf-8")
+    return _SLOT.sub(lambda slot: slots[slot[1]], template)
+
+
+def _hash(text: str) -> str:
+    """Return the source expression by which a policy allows an inline text."""
+    digest = hashlib.sha256(text.encode("utf-8")).digest()
+    return f"'sha256-{base64.b64encode(digest).decode('ascii')}'"
+
+
+def _block(value: Any) -> str:
+    """Return JSON that cannot end the element in which it stands."""
+    text = json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")

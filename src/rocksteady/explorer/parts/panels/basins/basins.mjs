@@ -1,0 +1,156 @@
+// Basins of attraction: what each initial state of a window settles to; one state is dragged.
+
+/** @import { App, Panel } from '../../shell/app.mjs' */
+/** @import { State } from '../../shell/state.mjs' */
+/** @import { BasinLabels } from './cells.mjs' */
+import { numeral } from '../../draw/scale.mjs';
+import { blockNumbers, startOf } from '../../shell/state.mjs';
+import { buttonEntry } from '../entries.mjs';
+import { axisOf } from '../plane/axis.mjs';
+import { FOLLOWED_KEYS, followedOf } from '../point/followed.mjs';
+import { panelUnits } from '../point/units.mjs';
+import { makeBasinPlane } from './cells.mjs';
+import { basinShare, makeBasinPicture } from './picture.mjs';
+
+const BASIN_KEYS = /** @type {const} */ ({ x: ['u0', 'u1'], y: ['v0', 'v1'] });
+
+/**
+ * Make the panel.
+ * @param {App} app
+ * @returns {Panel}
+ */
+export function makeBasinsPanel(app) {
+  const { plane, labels, attractorOf } = makeBasinPlane(app, () => panel, {
+    axes(state) {
+      const { angle, velocity } = unitsOf(state);
+      return {
+        x: axisOf(state, BASIN_KEYS.x,
+          { unit: angle.factor, label: `initial angle ${angle.label}` }),
+        y: axisOf(state, BASIN_KEYS.y,
+          { unit: velocity.factor, label: `initial ${velocity.label}` }),
+      };
+    },
+    point(state) {
+      const start = startOf(state);
+      return start.kind === 'state' ? { x: start.angle, y: start.velocity } : { x: 0, y: 0 };
+    },
+    moved: ({ x, y }) => ({ start: `${x},${y}` }),
+    words: ({ x, y }, cell) =>
+      [placeText(x, y), (cell && attractorOf(cell.at)?.name) ?? 'not computed'],
+    hint: 'drag: initial state',
+    tell: () => tell(),
+  });
+  const picture = makeBasinPicture(app);
+  /** @type {Map<string, HTMLButtonElement>} */
+  const choices = new Map();
+
+  /** @type {Panel} */
+  const panel = {
+    name: 'basins',
+    title: 'Basins of attraction',
+    uses: ['safe', ...FOLLOWED_KEYS, ...BASIN_KEYS.x, ...BASIN_KEYS.y],
+    update(state, { settled }) {
+      choices.forEach((button, safe) =>
+        button.setAttribute('aria-pressed', String(safe === String(state.safe))));
+      plane.update(state, settled);
+      followedOf(app, settled);
+      tell();
+      if (settled) app.say(stateText());
+    },
+    draw(pen, size) {
+      const { followed, error } = followedOf(app, false), { state } = app;
+      picture.draw(pen, size, {
+        plane, drawn: labels().drawn, units: unitsOf(state), axes: plane.handle.axes(),
+        safe: state.safe === 1, start: startOf(state), followed: error ? null : followed,
+      });
+    },
+    sentence,
+    table,
+    keys: (event) => plane.keys(event),
+    placed,
+  };
+  return panel;
+
+  /** @param {State} state */
+  function unitsOf(state) {
+    return panelUnits(app, blockNumbers(app.kernels, state));
+  }
+
+  function tell() {
+    const { fault } = labels(), far = plane.words();
+    if (fault) {
+      app.fail(panel, `The basins could not be computed: ${fault}`, 'Move the point to try again');
+    } else if (far !== null) app.note(panel, `${progressText(far)}${stateText()}`);
+  }
+
+  /** @param {string} far */
+  function progressText(far) {
+    if (plane.isOther()) return 'Basins of another point, dimmed. ';
+    const total = plane.task() ? plane.nearestCells().length : Infinity;
+    if (labels().labels?.computed === total) return '';
+    return `${far ? `${far[0].toUpperCase()}${far.slice(1)}` : 'Refining 99 %'}. `;
+  }
+
+  function stateText() {
+    const start = startOf(app.state);
+    if (start.kind !== 'state' && start.kind !== 'rest') {
+      return 'Drag in the plane to choose an initial state.';
+    }
+    const { followed } = followedOf(app, false);
+    const { angle = 0, velocity = 0 } = start.kind === 'state' ? start : {};
+    if (!followed) return '';
+    const { kind, orbit } = followed.attractor, { factor, unit } = unitsOf(app.state).angle;
+    const from = start.kind === 'rest' ? 'From rest' : `From ${placeText(angle, velocity)}`;
+    if (!orbit) return `${from}: ${kind === 'rest' ? 'at rest' : kind}.`;
+    const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * factor, 3));
+    return `${from}: ${kind}, period ${orbit.period}, `
+      + `peaks ${high} and ${low}${unit === '°' ? '' : ' '}${unit}.`;
+  }
+
+  /** @param {number} u @param {number} v */
+  function placeText(u, v) {
+    const { angle, velocity, si } = unitsOf(app.state);
+    const [along, up] = [numeral(u * angle.factor, 4), numeral(v * velocity.factor, 4)];
+    return si ? `${along}°, ${up} °/s` : `θ/α = ${along}, velocity ${up}`;
+  }
+
+  function sentence() {
+    const { state } = app, known = labels().labels;
+    if (!known) {
+      return `The basins at A = ${numeral(state.A)}, Ω = ${numeral(state.W)} are not computed yet.`;
+    }
+    const { attractors, computed } = known;
+    const parts = attractors.map(({ name, states }) => `${name} ${basinShare(states / computed)}`);
+    return `Attractors reached from ${computed} initial states at phase 0, `
+      + `A = ${numeral(state.A)}, Ω = ${numeral(state.W)}: ${parts.join(', ')}. `
+      + `${basinShare(safeStates(known) / computed)} never overturn. ${stateText()}`;
+  }
+
+  function table() {
+    const { angle } = unitsOf(app.state), known = labels().labels;
+    const columns = ['attractor', 'share [%]', 'states', 'period [forcing periods]',
+      `highest ${angle.label}`, `lowest ${angle.label}`];
+    const rows = (known?.attractors ?? []).map(({ name, states, orbit }) => [
+      name, (100 * states) / (known?.computed ?? 1), states, orbit?.period ?? '',
+      orbit ? orbit.highest * angle.factor : '', orbit ? orbit.lowest * angle.factor : '',
+    ]);
+    return { columns, rows };
+  }
+
+  function placed() {
+    for (const [safe, text, title] of [
+      ['0', 'attractors', 'One fill for each attractor'],
+      ['1', 'safe basin', 'The states that never overturn'],
+    ]) choices.set(safe, buttonEntry(text, title, () => app.set({ safe })));
+    panel.bar?.append(...choices.values(), ...plane.buttons());
+    plane.listen();
+  }
+}
+
+/**
+ * Return how many of the states never overturn.
+ * @param {BasinLabels} labels
+ */
+function safeStates({ attractors, computed }) {
+  return computed - (attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0);
+}

@@ -1,0 +1,62 @@
+// A time history with its base motion above it, on one axis of time.
+
+/** @import { Theme } from '../../draw/theme.mjs' */
+/** @import { ShownUnits } from './words.mjs' */
+/** @import { SampledRun } from '../../physics/demand/run.mjs' */
+import { frame } from '../../draw/frame.mjs';
+import { curve, note, points, rule } from '../../draw/marks.mjs';
+import { numeral } from '../../draw/scale.mjs';
+
+const COURSE_SMALL = 0.12; // theta/alpha
+const COURSE_BASE = 0.34; // part of the height that the base motion takes
+
+/**
+ * Draw the base acceleration and the angle of a run, +-alpha as lines, impacts as dots.
+ * @param {any} pen
+ * @param {{ width: number, height: number }} size
+ * @param {Theme} theme
+ * @param {SampledRun} run
+ * @param {ShownUnits} units
+ */
+export function drawCourse(pen, size, theme, run, units) {
+  const count = run.times.length;
+  if (!count) return;
+  const times = Array.from(run.times, (t) => t * units.time), to = times[count - 1];
+  const base = Array.from(run.base, (a) => a * units.amplitude);
+  const angles = Array.from(run.states.subarray(0, count), (u) => u * units.angle);
+  const strongest = Math.max(1e-6, ...base.map(Math.abs)) * 1.1;
+  const largest = Math.max(...angles.map((u) => Math.min(Math.abs(u), 2 * units.angle)));
+  // A small motion is enlarged; where alpha is outside the axes it is named.
+  const small = largest > 0 && largest < COURSE_SMALL * units.angle;
+  const widest = small ? 1.6 * largest : Math.max(1.15 * units.angle, 1.06 * largest);
+  const above = Math.round(size.height * COURSE_BASE), left = 44;
+  const x = { from: 0, to, label: units.si ? 'time t [s]' : 'pivot time pt' };
+  const top = frame(pen, { width: size.width, height: above }, {
+    theme, x: { ...x, label: '', bare: true }, margin: { left, right: 12 },
+    y: { from: -strongest, to: strongest, label: units.si ? 'base acceleration a [g]' : 'base acceleration a/(αg)' },
+  });
+  rule(pen, top, { y: 0 }, { colour: theme.faint });
+  for (const side of [-1, 1]) {
+    rule(pen, top, { y: side * units.amplitude }, { colour: theme.number, dash: [2, 3] });
+  }
+  curve(pen, top, [0, ...times], [0, ...base], { colour: theme.base, width: 1.8 });
+  pen.save();
+  pen.translate(0, above);
+  const low = frame(pen, { width: size.width, height: size.height - above }, {
+    theme, x, margin: { left, right: 12 },
+    y: { from: -widest, to: widest, label: units.si ? 'rotation θ [°]' : 'rotation θ/α' },
+  });
+  rule(pen, low, { y: 0 }, { colour: theme.faint });
+  for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.ink, dash: [6, 3], width: 1.2 });
+  const level = small ? `±α = ±${numeral(units.angle, 3)}${units.si ? '°' : ''}, outside` : 'θ = α';
+  const at = small ? low.box.top + 10 : low.y.at(units.angle) - 9;
+  note(pen, low, level, low.box.left + low.box.width - 4, at, { align: 'right' });
+  curve(pen, low, times, angles, { colour: theme.lines[0], width: 2 });
+  const struck = Array.from(run.impacts).filter((t) => t * units.time <= to).slice(0, 400);
+  points(pen, low, struck.map((t) => t * units.time), struck.map(() => 0), { colour: theme.impact, radius: 3 });
+  if (run.overturns !== null) {
+    rule(pen, low, { x: run.overturns * units.time }, { colour: theme.impact, dash: [2, 3] });
+    note(pen, low, 'overturns', low.x.at(run.overturns * units.time) - 4, low.box.top + low.box.height - 10, { align: 'right', colour: theme.impact });
+  }
+  pen.restore();
+}

@@ -1,0 +1,276 @@
+// The Pulse tab's picture: what one pulse makes of the block, over its frequency and amplitude.
+
+/** @import { App, Panel } from '../../shell/app.mjs' */
+/** @import { State } from '../../shell/state.mjs' */
+/** @import { PulseWindow } from '../../physics/demand/windows.mjs' */
+/** @import { ShownUnits } from './words.mjs' */
+/** @import { Theme } from '../../draw/theme.mjs' */
+/** @import { CellLook } from './key.mjs' */
+/** @import { PulseFates } from '../../physics/demand/pulse.mjs' */
+import { clipped, note, rule } from '../../draw/marks.mjs';
+import { numeral } from '../../draw/scale.mjs';
+import { FATE } from '../../physics/demand/pulse.mjs';
+import { PULSE_SHAPES } from '../../physics/demand/shapes.mjs';
+import { upliftOf } from '../../physics/demand/windows.mjs';
+import { caseOf } from '../../shell/state.mjs';
+import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
+import { axisOf } from '../plane/axis.mjs';
+import { makePlane } from '../plane/plane.mjs';
+import { drawFates, lookTiles } from './key.mjs';
+import { impactWords, mixedColour, sideWords, unitsOf } from './words.mjs';
+
+const PULSE_KEYS = /** @type {const} */ ({ x: ['pw0', 'pw1'], y: ['pa0', 'pa1'] });
+const PULSE_GRID = { columns: 384, rows: 288 };
+const PULSE_MODES = ['overturns without an impact', 'after one impact', 'after two or more'];
+const PULSE_LOOK = { stands: 0, rests: 1, undecided: 2, first: 3 }; // then modes, each side
+
+/**
+ * Return the block that the pulse meets.
+ * @param {App} app
+ * @param {State} state
+ */
+export function struckOf(app, state) {
+  const { restitution, nonlinear, alpha } = caseOf(app.kernels, state);
+  return { shape: state.pulse, restitution, nonlinear, alpha };
+}
+
+/**
+ * Return the fill of a way of overturning, as the package's plots have it.
+ * @param {Theme} theme
+ * @param {number} impacts
+ */
+export function modeFill(theme, impacts) {
+  const { overturned, symmetric, unsymmetric } = theme.fills;
+  return [mixedColour(overturned, '#ffffff', 0.45), symmetric, unsymmetric][Math.min(impacts, 2)];
+}
+
+/**
+ * Return what cells look like, by their numbers.
+ * @param {Theme} theme
+ * @returns {CellLook[]}
+ */
+function pulseLooks(theme) {
+  const { fills, marks } = theme;
+  /** @type {CellLook[]} */
+  const looks = [
+    { fill: theme.paper }, { fill: mixedColour(theme.paper, theme.grid, 0.55) },
+    { fill: fills.undecided, mark: marks.dark, kind: 'crossed' },
+  ];
+  for (const impacts of [0, 1, 2]) {
+    const fill = modeFill(theme, impacts);
+    looks.push({ fill }, { fill, mark: mixedColour(fill, '#ffffff', 0.55), kind: 'dots' });
+  }
+  return looks;
+}
+
+/** Return the number of the look of a fate. @param {PulseFates} fates @param {number} k */
+function pulseLook({ status, impacts, side, margin }, k) {
+  if (status[k] === FATE.undecided || status[k] === FATE.lost) return PULSE_LOOK.undecided;
+  if (status[k] !== FATE.overturned) {
+    return impacts[k] || margin[k] > -1 ? PULSE_LOOK.stands : PULSE_LOOK.rests;
+  }
+  return PULSE_LOOK.first + 2 * Math.min(impacts[k], 2) + (side[k] > 0 ? 0 : 1);
+}
+
+/** @param {PulseFates} fates @param {number} k */
+function fateWords(fates, k) {
+  const look = pulseLook(fates, k);
+  if (look >= PULSE_LOOK.first) {
+    return `overturns ${impactWords(fates.impacts[k])}, ${sideWords(fates.side[k])}`;
+  }
+  return ['stands', 'does not lift', 'undecided'][look];
+}
+
+/**
+ * @param {PulseWindow} window
+ * @param {number} end  of the range that was searched
+ * @param {ShownUnits} units
+ */
+export function windowWords({ low, high, impacts, side }, end, units) {
+  const from = numeral(low * units.amplitude, 5), to = numeral(high * units.amplitude, 5);
+  const range = high >= end ? `from ${from}${units.a}` : `${from} to ${to}${units.a}`;
+  const ways = impacts >= 10 ? 'after 10 or more impacts' : impactWords(impacts);
+  return `${range}: ${ways}, ${sideWords(side)}`;
+}
+
+/**
+ * Make the panel.
+ * @param {App} app
+ * @returns {Panel}
+ */
+export function makePulsePanel(app) {
+  /** @type {ReturnType<typeof makeEntries> | undefined} */
+  let entries;
+  let uplift = 1;
+  const fates = () => /** @type {PulseFates} */ (/** @type {unknown} */ (plane.cells()));
+  const plane = makePlane(app, () => panel, {
+    name: 'pulse',
+    grid: PULSE_GRID,
+    whole: 2,
+    empty: (count) => ({ status: new Uint8Array(count), impacts: new Int32Array(count),
+      side: new Int8Array(count), margin: new Float64Array(count) }),
+    tiles: (theme) => lookTiles(pulseLooks(theme)),
+    look: (k) => pulseLook(fates(), k),
+    undecided: (k) => pulseLook(fates(), k) === PULSE_LOOK.undecided,
+    axes(state) {
+      const units = unitsOf(app, state), log = state.plog === 1;
+      return {
+        x: axisOf(state, PULSE_KEYS.x, { log, unit: units.frequency, label: units.si
+          ? 'frequency of the pulse f [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
+        y: axisOf(state, PULSE_KEYS.y, { log, unit: units.amplitude, label: units.si
+          ? 'largest base acceleration a [g]' : 'amplitude A = a/(αg)' }),
+      };
+    },
+    point: ({ pW, pA }) => ({ x: pW, y: pA }),
+    moved: ({ x, y }) => ({ pW: x, pA: y }),
+    work(state) {
+      const struck = struckOf(app, state), { shape, restitution, nonlinear, alpha } = struck;
+      const sampled = /ricker|mavro/.test(shape);
+      return {
+        job: 'pulseFates', cost: `${nonlinear} ${sampled}`,
+        ms: (nonlinear ? 0.06 : 0.005) * (sampled ? 8 : 1),
+        motion: [shape, restitution, nonlinear && alpha].join(' '),
+        args: (ratios, amplitudes) => ({ ...struck, ratios, amplitudes }),
+      };
+    },
+    words({ x, y }, cell) {
+      const { amplitude, frequency, a, f, si } = unitsOf(app, app.state);
+      const [up, along] = [numeral(y * amplitude, 4), numeral(x * frequency, 4)];
+      return [si ? `${up}${a}, ${along}${f}` : `A = ${up}, Ω = ${along}`,
+        cell ? fateWords(fates(), cell.at) : 'not computed yet'];
+    },
+    tell: () => tell(),
+  });
+  const key = () => {
+    const looks = pulseLooks(app.theme);
+    const modes = PULSE_MODES.map((words, k) => ({ words, look: looks[PULSE_LOOK.first + 2 * k] }));
+    return [...modes, { words: 'dots: falls to the right', look: looks[PULSE_LOOK.first + 1] },
+      { words: 'stands', look: looks[PULSE_LOOK.stands] }];
+  };
+
+  /** @type {Panel} */
+  const panel = {
+    name: 'pulse',
+    title: 'Overturning by one pulse',
+    uses: ['model', 'r', 'rh', 'b', 'h', 'units', 'pulse', 'plog', 'pA', 'pW', ...PULSE_KEYS.x,
+      ...PULSE_KEYS.y, 'pulseWindows'],
+    placed() {
+      entries = makeEntries(app, plane);
+      panel.bar?.append(...entries.all);
+      plane.listen();
+    },
+    update(state, { settled }) {
+      entries?.refresh(state);
+      uplift = upliftOf(app.kernels, struckOf(app, state));
+      plane.update(state, settled);
+      tell();
+    },
+    draw(pen, size) {
+      const { state, theme } = app, units = unitsOf(app, state);
+      drawFates(pen, size, app, plane, { key: key(), over: (onto) => {
+        rule(pen, onto, { y: uplift * units.amplitude }, { colour: theme.number, dash: [1.5, 3.5], width: 1.4 });
+        note(pen, onto, 'below: the block does not lift', onto.box.left + onto.box.width - 4,
+          onto.y.at(uplift * units.amplitude) + 9, { align: 'right', colour: theme.number });
+        drawColumn(pen, onto, units);
+      } });
+    },
+    sentence() {
+      const { state } = app, units = unitsOf(app, state);
+      const found = app.shared.pulseWindows;
+      const place = `at ${units.si ? 'f' : 'Ω'} = ${numeral(state.pW * units.frequency, 4)}${units.f}`;
+      const head = `Fates of a block at rest under a ${state.pulse} pulse`;
+      if (!found) return `${head}, over its frequency and amplitude.`;
+      if (!found.windows.length) return `${head}: ${place} no amplitude up to ${numeral(found.high, 4)} αg overturns it.`;
+      const words = found.windows.map((/** @type {PulseWindow} */ each) => windowWords(each, found.high, units));
+      return `${head}: ${place} it overturns ${words.join('; ')}.`;
+    },
+    table() {
+      const { state } = app, units = unitsOf(app, state), found = app.shared.pulseWindows;
+      const unit = units.si ? 'g' : 'αg';
+      return {
+        columns: [`from [${unit}]`, `to [${unit}]`, 'impacts before', 'side (+1: θ > 0)'],
+        rows: (found?.windows ?? []).map((/** @type {PulseWindow} */ { low, high, impacts, side }) =>
+          [low * units.amplitude, high * units.amplitude, impacts, side]),
+      };
+    },
+    keys: (event) => plane.keys(event),
+  };
+
+  /** Write how far the picture is. */
+  const tell = () => {
+    const far = plane.words();
+    if (far === null) return;
+    const words = plane.progress().complete ? 'Drag the point; shift-drag a box to come closer.' : '';
+    app.note(panel, [words, far].filter(Boolean).join(' '));
+  };
+
+  /**
+   * Draw the windows at the frequency of the point, with their borders.
+   * @param {any} pen
+   * @param {import('../../draw/frame.mjs').Frame} onto
+   * @param {ShownUnits} units
+   */
+  const drawColumn = (pen, onto, units) => {
+    const { state, theme } = app, found = app.shared.pulseWindows;
+    if (!found) return;
+    const middle = onto.x.at(found.ratio * units.frequency), wide = 10;
+    const labelled = middle > onto.box.left + onto.box.width - 70 ? 'right' : 'left';
+    clipped(pen, onto, () => {
+      for (const { low, high, impacts } of found.windows) {
+        const [top, bottom] = [high, low].map((a) => onto.y.at(a * units.amplitude));
+        pen.fillStyle = modeFill(theme, impacts);
+        pen.fillRect(middle - wide / 2, top, wide, Math.max(1, bottom - top));
+        pen.strokeStyle = theme.ink;
+        pen.lineWidth = 1.2;
+        pen.strokeRect(middle - wide / 2, top, wide, Math.max(1, bottom - top));
+      }
+    });
+    let before = Infinity;
+    for (const low of new Set(found.windows.flatMap((/** @type {PulseWindow} */ each) =>
+      each.high >= found.high ? [each.low] : [each.low, each.high]))) {
+      const y = onto.y.at(low * units.amplitude);
+      if (y > before - 13 || low < state.pa0 || low > state.pa1) continue;
+      before = y;
+      const text = numeral(low * units.amplitude, 4);
+      note(pen, onto, text, middle + (labelled === 'left' ? 10 : -10), y, { align: labelled, colour: theme.ink });
+    }
+  };
+  return panel;
+}
+
+/**
+ * @param {App} app
+ * @param {ReturnType<typeof makePlane>} plane
+ */
+function makeEntries(app, plane) {
+  const shape = choiceEntry(app, 'pulse', 'pulse', Object.keys(PULSE_SHAPES).map((name) => [name, name.replace(/-/g, ' ')]));
+  const amplitude = numberEntry(app, {
+    name: 'pA', label: 'A', step: 0.05,
+    read: () => app.state.pA * unitsOf(app, app.state).amplitude,
+    write: (value) => ({ pA: value / unitsOf(app, app.state).amplitude }),
+  });
+  const frequency = numberEntry(app, {
+    name: 'pW', label: 'Ω', step: 0.05,
+    read: () => app.state.pW * unitsOf(app, app.state).frequency,
+    write: (value) => ({ pW: value / unitsOf(app, app.state).frequency }),
+  });
+  const log = buttonEntry('log', 'logarithmic axes', () => app.set({ plog: 1 - app.state.plog }));
+  const all = [
+    shape.root, amplitude.root, frequency.root, log,
+    ...plane.buttons(),
+  ];
+  return {
+    all,
+    /** @param {State} state */
+    refresh(state) {
+      const si = state.units === 'si';
+      shape.refresh();
+      shape.root.title = PULSE_SHAPES[state.pulse];
+      amplitude.words(si ? 'a [g]' : 'A');
+      frequency.words(si ? 'f [Hz]' : 'Ω');
+      amplitude.refresh();
+      frequency.refresh();
+      log.setAttribute('aria-pressed', String(state.plog === 1));
+    },
+  };
+}

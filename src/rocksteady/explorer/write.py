@@ -1,0 +1,67 @@
+"""Writing the explorer: one HTML file that needs no other, no server and no network."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from rocksteady.explorer._motions import motions_of
+from rocksteady.explorer._page import document
+from rocksteady.explorer.module import page_module
+from rocksteady.explorer.view import ExplorerView, state_of
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.record import Record
+from rocksteady.records.core.recording import Recording
+from rocksteady.show.export.files import save_text
+
+
+@checked
+def write_explorer(
+    path: Path | str,
+    view: ExplorerView | None = None,
+    *,
+    records: Sequence[Record | Recording] | None = None,
+) -> Path:
+    """Write the explorer, a page that computes while it is touched, into one HTML file.
+
+    The kernels are inside as WebAssembly, and give the same numbers as here, to the last bit.  A
+    browser opens the file without a server: ``webbrowser.open(path.as_uri())``.
+
+    Parameters
+    ----------
+    path
+        The file, which is replaced.
+    view
+        What it shows first; default a block that rocks under harmonic shaking.
+    records
+        Ground motions for its earthquake tab, 30 MB at most; none by default.
+
+    Returns
+    -------
+    Path
+        The file, with its whole path.
+
+    Raises
+    ------
+    MissingKernelsError
+        If this installation has no WebAssembly module of its kernels.
+    InputError
+        If the records are too large.
+    OutputError
+        If the page cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import Block, ExplorerView, Harmonic, write_explorer
+    >>> rack = Block.rectangle(width=0.6, height=2.0)
+    >>> shaking = Harmonic.from_si(rack, acceleration_m_s2=4.0, frequency_hz=1.5)
+    >>> with TemporaryDirectory() as folder:
+    ...     page = write_explorer(f"{folder}/rack.html", ExplorerView(block=rack, motion=shaking))
+    ...     page.name, page.read_text(encoding="utf-8")[:15]
+    ('rack.html', '<!doctype html>')
+    """
+    motions = motions_of(records or ())
+    state = state_of(view or ExplorerView(), on_records=bool(motions))
+    text = document(state=state, motions=motions, module=page_module().read_bytes())
+    file = Path(path)
+    save_text("path", file, text)
+    return file.absolute()

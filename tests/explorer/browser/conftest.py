@@ -1,0 +1,47 @@
+"""The page, written once, in one browser a worker; what it must not do fails the test."""
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, sync_playwright
+
+from rocksteady import MissingKernelsError, write_explorer
+from tests.explorer.browser.watched import Explorer, Watch
+from tests.strategies import PLAIN
+
+PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = ["--no-sandbox", "--disable-gpu", "--force-color-profile=srgb"]
+
+
+@pytest.fixture(scope="package")
+def page_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    if PLAIN:
+        pytest.skip("no library is loaded")
+    # A name as users have them.
+    path = tmp_path_factory.mktemp("a page & its folder") / "explorer é.html"
+    try:
+        return write_explorer(path)
+    except MissingKernelsError as error:
+        pytest.skip(str(error))
+
+
+@pytest.fixture(scope="package")
+def browser() -> Iterator[Browser]:
+    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
+    if program is None:
+        pytest.skip("no Chromium is installed")
+    with sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=program, args=FLAGS)
+        yield found
+        found.close()
+
+
+@pytest.fixture
+def explorer(browser: Browser, page_file: Path) -> Iterator[Explorer]:
+    watch = Watch()
+    made = Explorer(browser, page_file, watch)
+    yield made
+    made.close()
+    assert watch.faults == []
