@@ -96,7 +96,8 @@ def test_what_is_public_stands_in_modules_without_underscore() -> None:
 
 @pytest.mark.parametrize("top", ["src", "tests", "bench", "examples", "tools"])
 def test_no_folder_has_many_files(top: str) -> None:
-    sizes = Counter(file.parent for file in (ROOT / top).rglob("*.py"))
+    files = [file for kind in ("py", "mjs") for file in (ROOT / top).rglob(f"*.{kind}")]
+    sizes = Counter(file.parent for file in files)
     assert {str(folder): size for folder, size in sizes.items() if size > MOST} == {}
 
 
@@ -155,9 +156,11 @@ def defined_in(name: str) -> set[str]:
 def test_tests_stand_in_the_folders_of_what_they_test() -> None:
     """A test of a module has its name, in the same folder of `tests`."""
     tests = ROOT / "tests"
-    folders = {folder.relative_to(SOURCE) for folder in (file.parent for file in FILES)}
+    parts = (SOURCE / "explorer" / "parts").rglob("*.mjs")  # of the page, tested from Python
+    folders = {file.parent.relative_to(SOURCE) for file in (*FILES, *parts)}
     # Beside the package, or of all of it.
-    own = {Path("tools"), Path("tools/aot"), Path("public"), Path()}
+    own = {Path("tools"), Path("tools/aot"), Path("public"), Path("explorer/browser")}
+    own |= {Path("explorer/browser/tabs"), Path()}
     for file in tests.rglob("test_*.py"):
         folder = file.relative_to(tests).parent
         assert folder in folders | own, file

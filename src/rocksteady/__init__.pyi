@@ -75,6 +75,8 @@ from .errors import OutputError as OutputError
 from .errors import RecordFileError as RecordFileError
 from .errors import RocksteadyError as RocksteadyError
 from .errors import UnfinishedError as UnfinishedError
+from .explorer.view import ExplorerView as ExplorerView
+from .explorer.write import write_explorer as write_explorer
 from .installation.check import Installation as Installation
 from .installation.check import KernelCheck as KernelCheck
 from .installation.check import check_installation as check_installation

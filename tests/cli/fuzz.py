@@ -80,13 +80,24 @@ VALID = {
     "PART": ("0.05", "0.01"),
     "CELLS": ("4", "100"),
     "FIGURE": ("10", "3b"),
-    "FILE": ("a.png", "b.csv", "c.nc", "d.gif", "e.svg", "f.pdf", "no/such/g.png", "folder"),
+    "FILE": (
+        "a.png",
+        "b.csv",
+        "c.nc",
+        "d.gif",
+        "e.svg",
+        "f.pdf",
+        "p.html",
+        "no/such/g.png",
+        "folder",
+    ),
     "STORE": ("s.zarr", "t.zarr", "folder", "there.csv"),
     "DIR": ("out", "folder", "there.csv", "no/such"),
     "--block": ("tso-wong-1989", "zhang-makris-2001"),
     "--model": ("linear", "nonlinear"),
     "--pulse": ("one-sine", "ricker", "half-sine", "mavroeidis-papageorgiou", "type-c2"),
     "--executor": ("threads", "serial"),
+    "--tab": ("explore", "basins", "quake"),
     "--baseline": ("none", "mean", "linear", "polynomial:2"),
     "--format": ("peer-at2", "table"),
     "--channel": ("1", "090"),
@@ -116,6 +127,11 @@ IN_SI = ["--alpha-rad", "0.2", "--radius-m", "2", "--accel-g", "0.4", "--freq-hz
 ASYMMETRIC = ["--left-m", "0.2", "--right-m", "0.3", "--height-m", "2", "-A", "2", "-W", "4"]
 NONLINEAR = ["--alpha-rad", "0.2", "--p-rad-s", "2", "-A", "2", "-W", "4", "--model", "nonlinear"]
 USUAL = {
+    "explore": [
+        [*SHAKING, "--no-browser"],
+        [*IN_SI, "--out", "p.html", "--force"],
+        [*BLOCK, "--record", "a.at2", "--tab", "quake"],
+    ],
     "steady": [SHAKING, IN_SI],
     "simulate": [
         SHAKING,

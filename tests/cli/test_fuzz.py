@@ -41,6 +41,9 @@ def found_apart(seed: int, lines: int, folder: Path) -> list[str]:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     fill(tmp_path)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("BROWSER", "true")  # which shows no page
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     return tmp_path
 
 

@@ -62,6 +62,8 @@ def calls() -> dict[str, Call]:
         rs.DimensionlessBlock: {"restitution": 0.8},
         bare.with_restitution: {"restitution": 0.7},
         bare.dimensionless: {},
+        rs.ExplorerView: {"block": block, "motion": shaking, "tab": "basins"},
+        rs.write_explorer: {"path": "page.html", "view": t["view"], "records": [record]},
         rs.Grid: {"axes": t["grid"].axes},
         t["grid"].at: {"numbers": np.array([0, 1])},
         t["grid"].cells: {"first": 0, "stop": 2},

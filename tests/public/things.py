@@ -113,6 +113,7 @@ def things() -> dict[str, Any]:
         "block": block,
         "bare": bare,
         "shaking": shaking,
+        "view": rs.ExplorerView(block=block, motion=shaking),
         "record": record,
         "run": run,
         "pulse": pulse,

@@ -23,13 +23,12 @@ from rocksteady.cli.commands import (
     maps,
     orbits,
     overturn,
-    paper,
     record,
     simulate,
     spectrum,
     steady,
-    study,
 )
+from rocksteady.cli.commands.documents import explore, paper, study
 from rocksteady.cli.commands.observations import back_analyse, calibrate, predict, restitution
 from rocksteady.cli.commands.risk import assess, facade, fragility, screens
 from rocksteady.cli.console import terminal
@@ -61,6 +60,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 COMMANDS = (
+    explore,
     steady,
     simulate,
     attractor,

@@ -5,7 +5,7 @@ from tests.cli.program import rocksteady
 
 EVERY_COMMAND = (
     *("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", "map"),
-    *("overturn", "record", "paper", "fragility", "assess", "facade", "screens"),
+    *("overturn", "record", "paper", "fragility", "assess", "facade", "screens", "explore"),
 )
 
 

@@ -59,6 +59,7 @@ FLAG_OF_ARGUMENT = {
     "per_unit": "--samples",
     "speed": "--speed",
     "model": "--model",
+    "tab": "--tab",
     "tolerance": "--tolerance",
     "out": "--out",
     "only": "--only",

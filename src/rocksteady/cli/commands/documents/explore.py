@@ -1,0 +1,287 @@
+"""`rocksteady explore`: the explorer, a page that computes while it is touched."""
+
+import shutil
+import tempfile
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.commands.record import all_recordings
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.browser import show
+from rocksteady.cli.console.outputs import announce_file, print_json
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    ShakingFlags,
+    equations_for,
+    named_model,
+)
+from rocksteady.cli.flags.groups import grouped, same_file
+from rocksteady.cli.flags.parsing import single
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, Scale, warn
+from rocksteady.cli.flags.start import StartFlags
+from rocksteady.errors import ModelError, OutputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_writable
+
+if TYPE_CHECKING:
+    from rocksteady.explorer.view import ExplorerView
+    from rocksteady.model.equations import Model
+    from rocksteady.model.motions.segments import Harmonic
+    from rocksteady.records.core.recording import Recording
+
+HELP = (
+    "The explorer: a page to touch, in one HTML file that computes by itself.\n\n"
+    "Drag the point on the map of motions, and time history, phase portrait, sweeps, basins, "
+    "pulses, ground motions and design charts follow at once. The page holds the kernels of this "
+    "program and gives the same numbers; it needs no server and no network. Without --out it is "
+    "written into a temporary folder."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady explore\n\n"
+    "rocksteady explore -A 2 -W 6 -r 0.8 --out explorer.html\n\n"
+    "rocksteady explore --width-m 0.6 --height-m 2 --accel-g 0.4 --freq-hz 1.5\n\n"
+    "rocksteady explore --block server-rack --record RSN77_PUL164.AT2 --scale 0.8"
+)
+FILE = "explorer.html"
+"""Name of the page in a temporary folder."""
+ENDINGS = (".html", ".htm")
+
+RecordFiles = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--record",
+        metavar="FILE",
+        help="Put the horizontal channels of a ground-motion file into the page, or the one that "
+        "--channel names; may be repeated. The page then opens on them.",
+        rich_help_panel=options.MOTION,
+    ),
+]
+TabFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--tab",
+        metavar="NAME",
+        help="Open on explore, basins, pulse, quake or design; default quake with --record, else "
+        "explore.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+OutFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="FILE",
+        help="Keep the page in this file: .html.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+NoBrowser = Annotated[
+    bool,
+    typer.Option(
+        "--no-browser",
+        help="Write the page without opening it, as --json does too.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+
+
+@grouped
+def explore(
+    block: BlockFlags,
+    shaking: ShakingFlags,
+    reading: ReadingFlags,
+    record: RecordFiles = None,
+    scale: Scale = None,
+    start: options.Start = "rest",
+    model: options.Model = None,
+    tab: TabFlag = None,
+    out: OutFile = None,
+    no_browser: NoBrowser = False,
+    force: options.Force = False,
+    as_json: options.Json = False,
+) -> None:
+    """Run `rocksteady explore`; `HELP` is what its users read."""
+    files = record or []
+    check_file(out, files, force=force)
+    recorded = RecordFlags(record=record, scale=scale)
+    recorded.given(reading)
+    from rocksteady.explorer.module import page_module
+
+    page_module()  # refused before anything is read
+    body = block.described() if block.given else None
+    motion = first_motion(shaking, body)
+    from rocksteady.explorer.view import ExplorerView
+
+    begin = StartFlags(start=start).of(motion.frequency_ratio if motion else None)
+    try:
+        view = ExplorerView(
+            block=body,
+            motion=motion,
+            start=begin,
+            model=equations(model, body, motion),
+            tab=tab,
+            scale=single("--scale", recorded.scales),
+        )
+    except ModelError as error:
+        raise in_flags(error, block, start) from error
+    recordings = across(files, reading)
+    file = write(out, view, recordings)
+    found = described(file, view, recordings)
+    if as_json:
+        print_json("explore", found.to_dict())
+        return
+    print_description(found, terminal.console())
+    if not no_browser and not show(file):
+        terminal.note(f"no browser was found here: open {file}")
+
+
+def check_file(out: Path | None, read: Sequence[Path], *, force: bool) -> None:
+    """Refuse, before anything is computed, a file that could not be written.
+
+    Raises
+    ------
+    OutputError
+        If it exists and --force is off, its folder is missing or not writable, no browser would
+        take it for a page, or the command reads it.
+    FlagError
+        If there is none, and --force.
+    """
+    if out is None:
+        if force:
+            valid = "without --out the page is always a new file"
+            raise FlagError("--force", True, valid, "add --out FILE, or leave it out")
+        return
+    if out.suffix.lower() not in ENDINGS:
+        valid = "browsers know a page by its ending, .html"
+        raise OutputError("--out", out, valid, "rename it")
+    if any(same_file(out, each) for each in read):
+        raise OutputError("--out", out, "the command reads this file", "name another one")
+    check_writable("--out", out, force=force)
+
+
+def first_motion(
+    shaking: ShakingFlags, body: Block | DimensionlessBlock | None
+) -> "Harmonic | None":
+    """Return the shaking of the first view; what is not given of it is that of the page.
+
+    Raises
+    ------
+    InputError, ModelError
+        As for `ShakingFlags.at`.
+    """
+    from rocksteady.explorer.view import DEFAULT_MOTION
+
+    if not shaking.given:
+        return None
+    if (shaking.amplitude, shaking.accel_g, shaking.accel_m_s2) == (None, None, None):
+        shaking = replace(shaking, amplitude=repr(DEFAULT_MOTION.amplitude))
+    if (shaking.frequency_ratio, shaking.freq_hz) == (None, None):
+        shaking = replace(shaking, frequency_ratio=repr(DEFAULT_MOTION.frequency_ratio))
+    return shaking.at(DimensionlessBlock(restitution=1.0) if body is None else body)
+
+
+def equations(
+    model: str | None, body: Block | DimensionlessBlock | None, motion: "Harmonic | None"
+) -> "Model | None":
+    """Return the equations of motion of --model; None where it is not given.
+
+    Raises
+    ------
+    InputError, ModelError
+        As for `equations_for`.
+    """
+    if model is None:
+        return None
+    return named_model(model) if body is None else equations_for(model, body, motion)
+
+
+def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
+    """Return the error of a view in the words of the flags that made it."""
+    if error.name == "start":
+        return FlagError("--start", start, error.valid, "give --start steady without further flags")
+    if error.name != "block":
+        return error
+    if block.block is not None:
+        return FlagError("--block", block.block, error.valid, error.hint)
+    if error.value in ("asymmetric", "against a wall"):
+        return block.refuse_sides(error.valid, "leave them out")
+    flags = [
+        flag
+        for flag, value in (
+            ("--gyration-m", block.gyration_m),
+            ("--mass-centre-height-m", block.mass_centre_height_m),
+        )
+        if value is not None
+    ]
+    return FlagError(
+        finding=f"{' and '.join(flags)} make a block with {error.value}",
+        valid=error.valid,
+        hint="leave them out",
+    )
+
+
+def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
+    """Return the channels that shake a block across: of a file with several the horizontal ones.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read.
+    """
+    found: list[Recording] = []
+    for file in files:
+        channels = all_recordings([file], reading)
+        level = [each for each in channels if each.orientation != "vertical"]
+        if not level:
+            warn(file, "its channel is vertical, and shakes across")
+        elif len(level) < len(channels):
+            warn(file, "its vertical channel is left out; --channel takes it")
+        found += level or channels
+    return found
+
+
+def write(out: Path | None, view: "ExplorerView", recordings: "Sequence[Recording]") -> Path:
+    """Write the page; return its file, in a folder of its own where none is named."""
+    from rocksteady.explorer.write import write_explorer
+
+    if out is not None:
+        try:
+            file = write_explorer(out, view, records=recordings)
+        except OutputError as error:
+            raise OutputError("--out", out, error.valid, error.hint) from error
+        announce_file(out)
+        return file
+    folder = Path(tempfile.mkdtemp(prefix="rocksteady-"))  # this user alone can enter it
+    try:
+        return write_explorer(folder / FILE, view, records=recordings)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
+
+
+def described(file: Path, view: "ExplorerView", recordings: "Sequence[Recording]") -> Description:
+    """Return where the page is and what it shows first."""
+    from rocksteady.explorer.view import state_of
+
+    size = file.stat().st_size
+    state = state_of(view, on_records=bool(recordings))
+    names = [each.name for each in recordings]
+    facts = [
+        Fact("file", str(file), "file"),
+        Fact("bytes", size, "size", f"{size / 1e3:.0f} kB"),
+        Fact("tab", state["tab"], "opens on"),
+        Fact("model", state["model"], "model"),
+        Fact("view", state),
+        Fact("records", names, "records" if names else "", ", ".join(names)),
+    ]
+    return Description(headline="the explorer, in one file for any browser", facts=facts)
