@@ -21,10 +21,12 @@ NEEDED_RATIO = 20.0
 SAMPLE_AIMS = {"flight, plain": "aim 25 ns", "earthquake, with peaks": "aim 90 ns"}
 PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
 
-# The sections of the page, in their order; `make bench-peers` writes the second.
+# The sections of the page, in their order; `make bench-peers` writes the second, `make
+# bench-explorer` the third.
 PACKAGE = "The package"
 PEERS = "Beside other solvers"
-SECTIONS = (PACKAGE, PEERS)
+EXPLORER = "The explorer"
+SECTIONS = (PACKAGE, PEERS, EXPLORER)
 
 INTRODUCTION = """\
 Written by `make bench`; do not edit. Medians; CPU time of one core, compilation excluded, for the
