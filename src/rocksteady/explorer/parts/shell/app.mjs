@@ -50,7 +50,7 @@ import { defaultState, patched } from './state.mjs';
  */
 
 const SETTLED_MS = 8; // for the numbers of panels, and again for their pictures
-const DRAG_MS = 4; // from which a picture waits for the next frame while the point is dragged
+const DRAG_MS = 2; // from which a picture waits for the next frame while the point is dragged
 
 /**
  * Return the application without its panels.

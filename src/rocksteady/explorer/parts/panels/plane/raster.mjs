@@ -46,7 +46,7 @@ import { partOn } from './axis.mjs';
 
 /** @typedef {{ canvas: HTMLCanvasElement, axes: PlaneAxes, other: boolean }} RasterPicture */
 
-const STEPS = [16, 8, 4, 2, 1];
+const STEPS = [8, 4, 2, 1];
 const TILE_MS = 14; // of a job
 const FIRST_PRIORITY = -1;
 const LATER_PRIORITY = 50;
@@ -190,7 +190,7 @@ export function makeRaster(app, options, { changed, seen }) {
         : Float64Array.from(places, (at) => values[0][at % columns]);
       const ys = rectangles ? every(values[1], row, high, step)
         : Float64Array.from(places, (at) => values[1][Math.floor(at / columns)]);
-      const priority = (level < 2 ? FIRST_PRIORITY : LATER_PRIORITY) + far;
+      const priority = (level === 0 ? FIRST_PRIORITY : LATER_PRIORITY) + far;
       const key = `${options.name}:${level}:${row}:${column}`;
       app.pool.ask(job, args(xs, ys, nested), { key, priority }).then((found) => {
         if (found && mine === ticket) take(found, places, from, step);
