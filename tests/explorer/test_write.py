@@ -136,3 +136,14 @@ def test_an_old_page_is_replaced_whole_or_stays(
     assert list(tmp_path.iterdir()) == [file]
     with pytest.raises(OutputError, match="path = "):
         write_explorer(tmp_path / "no" / "page.html")
+
+
+@pytest.mark.parametrize("name", ["page", "page.csv", "page.html.gz", "html", ".html"])
+def test_another_ending_is_refused_and_no_file_of_that_name_is_touched(
+    name: str, tmp_path: Path
+) -> None:
+    file = tmp_path / name
+    file.write_text("somebody's table", encoding="utf-8")
+    with pytest.raises(OutputError, match="by its ending"):
+        write.write_explorer(file)
+    assert file.read_text(encoding="utf-8") == "somebody's table"

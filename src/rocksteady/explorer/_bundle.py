@@ -20,8 +20,7 @@ class PartError(ValueError):
 def script(entry: Path = ENTRY) -> str:
     """Return one script of a module and all that it imports, which calls its `start`.
 
-    Modules stand after those that they import, without comments, each in a scope of its own that
-    gives what it exports.
+    Each module follows the modules it imports and has a scope of its own.  Comments are dropped.
 
     Raises
     ------

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
+from rocksteady.errors import OutputError
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer._page import document
 from rocksteady.explorer.module import page_module
@@ -11,6 +12,9 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
 from rocksteady.show.export.files import save_text
+
+ENDINGS = (".html", ".htm")
+"""Of a page's file, in any case."""
 
 
 @checked
@@ -28,7 +32,7 @@ def write_explorer(
     Parameters
     ----------
     path
-        The file, which is replaced.
+        The file, .html, which is replaced.
     view
         What it shows first; default a block that rocks under harmonic shaking.
     records
@@ -46,7 +50,7 @@ def write_explorer(
     InputError
         If the records are too large.
     OutputError
-        If the page cannot be written.
+        If the file has another ending, or cannot be written.
 
     Examples
     --------
@@ -59,9 +63,22 @@ def write_explorer(
     ...     page.name, page.read_text(encoding="utf-8")[:15]
     ('rack.html', '<!doctype html>')
     """
+    file = Path(path)
+    check_ending("path", file)
     motions = motions_of(records or ())
     state = state_of(view or ExplorerView(), on_records=bool(motions))
     text = document(state=state, motions=motions, module=page_module().read_bytes())
-    file = Path(path)
     save_text("path", file, text)
     return file.absolute()
+
+
+def check_ending(name: str, file: Path) -> None:
+    """Refuse a file that browsers would not take for a page.
+
+    Raises
+    ------
+    OutputError
+        If its ending is another one.
+    """
+    if file.suffix.lower() not in ENDINGS:
+        raise OutputError(name, file, "browsers know a page by its ending, .html", "rename it")

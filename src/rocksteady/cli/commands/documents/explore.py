@@ -54,7 +54,6 @@ EXAMPLES = (
 )
 FILE = "explorer.html"
 """Name of the page in a temporary folder."""
-ENDINGS = (".html", ".htm")
 
 RecordFiles = Annotated[
     list[Path] | None,
@@ -161,9 +160,9 @@ def check_file(out: Path | None, read: Sequence[Path], *, force: bool) -> None:
             valid = "without --out the page is always a new file"
             raise FlagError("--force", True, valid, "add --out FILE, or leave it out")
         return
-    if out.suffix.lower() not in ENDINGS:
-        valid = "browsers know a page by its ending, .html"
-        raise OutputError("--out", out, valid, "rename it")
+    from rocksteady.explorer.write import check_ending
+
+    check_ending("--out", out)
     if any(same_file(out, each) for each in read):
         raise OutputError("--out", out, "the command reads this file", "name another one")
     check_writable("--out", out, force=force)

@@ -2,7 +2,7 @@
 
 import { sidesOf } from './case.mjs';
 import { attractorKind, startAt } from './attractor.mjs';
-import { FULL_TURN, mirroredImpact, steadyStart } from './start.mjs';
+import { FULL_TURN, NoStart, mirroredImpact, steadyStart } from './start.mjs';
 
 /** @import { Kernels } from '../kernels/loader.mjs' */
 /** @import { Case, Start } from './case.mjs' */
@@ -56,7 +56,9 @@ export function fixedStarts(kernels, given) {
   for (const branch of [1, 2]) {
     try {
       starts.push({ angle: 0, ...steadyStart(kernels, given, branch) });
-    } catch { /* There is none. */ }
+    } catch (error) {
+      if (!(error instanceof NoStart)) throw error;
+    }
   }
   for (const velocity of IMPACT_SPEEDS) {
     for (let k = 0; k < IMPACT_PHASES; k++) {

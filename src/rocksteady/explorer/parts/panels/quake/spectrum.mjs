@@ -3,6 +3,7 @@
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { Frame } from '../../draw/frame.mjs' */
 /** @import { FateSeries } from './shaken.mjs' */
+import { followPointer } from './dragging.mjs';
 import { GRAVITY, evaluate } from '../../physics/case.mjs';
 import { drawPeaks } from './peaks.mjs';
 import { askFates, fallenOf, few, shakenBy } from './shaken.mjs';
@@ -21,7 +22,7 @@ export function makeSpectrumPanel(app) {
   let series = null;
   /** @type {Frame | null} */
   let onto = null;
-  let asked = '', held = false;
+  let asked = '';
 
   const ownPeriod = () => (2 * Math.PI) / shakenBy(app, app.state).block.p;
   /** @param {number} own  [s] */
@@ -83,23 +84,7 @@ export function makeSpectrumPanel(app) {
       resize(ownPeriod() * (event.shiftKey ? step ** 10 : step), true);
       return true;
     },
-    placed() {
-      panel.canvas?.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0) return;
-        held = true;
-        panel.canvas?.setPointerCapture(event.pointerId);
-        take(event, false);
-      });
-      panel.canvas?.addEventListener('pointermove', (event) => held && take(event, false));
-      panel.canvas?.addEventListener('pointerup', (event) => {
-        if (held) take(event, true);
-        held = false;
-      });
-      panel.canvas?.addEventListener('pointercancel', () => {
-        if (held) app.set({});
-        held = false;
-      });
-    },
+    placed: () => followPointer(app, panel, take),
   };
   return panel;
 

@@ -5,6 +5,7 @@
 /** @import { Pen } from '../../draw/svg.mjs' */
 /** @import { RecordNeighbour } from '../../physics/quake/record.mjs' */
 /** @import { FateSeries, Shaken } from './shaken.mjs' */
+import { followPointer } from './dragging.mjs';
 import { neighbourCases } from '../../physics/quake/record.mjs';
 import { fillClass } from '../../draw/classes.mjs';
 import { drawPeaks } from './peaks.mjs';
@@ -32,7 +33,7 @@ export function makeVerdictPanel(app) {
   let neighbours = [];
   /** @type {Frame | null} */
   let onto = null;
-  let asked = '', around = '', held = false;
+  let asked = '', around = '';
 
   const last = () => Math.max(SCALE_END, 1.25 * app.state.scale);
 
@@ -91,23 +92,8 @@ export function makeVerdictPanel(app) {
       return true;
     },
     placed() {
-      panel.canvas?.addEventListener('pointerdown', (event) => {
-        if (event.button !== 0 || !onto || event.offsetY > onto.box.top + onto.box.height + 20) return;
-        held = true;
-        panel.canvas?.setPointerCapture(event.pointerId);
-        move(onto.x.value(event.offsetX), false);
-      });
-      panel.canvas?.addEventListener('pointermove', (event) => {
-        if (held && onto) move(onto.x.value(event.offsetX), false);
-      });
-      panel.canvas?.addEventListener('pointerup', (event) => {
-        if (held && onto) move(onto.x.value(event.offsetX), true);
-        held = false;
-      });
-      panel.canvas?.addEventListener('pointercancel', () => {
-        if (held) app.set({});
-        held = false;
-      });
+      followPointer(app, panel, (event, settled) => onto && move(onto.x.value(event.offsetX), settled),
+        ({ offsetY }) => onto !== null && offsetY <= onto.box.top + onto.box.height + 20);
     },
   };
   return panel;
