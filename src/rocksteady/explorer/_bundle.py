@@ -1,4 +1,4 @@
-"""Joining of the page's modules into one script, which runs from a file and in workers."""
+"""Joining the page's modules into one script, for the page and its workers."""
 
 import re
 from pathlib import Path
@@ -50,7 +50,7 @@ def script(entry: Path = ENTRY) -> str:
 
 
 def joined(entry: Path) -> dict[Path, str]:
-    """Return the texts of a module and of all that it imports, each after those it imports."""
+    """Return the texts of a module and its imports, in the order in which they must run."""
     found: dict[Path, str] = {}
     above: list[Path] = []
 

@@ -1,4 +1,4 @@
-"""The colours of the page: those of plots and reports, as JSON and as variables of its style."""
+"""Colours of the page: those of plots and reports, as JSON and CSS variables."""
 
 from dataclasses import asdict
 from typing import Any
@@ -35,7 +35,7 @@ def theme_colours() -> dict[str, Any]:
 
 
 def style_variables() -> str:
-    """Return the variables of the style sheet, by the system's theme or the one that is chosen."""
+    """Return the CSS variables of the light and the dark theme."""
     light = _variables(LIGHT, palette.REST, palette.LINK, "light")
     dark = _variables(DARK, palette.tinted(DARK.grid, -0.6), DARK.lines[0], "dark")
     return (

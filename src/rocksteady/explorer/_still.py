@@ -1,4 +1,4 @@
-"""The picture of the page where it cannot compute: the regions of steady rocking, as lines."""
+"""A still picture for browsers that cannot run the page: the regions of steady rocking."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +66,7 @@ def _y(amplitude: float) -> float:
 
 
 def _path(across: Floats, amplitudes: Floats) -> str:
-    """Return the path of a curve, of which only what lies inside the axes is drawn."""
+    """Return the SVG path of a curve, cut at the axes."""
     steps, drawing = [], False
     for x, amplitude in zip(across, amplitudes, strict=True):
         inside = bool(AMPLITUDES[0] <= amplitude <= AMPLITUDES[1])  # false of nan

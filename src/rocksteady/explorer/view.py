@@ -1,4 +1,4 @@
-"""The first view of the explorer's page: a block, its shaking, and where the motion starts."""
+"""First view of the explorer: a block, its shaking and the initial state."""
 
 import math
 from dataclasses import dataclass
@@ -94,7 +94,7 @@ class ExplorerView:
 
 
 def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
-    """Return a view by the keys of the page's link; what is not given is left to the page.
+    """Return a view as the keys and texts of a link.  Keys left out take the page's defaults.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def _is_housner(block: Block) -> bool:
 
 
 def _measures(block: Block) -> tuple[float, float]:
-    """Return full width and height: those with fewest digits that make the block, to the last bit.
+    """Return the full width and height [m] with the fewest digits that reproduce the block.
 
     A block made of other measures may have none; its own, rounded, then differ in the last digits.
     """

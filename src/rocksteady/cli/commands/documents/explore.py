@@ -171,7 +171,7 @@ def check_file(out: Path | None, read: Sequence[Path], *, force: bool) -> None:
 def first_motion(
     shaking: ShakingFlags, body: Block | DimensionlessBlock | None
 ) -> "Harmonic | None":
-    """Return the shaking of the first view; what is not given of it is that of the page.
+    """Return the shaking of the first view, with the page's default for a missing value.
 
     Raises
     ------
@@ -230,7 +230,7 @@ def in_flags(error: ModelError, block: BlockFlags, start: str) -> ModelError:
 
 
 def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
-    """Return the channels that shake a block across: of a file with several the horizontal ones.
+    """Return the horizontal channels of a file, or its only channel.
 
     Raises
     ------
@@ -250,7 +250,7 @@ def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
 
 
 def write(out: Path | None, view: "ExplorerView", recordings: "Sequence[Recording]") -> Path:
-    """Write the page; return its file, in a folder of its own where none is named."""
+    """Write the page and return its file, in a new private folder by default."""
     from rocksteady.explorer.write import write_explorer
 
     if out is not None:
