@@ -16,6 +16,8 @@ NAMELESS = """() => [...document.querySelectorAll(
       || one.labels?.[0]?.textContent || one.textContent || one.getAttribute('title');
     return !name?.trim() && !['live', 'notice'].includes(one.id);
   }).map(one => one.outerHTML.slice(0, 120))"""
+DESCRIBED = """() => [...document.querySelectorAll('.panel .canvas canvas')].every(
+  one => !one.checkVisibility() || one.getAttribute('aria-label')?.length > 20)"""
 CONTRAST = """() => {
   const light = ([r, g, b]) => {
     const part = v => (v /= 255) <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
@@ -73,7 +75,7 @@ def test_each_picture_is_described_by_a_sentence(explorer: Explorer) -> None:
     page = explorer.open()
     for tab in TABS:
         turn_to(page, {"tab": tab})
-        page.wait_for_timeout(300.0)
+        until(page, DESCRIBED)
         for canvas in page.locator(".panel:visible .canvas canvas").all():
             sentence = str(canvas.get_attribute("aria-label"))
             assert len(sentence) > 20, (tab, sentence)

@@ -110,7 +110,7 @@ def test_the_wheel_zooms_about_the_pointer_and_back_undoes_it(explorer: Explorer
     page = explorer.open()
     page.mouse.move(*pixel(page, *at(page, 3.0, 2.0)))
     page.mouse.wheel(0.0, -400.0)
-    page.wait_for_timeout(400.0)
+    until(page, "() => location.hash.includes('w1=')")
     near = window_of(page)
     assert near["w1"] - near["w0"] < 7.5
     assert near["w0"] < 3.0 < near["w1"]

@@ -20,6 +20,8 @@ from playwright.sync_api import (
 WIDE = (1440, 900)
 OWN = re.compile(r"(?:file|blob|data|about):")
 """Addresses that a page from a file may load."""
+TABLED = "panel => document.querySelector(`${panel} tbody tr`)"
+"""The table of a panel has rows: it is filled after it is opened."""
 READY = "() => document.documentElement.dataset.ready"
 FRAMES = """count => new Promise(done => {
   const next = () => count-- > 0 ? requestAnimationFrame(next) : done(true);

@@ -6,7 +6,7 @@ import numpy as np
 from playwright.sync_api import Page
 
 from rocksteady import DimensionlessBlock, Harmonic, State, compute_basins, find_attractor
-from tests.explorer.browser.watched import Explorer, drawn, link, until, values
+from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
 
 BASINS = "[data-panel='basins']"
 CANVAS = f"{BASINS} canvas"
@@ -52,7 +52,7 @@ def test_shares_are_those_of_the_package(explorer: Explorer) -> None:
         velocities=middles(-1.5, 1.5),
     )
     page.locator(f"{BASINS} .tabled > summary").click()
-    page.wait_for_timeout(600.0)
+    until(page, TABLED, BASINS)
     rows = page.locator(f"{BASINS} tbody").evaluate(CELLS_OF_ROWS)
     assert [row[0] for row in rows] == [attractor.name for attractor in basins.attractors]
     counts = [int(re.sub(r"\D", "", row[2])) for row in rows]

@@ -7,7 +7,7 @@ import numpy as np
 from playwright.sync_api import FloatRect, Page
 
 from rocksteady import DimensionlessBlock, Harmonic, Rest, Steady, sweep_attractor
-from tests.explorer.browser.watched import Explorer, drawn, link, until, values
+from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
 
 STRIP = "[data-panel='strip']"
 CANVAS = f"{STRIP} canvas"
@@ -43,7 +43,7 @@ def test_rest_and_the_harmonic_motion_coexist_at_a_glance(explorer: Explorer) ->
     page = explorer.open({"A": 0.8, "W": 2})
     assert "Two motions coexist" in swept(page)
     page.locator(f"{STRIP} .tabled > summary").click()
-    page.wait_for_timeout(600.0)
+    until(page, TABLED, STRIP)
     rows = page.locator(f"{STRIP} tbody tr").all_inner_texts()
     cells = [row.split("\t") for row in rows]
     sweep = sweep_attractor(
