@@ -35,9 +35,9 @@ def columns(table: Any) -> int:
     return int(table.shape[-1])
 
 
-def test_some_200_calls_of_every_kernel_are_shipped() -> None:
+def test_some_300_calls_of_all_kernels_are_shipped() -> None:
     assert {call.entry for call in CALLS} == set(ENTRIES), RENEW
-    assert 180 <= len(CALLS) <= 260
+    assert 200 <= len(CALLS) <= 320
     assert RECORDED.stat().st_size < 300_000
 
 

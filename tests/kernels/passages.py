@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.orbits.return_map import Section, System, make_system
+from rocksteady.kernels.orbits.return_map import Section
+from rocksteady.kernels.orbits.systems import System, make_system
 from tests.kernels.tables import both_sides
 
 Floats = NDArray[np.float64]

@@ -125,6 +125,8 @@ class _Entry:
         """Return an argument, read from its cells."""
         if isinstance(kind, types.Array):
             return self._array(kind)
+        if kind == types.none:
+            return self._context.get_dummy_value()
         if isinstance(kind, types.BaseTuple):
             inner = [self._taken(part) for part in _types_of(kind)]
             return self._context.make_tuple(self._builder, kind, inner)
@@ -156,6 +158,8 @@ class _Entry:
     def _put(self, value: Any, kind: Any) -> None:
         """Write a result into its cells."""
         builder = self._builder
+        if kind == types.none:
+            return
         if isinstance(kind, types.BaseTuple):
             for index, part in enumerate(_types_of(kind)):
                 self._put(builder.extract_value(value, index), part)

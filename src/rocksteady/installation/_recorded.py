@@ -87,6 +87,8 @@ def _built(hint: Any, leaves: Iterator[Leaf]) -> Any:
     """Return one argument of the annotated type, made of the next numbers and arrays."""
     if get_origin(hint) is tuple:
         return tuple(_built(member, leaves) for member in get_args(hint))
+    if hint is type(None):
+        return None
     if hasattr(hint, "_fields"):
         return hint(*(_built(member, leaves) for member in get_type_hints(hint).values()))
     leaf = next(leaves)

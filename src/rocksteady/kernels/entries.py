@@ -9,8 +9,8 @@ import logging
 import time
 from typing import Any
 
-from rocksteady.kernels.batch.attractors import fill_clocks, settle_cells
-from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment
+from rocksteady.kernels.batch.attractors import fill_clocks, settle_cells, settle_series_cells
+from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment, series_fates
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.clock import clock, segment_start
@@ -47,10 +47,13 @@ from rocksteady.kernels.march.replay import (
 )
 from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
+from rocksteady.kernels.orbits.bounces import chatter_end
 from rocksteady.kernels.orbits.chains import (
     fill_arcs,
     fill_chain,
     fill_matrix,
+    series_fill_arcs,
+    series_fill_chain,
     side_of,
     turned_over,
 )
@@ -77,22 +80,36 @@ from rocksteady.kernels.orbits.periodic import (
 from rocksteady.kernels.orbits.return_map import (
     guess_after,
     highest_after,
-    make_system,
     next_passage,
     phase_between,
     uplift_after,
 )
+from rocksteady.kernels.orbits.series_map import (
+    series_fill_peaks,
+    series_highest_after,
+    series_is_symmetric,
+    series_loss,
+    series_measured,
+    series_next_passage,
+    series_polish,
+    series_search,
+    series_settle,
+    series_uplift_after,
+)
 from rocksteady.kernels.orbits.settle import settle, stretched
 from rocksteady.kernels.orbits.symmetric_nonlinear import symmetric_from
+from rocksteady.kernels.orbits.systems import fill_uplifts, make_system
 
 logger = logging.getLogger(__name__)
 
 _KERNELS: tuple[Any, ...] = (
     # Batches.
     fates_of_sides,
+    series_fates,
     lane_fates,
     nonlinear_lane_fates,
     settle_cells,
+    settle_series_cells,
     lane_attractors,
     fill_clocks,
     record_fates,
@@ -119,8 +136,10 @@ _KERNELS: tuple[Any, ...] = (
     symmetry_breaking,
     # The return map and its orbits.
     make_system,
+    fill_uplifts,
     next_passage,
     uplift_after,
+    chatter_end,
     guess_after,
     highest_after,
     phase_between,
@@ -136,10 +155,23 @@ _KERNELS: tuple[Any, ...] = (
     mirror,
     put,
     state_at,
+    # The same under a Fourier series.
+    series_next_passage,
+    series_uplift_after,
+    series_highest_after,
+    series_settle,
+    series_search,
+    series_polish,
+    series_measured,
+    series_loss,
+    series_fill_peaks,
+    series_is_symmetric,
     # Continuation.
     fill_chain,
     fill_matrix,
     fill_arcs,
+    series_fill_chain,
+    series_fill_arcs,
     side_of,
     turned_over,
     # Elementary functions over arrays.

@@ -26,8 +26,9 @@ from rocksteady.kernels.batch.attractors import (
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, state_at
-from rocksteady.kernels.orbits.return_map import Section, make_system
+from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, settle
+from rocksteady.kernels.orbits.systems import make_system
 from tests.kernels.tables import both_sides
 from tests.strategies import sample_size
 

@@ -30,7 +30,6 @@ from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
-from rocksteady.kernels.orbits.return_map import make_system
 from rocksteady.kernels.orbits.settle import (
     FALLS,
     LONGEST_ORBIT,
@@ -40,6 +39,7 @@ from rocksteady.kernels.orbits.settle import (
     UNSETTLED,
     settle,
 )
+from rocksteady.kernels.orbits.systems import make_system
 from tests.kernels.tables import both_sides
 from tests.strategies import PLAIN, sample_size
 

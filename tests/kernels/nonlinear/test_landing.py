@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady.kernels.orbits.return_map import IMPACT, Section, System, make_system, next_passage
+from rocksteady.kernels.orbits.return_map import IMPACT, Section, next_passage
+from rocksteady.kernels.orbits.systems import System, make_system
 
 
 def system_of(alpha: float, amplitude: float, frequency: float, restitution: float) -> System:

@@ -33,14 +33,8 @@ from rocksteady.kernels.march.march import march
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.landing import lost_under_shaking
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
-from rocksteady.kernels.orbits.return_map import (
-    IMPACT,
-    Section,
-    highest_after,
-    like_sides,
-    make_system,
-    next_passage,
-)
+from rocksteady.kernels.orbits.return_map import IMPACT, Section, highest_after, next_passage
+from rocksteady.kernels.orbits.systems import like_sides, make_system
 
 Floats = NDArray[np.float64]
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.orbits import chains, periodic
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
-from rocksteady.kernels.orbits.return_map import Section, System, make_system
+from rocksteady.kernels.orbits.return_map import Section
+from rocksteady.kernels.orbits.systems import System, make_system
 from tests.kernels.passages import LOPSIDED
 from tests.kernels.tables import both_sides
 from tests.strategies import sample_size

@@ -37,13 +37,12 @@ from rocksteady.kernels.orbits.return_map import (
     UPLIFT,
     Jacobian,
     Section,
-    System,
     first_passage,
-    make_system,
     next_passage,
     phase_between,
     shifted,
 )
+from rocksteady.kernels.orbits.systems import System, make_system
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
 from tests.kernels.tables import both_sides
 from tests.strategies import sample_size

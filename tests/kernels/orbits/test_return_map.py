@@ -37,12 +37,12 @@ from rocksteady.kernels.orbits.return_map import (
     first_passage,
     highest_after,
     identity,
-    make_system,
     next_passage,
     phase_between,
     product,
     shifted,
 )
+from rocksteady.kernels.orbits.systems import make_system
 from tests.kernels.passages import (
     LOPSIDED,
     Case,

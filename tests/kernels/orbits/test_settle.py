@@ -16,8 +16,6 @@ from rocksteady.kernels.orbits.return_map import (
     IMPACT,
     UPLIFT,
     Section,
-    System,
-    make_system,
     next_passage,
     phase_between,
     shifted,
@@ -33,6 +31,7 @@ from rocksteady.kernels.orbits.settle import (
     arrives,
     settle,
 )
+from rocksteady.kernels.orbits.systems import System, make_system
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
 from tests.kernels.tables import NONE, both_sides, harmonic
 from tests.strategies import sample_size

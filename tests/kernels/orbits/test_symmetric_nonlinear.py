@@ -11,12 +11,12 @@ from rocksteady.kernels.orbits.periodic import mirror
 from rocksteady.kernels.orbits.return_map import (
     IMPACT,
     Section,
-    make_system,
     next_passage,
     phase_between,
     shifted,
 )
 from rocksteady.kernels.orbits.symmetric_nonlinear import Half, symmetric_from, symmetric_near
+from rocksteady.kernels.orbits.systems import make_system
 from tests.strategies import sample_size
 
 DELTA = 0.8

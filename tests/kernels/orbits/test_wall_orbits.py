@@ -58,13 +58,11 @@ from rocksteady.kernels.orbits.return_map import (
     STAY,
     UPLIFT,
     Section,
-    System,
     highest_after,
-    like_sides,
-    make_system,
     next_passage,
 )
 from rocksteady.kernels.orbits.settle import MEMORY, PERIODIC, STAYS, Settled, settle
+from rocksteady.kernels.orbits.systems import System, like_sides, make_system
 from tests.kernels.passages import state_at_phase
 from tests.kernels.tables import NONE, harmonic
 from tests.kernels.walls import against_wall, in_model

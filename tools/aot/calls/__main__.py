@@ -15,7 +15,7 @@ import numpy as np
 from rocksteady.installation._recorded import Call, save
 from rocksteady.installation.check import RECORDED
 from rocksteady.kernels.entries import ENTRIES
-from tools.aot.calls import batches, functions, histories, orbits
+from tools.aot.calls import batches, functions, histories, orbits, series
 from tools.aot.calls.recorder import Recorder
 
 CELLS = 100_000
@@ -47,6 +47,7 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
     orbits.record_passages(call)
     orbits.record_orbits(call)
     orbits.record_chains(call)
+    series.record_series(call)
     functions.record_functions(call, 60)
     functions.record_oscillators(call, 60)
     return call.calls

@@ -1,6 +1,7 @@
 """Calls of the kernels behind steady states, orbits, attractors and continuation."""
 
 import math
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,9 @@ from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.kernels.orbits.chains import CHAIN_COLUMNS
 from rocksteady.kernels.orbits.closed_form import Symmetric
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
-from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, Section, System
+from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, Section
 from rocksteady.kernels.orbits.settle import GENERIC, LONGEST_ORBIT, MEMORY, PERIODIC, Stretch
+from rocksteady.kernels.orbits.systems import System
 from tools.aot.calls.drawn import Drawn
 from tools.aot.calls.recorder import Recorder
 
@@ -63,7 +65,9 @@ def record_passages(call: Recorder) -> None:
                     stretch = Stretch(*GENERIC, drawn.between(-1.0, 1.0), 2)
                     call("stretched", stretch, step.jacobian)
             if k != 0:
-                call("uplift_after", system, k, drawn.between(0.0, math.pi))
+                lifted = call("uplift_after", system, k, drawn.between(0.0, math.pi))
+                begin = lifted.state
+                call("chatter_end", system, begin, Section(begin.side, 3, 0.1, 1e-4))
 
 
 def record_orbits(call: Recorder) -> None:
@@ -90,11 +94,13 @@ def record_orbits(call: Recorder) -> None:
 
 
 def record_chains(call: Recorder) -> None:
-    """Record orbits as chains of arcs, closed and not, of either parity."""
-    for k, (impacts, halves) in enumerate(((1, 1), (2, 2), (3, 5), (4, 6))):
-        drawn = Drawn.by_name(f"chain, {k}")
+    """Record orbits as chains of arcs, closed and not, of either parity and model."""
+    shapes = ((1, 1), (2, 2), (3, 5), (4, 6))
+    for nonlinear, k in product((False, True), range(len(shapes))):
+        impacts, halves = shapes[k]
+        drawn = Drawn.by_name(f"chain, {k}" + ", nonlinear" * nonlinear)
         a, w, _ = CASES[k]
-        sides = drawn.sides(1, nonlinear=False, alike=impacts % 2)[0]
+        sides = drawn.sides(1, nonlinear=nonlinear, alike=impacts % 2)[0]
         places = np.arange(impacts) * halves * math.pi / impacts + drawn.rng.uniform(
             0.1, 0.4, impacts
         )

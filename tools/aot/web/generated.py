@@ -3,6 +3,7 @@
 import inspect
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 from rocksteady.kernels.entries import ENTRIES
@@ -95,7 +96,8 @@ def _letters(hint: Any, named: dict[str, str]) -> str:
     if not isinstance(hint, type):
         return f"[{', '.join(_letters(part, named) for _, part in inner)}]"
     if hint.__name__ not in named:
-        fields = ", ".join(f"{name}: {_letters(part, named)}" for name, part in inner)
+        pairs = [(name, part) for name, part in inner if part is not NoneType]
+        fields = ", ".join(f"{name}: {_letters(part, named)}" for name, part in pairs)
         named[hint.__name__] = f"{{ {fields} }}"
     return hint.__name__
 
@@ -109,7 +111,8 @@ def _type(hint: Any, named: dict[str, str]) -> str:
     if not isinstance(hint, type):
         return f"[{', '.join(_type(part, named) for _, part in inner)}]"
     if hint.__name__ not in named:
-        fields = "".join(f"  {name}: {_type(part, named)};\n" for name, part in inner)
+        pairs = [(name, part) for name, part in inner if part is not NoneType]
+        fields = "".join(f"  {name}: {_type(part, named)};\n" for name, part in pairs)
         named[hint.__name__] = (
             f"/** {_summary(hint)} */\nexport interface {hint.__name__} {{\n{fields}}}\n"
         )

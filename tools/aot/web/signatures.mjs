@@ -12,12 +12,15 @@ const Passage = { kind: 'i', state: Section, time: 'f', landing: 'f', jacobian: 
 const Settled = { outcome: 'i', state: Section, passages: 'i', periods: 'i', residual: 'f', rests: 'i', lyapunov: 'f', least: 'f', after: 'i', growth: 'f' };
 const Stretch = { phase: 'f', speed: 'f', logarithm: 'f', since: 'i' };
 const Fixed = { found: 'b', residual: 'f', jacobian: Jacobian, rests: 'i', grazes: 'i' };
+const SeriesSystem = { positive: Forcing, negative: Forcing, frequency: 'f', restitution: ['f', 'f'], free: 'i', lean: ['f', 'f'], rate: ['f', 'f'], alpha: ['f', 'f'], amplitude: 'f', left_out: 'f', shares: 'f1', lifts: 'f2' };
 
 export const signatures = {
   fates_of_sides: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'i', 'i1', 'i1', 'f2'], gives: null },
+  series_fates: { takes: ['f1', 'f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'i', 'i1', 'i1', 'f2'], gives: null },
   lane_fates: { takes: ['f1', 'f1', 'f1', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
   nonlinear_lane_fates: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
   settle_cells: { takes: ['f1', 'f1', 'f3', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
+  settle_series_cells: { takes: ['f1', 'f1', 'f1', 'f3', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   lane_attractors: { takes: ['f1', 'f1', 'f1', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
   record_fates: { takes: ['f2', 'f3', 'f1', 'i', 'i1', 'i1', 'f2'], gives: null },
@@ -41,8 +44,10 @@ export const signatures = {
   symmetric_from: { takes: ['f', 'f', 'f2', 'i', 'i', Section], gives: Half },
   symmetry_breaking: { takes: ['f', 'f', 'i'], gives: 'f' },
   make_system: { takes: ['f', 'f', 'f2'], gives: System },
+  fill_uplifts: { takes: [System, 'f1', 'f2'], gives: null },
   next_passage: { takes: [System, Section, 'f'], gives: Passage },
   uplift_after: { takes: [System, 'i', 'f'], gives: Passage },
+  chatter_end: { takes: [System, Section, Section], gives: ['f', 'f', 'i'] },
   guess_after: { takes: [Passage], gives: 'f' },
   highest_after: { takes: [System, Section, Passage], gives: ['f', 'f'] },
   phase_between: { takes: [Section, Section], gives: 'f' },
@@ -58,9 +63,21 @@ export const signatures = {
   mirror: { takes: [Section, 'i'], gives: Section },
   put: { takes: ['f2', 'i', Section], gives: null },
   state_at: { takes: ['f2', 'i'], gives: Section },
+  series_next_passage: { takes: [SeriesSystem, Section, 'f'], gives: Passage },
+  series_uplift_after: { takes: [SeriesSystem, 'i', 'f'], gives: Passage },
+  series_highest_after: { takes: [SeriesSystem, Section, Passage], gives: ['f', 'f'] },
+  series_settle: { takes: [SeriesSystem, 'i', 'i', 'f', 'f', 'f', 'i', 'f2', 'f2'], gives: Settled },
+  series_search: { takes: [SeriesSystem, 'f1', 'f1', 'i', 'i', 'b', 'f2', 'f2', 'i2', 'i'], gives: 'i' },
+  series_polish: { takes: [SeriesSystem, Section, 'i', 'i', 'f2'], gives: Fixed },
+  series_measured: { takes: [SeriesSystem, 'i', 'i', 'f2'], gives: Fixed },
+  series_loss: { takes: [SeriesSystem, 'i', 'i', 'i'], gives: 'f' },
+  series_fill_peaks: { takes: [SeriesSystem, 'i', 'f2'], gives: null },
+  series_is_symmetric: { takes: [SeriesSystem, 'f2', 'i', 'i'], gives: 'b' },
   fill_chain: { takes: ['f', 'f', 'f2', 'i1', 'f1', 'i', 'f2'], gives: null },
   fill_matrix: { takes: ['f2', 'f', 'f2'], gives: null },
   fill_arcs: { takes: [System, 'i1', 'f1', 'f2', 'f2'], gives: null },
+  series_fill_chain: { takes: [SeriesSystem, 'i1', 'f1', 'i', 'f2'], gives: null },
+  series_fill_arcs: { takes: [SeriesSystem, 'i1', 'f1', 'f2', 'f2'], gives: null },
   side_of: { takes: ['i'], gives: 'i' },
   turned_over: { takes: ['f2'], gives: Jacobian },
   fill_exp: { takes: ['f1', 'f1'], gives: null },

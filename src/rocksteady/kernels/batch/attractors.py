@@ -18,8 +18,8 @@ from rocksteady.kernels.orbits.periodic import (
     measured,
     state_at,
 )
-from rocksteady.kernels.orbits.return_map import System, make_system
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, Settled, settle
+from rocksteady.kernels.orbits.systems import EitherSystem, System, make_series_system, make_system
 
 # Columns of the whole numbers of a cell.
 OUTCOME = 0
@@ -92,11 +92,60 @@ def settle_cells(
             memory,
             table,
         )
-        if found.outcome == PERIODIC:
-            # As for one orbit alone: its times are where the peaks are searched from.
-            measured(system, found.passages, found.periods, table)
-            fill_peaks(system, found.passages, table)
-        note_attractor(system, found, table, whole, real, i)
+        note_settled(system, found, table, whole, real, i)
+
+
+@allocating
+def settle_series_cells(
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    shares: Floats1,
+    sides: Floats3,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
+    cycles: int,
+    whole: Integers2,
+    real: Floats2,
+) -> None:
+    """Do what `settle_cells` does under a Fourier series, whose shares are those of all cells."""
+    memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
+    lifts = np.empty((2, len(shares) // 2))
+    for i in range(len(amplitude)):
+        system: EitherSystem = make_series_system(
+            amplitude[i], frequency_ratio[i], sides[i], shares, lifts
+        )
+        found = settle(
+            system,
+            side[i],
+            half_cycles[i],
+            phase[i],
+            angle[i],
+            velocity[i],
+            cycles,
+            memory,
+            table,
+        )
+        note_settled(system, found, table, whole, real, i)
+
+
+@compiled
+def note_settled(
+    system: EitherSystem,
+    found: Settled,
+    table: Floats2,
+    whole: Integers2,
+    real: Floats2,
+    cell: int,
+) -> None:
+    """Write what a cell settles to, and find the peaks of its orbit."""
+    if found.outcome == PERIODIC:
+        # As for one orbit alone: its times are where the peaks are searched from.
+        measured(system, found.passages, found.periods, table)
+        fill_peaks(system, found.passages, table)
+    note_attractor(system, found, table, whole, real, cell)
 
 
 @compiled

@@ -1,4 +1,4 @@
-"""Fates of many blocks under harmonic shaking: a loop of the march over independent cells.
+"""Fates of many blocks under periodic shaking: a loop of the march over independent cells.
 
 Threads may run disjoint slices side by side: each cell is written by one loop only, so the result
 does not depend on how the cells are divided.
@@ -15,8 +15,10 @@ from rocksteady.kernels.core.tables import (
     DURATION,
     FREQUENCY,
     NONLINEAR_SEGMENT_COLUMNS,
+    ORDERS,
     PHASE,
     ROW_COLUMNS,
+    SHARES,
     March,
 )
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
@@ -71,25 +73,73 @@ def fates_of_sides(
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     for i in range(len(amplitude)):
         harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
-        half, start_phase = clock(phase[i])
-        side = 1
-        if angle[i] < 0.0 or (angle[i] == 0.0 and velocity[i] < 0.0):
-            side = -1
-        elif angle[i] == 0.0 and velocity[i] == 0.0:
-            side = 0
-        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0, 0)
-        status[i], end = march(
-            segments,
-            sides[i],
-            start,
-            half + 2 * cycles,
-            start_phase,
-            math.inf,
-            most,
-            rows,
-            peaks,
+        status[i], impacts[i] = fate_on(
+            segments, sides[i], angle[i], velocity[i], phase[i], cycles, most, rows, peaks, final[i]
         )
-        impacts[i] = end.impacts
-        final[i, 0] = end.angle
-        final[i, 1] = end.velocity
-        final[i, 2] = end.phase
+
+
+@allocating
+def series_fates(
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    shares: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """Do what `fates_of_sides` does under a Fourier series, whose shares are those of all cells.
+
+    The amplitudes bound the acceleration, as `rocksteady.kernels.core.harmonics` has them.
+    """
+    segments = np.zeros((1, SHARES + len(shares)))
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    for i in range(len(amplitude)):
+        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
+        segments[0, ORDERS] = len(shares) // 2
+        for k in range(len(shares)):
+            segments[0, SHARES + k] = shares[k]
+        status[i], impacts[i] = fate_on(
+            segments, sides[i], angle[i], velocity[i], phase[i], cycles, most, rows, peaks, final[i]
+        )
+
+
+@allocating
+def fate_on(
+    segments: Floats2,
+    sides: Floats2,
+    angle: float,
+    velocity: float,
+    phase: float,
+    cycles: int,
+    most: int,
+    rows: Floats2,
+    peaks: Floats1,
+    final: Floats1,
+) -> tuple[int, int]:
+    """Return how one motion ends on one endless segment, and its impacts."""
+    half, start_phase = clock(phase)
+    side = 1
+    if angle < 0.0 or (angle == 0.0 and velocity < 0.0):
+        side = -1
+    elif angle == 0.0 and velocity == 0.0:
+        side = 0
+    start = March(side, angle, velocity, 0, half, start_phase, 0, 0)
+    status, end = march(
+        segments,
+        sides,
+        start,
+        half + 2 * cycles,
+        start_phase,
+        math.inf,
+        most,
+        rows,
+        peaks,
+    )
+    final[0], final[1], final[2] = end.angle, end.velocity, end.phase
+    return status, end.impacts

@@ -36,6 +36,10 @@ LIFT = 9  # at the segment's start
 LIFT_SLOPE = 10
 LIFT_CEILING = 11  # max of its absolute value from this segment's start on
 NONLINEAR_SEGMENT_COLUMNS = 12
+# Of either model, in a table with periodic shaking that is no single sinusoid: A and Omega are
+# those of a Fourier series, and CONSTANT and SLOPE are 0.
+ORDERS = 12  # highest order of the series; 0 of any other segment
+SHARES = 13  # and from here on its shares (`kernels.core.harmonics`), two of each order
 
 SAFELY = 1.0 - 1e-9
 """Part of its uplift value up to which no sample lifts a block, rounding included."""
@@ -51,6 +55,7 @@ SIDE_COLUMNS = 3
 ALPHA = 3  # this side's alpha [rad]
 LEFT_OUT = 4  # what a step may leave out of the motion in it, as a part of that motion
 NONLINEAR_SIDE_COLUMNS = 5
+LINEAR_LEFT_OUT = 1e-15  # the same, where the linear model takes steps
 # Of either model, where restitution scatters from impact to impact (`kernels.core.scatter`).
 SCATTER = 5  # standard deviation of the restitution before it is cut off; RESTITUTION is the mean
 KEY = 6  # of the draws, a whole number from 0 to 2^53 - 1, the same on both sides
@@ -185,6 +190,30 @@ def free_side(sides: Floats2) -> int:
 def is_nonlinear(sides: Floats2) -> bool:
     """Return whether a side table asks for the nonlinear equation of motion."""
     return bool(sides.shape[1] > SIDE_COLUMNS and sides[0, ALPHA] > 0.0)
+
+
+@inlined
+def is_series(segments: Floats, index: int) -> bool:
+    """Return whether a segment is periodic shaking that is no single sinusoid."""
+    return bool(segments.shape[1] > ORDERS and segments[index, ORDERS] > 0.0)
+
+
+@inlined
+def is_stepped(segments: Floats, index: int, sides: Floats2) -> bool:
+    """Return whether flights on a segment are Taylor steps: those of a series, or nonlinear."""
+    return is_nonlinear(sides) or is_series(segments, index)
+
+
+@inlined
+def slenderness(sides: Floats2, row: int) -> float:
+    """Return alpha of a side; 0 in the linear model."""
+    return float(sides[row, ALPHA]) if sides.shape[1] > SIDE_COLUMNS else 0.0
+
+
+@inlined
+def left_out_of(sides: Floats2) -> float:
+    """Return what a step may leave out of the motion in it."""
+    return float(sides[0, LEFT_OUT]) if is_nonlinear(sides) else LINEAR_LEFT_OUT
 
 
 @inlined

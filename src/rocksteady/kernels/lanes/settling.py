@@ -82,10 +82,8 @@ from rocksteady.kernels.orbits.return_map import (
     UPLIFT,
     Jacobian,
     Section,
-    System,
     first_passage,
     identity,
-    make_system,
     next_passage,
     product,
 )
@@ -104,6 +102,7 @@ from rocksteady.kernels.orbits.settle import (
     stable_orbit,
     unsettled,
 )
+from rocksteady.kernels.orbits.systems import System, make_system
 
 LEFT_OVER = MINUS_ONE
 """Outcome of a cell that the lanes leave to `settle_cells`."""

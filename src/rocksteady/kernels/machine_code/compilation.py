@@ -13,6 +13,7 @@ from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
+from types import NoneType
 from typing import Any, TypeVar
 
 from rocksteady.errors import InputError, MissingKernelsError, Words
@@ -231,7 +232,7 @@ def numba_type(hint: Any) -> Any:
     """Return numba's type of what an annotation says; None is that of no result."""
     from numba.core import types
 
-    if hint is None:
+    if hint is None or hint is NoneType:
         return types.none
     inner = parts(hint)
     if inner is not None:

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from functools import cache, cached_property
 from pathlib import Path
 from struct import Struct
+from types import NoneType
 from typing import Any
 
 import numpy as np
@@ -220,6 +221,8 @@ class _Script:
             self.lines.append(f"{''.join(f'{name}, ' for name in names)}= {value}")
             pairs = zip(names, inner, strict=True)
             return [cell for name, (_, part) in pairs for cell in self._taken(name, part)]
+        if hint is NoneType:
+            return []
         leaf = next(self._leaves)
         if not leaf.dimensions:
             return [value]
@@ -244,6 +247,8 @@ class _Script:
     def _made(self, hint: Any) -> str:
         """Return the expression that builds a result of its cells."""
         inner = parts(hint)
+        if hint is NoneType:
+            return "None"
         if inner is None:
             self._unpacked.append(next(self._names))
             if hint is not complex:

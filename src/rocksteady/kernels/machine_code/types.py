@@ -110,13 +110,15 @@ def parts(hint: Any) -> tuple[tuple[str, Any], ...] | None:
 
 
 def signature_leaves(name: str, hint: Any) -> Iterator[Leaf]:
-    """Yield the leaves of one argument or result."""
+    """Yield the leaves of one argument or result; None has none."""
     inner = parts(hint)
     if inner is not None:
         for part, annotation in inner:
             yield from signature_leaves(f"{name}.{part}" if name else part, annotation)
     elif hint in SCALARS:
         yield Leaf(name, hint)
+    elif hint is NoneType:  # a field that another kind of the same tuple fills
+        return
     elif get_origin(hint) is Annotated:
         array, dimensions = get_args(hint)
         scalar = get_args(get_args(array)[1])[0]

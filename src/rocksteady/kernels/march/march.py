@@ -25,6 +25,7 @@ from rocksteady.kernels.core.clock import (
     uplift_clock,
 )
 from rocksteady.kernels.core.forcing import side_forcing
+from rocksteady.kernels.core.harmonics import fill_lifts, level_of
 from rocksteady.kernels.core.scatter import is_scattered, largest_restitution, restitution_of
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -37,9 +38,9 @@ from rocksteady.kernels.core.tables import (
     FREQUENCY,
     JUMP,
     LEAN,
-    LEFT_OUT,
     LOST_CONTACT,
     NO_RETURN,
+    ORDERS,
     OVERTURNED,
     PASSAGE_COLUMNS,
     PEAK_ANGLE,
@@ -47,6 +48,7 @@ from rocksteady.kernels.core.tables import (
     RATE,
     RESTITUTION,
     ROCKING,
+    SHARES,
     SLOPE,
     STALLED,
     UNDECIDED,
@@ -55,7 +57,9 @@ from rocksteady.kernels.core.tables import (
     end_of_run,
     free_side,
     is_nonlinear,
+    is_series,
     keep_passage,
+    left_out_of,
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
@@ -65,73 +69,12 @@ from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import allocating, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
-from rocksteady.kernels.march._samples import fly_through, rest_through
-from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
+from rocksteady.kernels.march._runs import fly_on, rest_on
+from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift, series_uplift
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
-from rocksteady.kernels.nonlinear.samples import fly_through as fly_through_nonlinear
-from rocksteady.kernels.nonlinear.samples import rest_through as rest_through_nonlinear
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
-
-
-@inlined
-def fly_on(
-    segments: Floats,
-    sides: Floats,
-    state: March,
-    limit: int,
-    rows: Floats,
-    peaks: Floats,
-    work: Floats,
-    nonlinear: bool,
-) -> tuple[int, float, float, int, bool]:
-    """Fly through the samples to come, in the model's own way.
-
-    The model is an argument, so that each loop of the march holds its own case alone.
-    """
-    if nonlinear:
-        return fly_through_nonlinear(
-            segments,
-            sides,
-            state.side,
-            state.angle,
-            state.velocity,
-            state.segment,
-            state.flights,
-            limit,
-            rows,
-            peaks,
-            work,
-        )
-    return fly_through(
-        segments,
-        sides,
-        state.side,
-        state.angle,
-        state.velocity,
-        state.segment,
-        state.flights,
-        limit,
-        rows,
-        peaks,
-    )
-
-
-@inlined
-def rest_on(
-    segments: Floats,
-    sides: Floats,
-    segment: int,
-    flights: int,
-    limit: int,
-    rows: Floats,
-    nonlinear: bool,
-) -> tuple[int, int]:
-    """Rest through the samples to come, in the model's own way."""
-    if nonlinear:
-        return rest_through_nonlinear(segments, sides, segment, flights, limit, rows)
-    return rest_through(segments, sides, segment, flights, limit, rows)
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, load_shares
 
 
 @allocating
@@ -152,6 +95,7 @@ def march(
     ----------
     segments, sides
         Tables of shape (segments, 9) and (2, 3); of the nonlinear model (segments, 12) and (2, 5);
+        of either with a Fourier series of so many orders (segments, 13 + 2 orders);
         sides of either with restitution that scatters (2, 7).
     start
         Where to begin, within a segment too, as where another march has stopped.  At rest `side` is
@@ -178,6 +122,23 @@ def march(
     tuple
         Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state.
     """
+    if segments.shape[1] > ORDERS:
+        orders = (segments.shape[1] - SHARES) // 2
+        return _march(
+            segments,
+            sides,
+            start,
+            stop_half_cycles,
+            stop_phase,
+            rest_velocity,
+            limit,
+            rows,
+            peaks,
+            np.empty((WORK_ROWS + orders, TERMS)),
+            np.empty((2, orders)),
+            is_nonlinear(sides),
+            TRUE,
+        )
     if is_nonlinear(sides):
         return _march(
             segments,
@@ -190,7 +151,9 @@ def march(
             rows,
             peaks,
             np.empty((WORK_ROWS, TERMS)),
+            np.empty((2, 0)),
             TRUE,
+            FALSE,
         )
     return _march(
         segments,
@@ -203,6 +166,8 @@ def march(
         rows,
         peaks,
         np.empty((0, TERMS)),
+        np.empty((2, 0)),
+        FALSE,
         FALSE,
     )
 
@@ -219,9 +184,14 @@ def _march(
     rows: Floats,
     peaks: Floats,
     work: Floats,
+    lifts: Floats,
     nonlinear: bool,
+    periodic: bool,
 ) -> tuple[int, March]:
-    """March; inlined once for each model, so that each loop holds the branches of its own alone."""
+    """March; inlined once for each model, so that each loop holds the branches of its own alone.
+
+    A third one is `periodic`: it holds those of both models, and of a Fourier series.
+    """
     side, angle, velocity = start.side, start.angle, start.velocity
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
@@ -237,6 +207,7 @@ def _march(
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
     guess = -1.0
     rest_velocity = max(rest_velocity, STILL)
+    series = False  # the segment is one: flights are steps, and the phase is that of the base
     bounced = False  # off an impact so slow that the block may be coming to rest
 
     while True:
@@ -284,6 +255,17 @@ def _march(
             if not nonlinear:
                 positive = side_forcing(segments, segment, sides, ONE, since)
                 negative = side_forcing(segments, segment, sides, MINUS_ONE, since)
+            if periodic:
+                series = is_series(segments, segment)
+                if series:
+                    if nonlinear:
+                        positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
+                        negative = foot_forcing(
+                            side_drive(segments, segment, sides, MINUS_ONE, since)
+                        )
+                    load_shares(segments[segment, SHARES:], work)
+                    fill_lifts(segments[segment, SHARES:], 1.0, level_of(positive), lifts[0])
+                    fill_lifts(segments[segment, SHARES:], -1.0, level_of(negative), lifts[1])
         elif sloped or nonlinear:
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
             if not nonlinear:  # a slope is counted from the start of the flight
@@ -296,16 +278,28 @@ def _march(
 
         # 1. At rest: wait for uplift, for the next segment, or for the end of the run.
         if side == 0:
-            if nonlinear:
-                positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
-                negative = foot_forcing(side_drive(segments, segment, sides, MINUS_ONE, since))
-            side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
+            lifted_half, lifted_phase = half, phase
+            if series:
+                side, wait, lifted_half, lifted_phase = series_uplift(
+                    positive, negative, free, segments[segment, SHARES:], lifts, half, phase
+                )
+                wait /= frequency
+                if wait >= span:
+                    side, wait = 0, span
+            else:
+                if nonlinear:
+                    positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
+                    negative = foot_forcing(side_drive(segments, segment, sides, MINUS_ONE, since))
+                side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
             if side != 0 and wait == 0.0:
                 continue  # into flight, with angle and velocity 0
             if record:
                 event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
                 write_row(rows, flights, segment, half, phase, ZERO, 0.0, 0.0, wait, event)
             flights += 1
+            if side != 0 and series:
+                half, phase = lifted_half, lifted_phase
+                continue
             if side != 0:
                 half, phase = uplift_clock(
                     half, phase, frequency, wait, side, positive if side > 0 else negative
@@ -336,7 +330,8 @@ def _march(
         next_row = 0 if next_side > 0 else 1
         lean, rate = sides[row, LEAN], sides[row, RATE]
         forcing = positive if side > 0 else negative
-        seen_phase, seen_half = side_phase(half, phase, side, frequency)
+        stepped = nonlinear or series
+        seen_phase, seen_half = side_phase(half, phase, ONE if series else side, frequency)
         if not turned_side:
             sine, cosine = 0.0, 1.0
             if frequency != 0.0:
@@ -344,8 +339,8 @@ def _march(
         turned_side = False
         if bounced:
             bounced = False
-            if nonlinear:
-                there_phase, _ = side_phase(half, phase, next_side, frequency)
+            if stepped:
+                there_phase, _ = side_phase(half, phase, ONE if series else next_side, frequency)
                 dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
                     segments,
                     segment,
@@ -356,6 +351,7 @@ def _march(
                     seen_phase,
                     there_phase,
                     span,
+                    segments[segment, SHARES:],
                 )
             else:
                 dies_out = chatter_ends(
@@ -379,17 +375,19 @@ def _march(
         if keeps:
             top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
         lifting = angle == 0.0 and velocity == 0.0
-        if nonlinear:
+        if stepped:
+            # What is still to come bounds the linear motion on segments that end, too.
+            lasting = endless or (series and not nonlinear)
             zero = fly(
                 side_drive(segments, segment, sides, side, since),
                 side * angle / lean,
                 side * velocity / (lean * rate),
                 seen_phase,
                 span * rate,
-                endless,
-                point_of_no_return(segments, segment, sides, side) if endless else math.inf,
+                lasting,
+                point_of_no_return(segments, segment, sides, side) if lasting else math.inf,
                 lifting,
-                sides[0, LEFT_OUT],
+                left_out_of(sides),
                 peaks,
                 lean,
                 rate,

@@ -13,7 +13,7 @@ from rocksteady.kernels.core.tables import (
     ENDED_BY_SPAN,
     FREQUENCY,
     LEAN,
-    LEFT_OUT,
+    ORDERS,
     RATE,
     ROW_ANGLE,
     ROW_DURATION,
@@ -23,16 +23,20 @@ from rocksteady.kernels.core.tables import (
     ROW_SEGMENT,
     ROW_SIDE,
     ROW_VELOCITY,
+    SHARES,
     Floats,
     is_nonlinear,
+    is_series,
+    is_stepped,
+    left_out_of,
 )
-from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive, swing_at
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
 from rocksteady.kernels.nonlinear.replay import (
@@ -43,7 +47,7 @@ from rocksteady.kernels.nonlinear.replay import (
     peaks_of,
     stays_below,
 )
-from rocksteady.kernels.nonlinear.series import ANGLE, TERMS, WORK_ROWS, angle_at
+from rocksteady.kernels.nonlinear.series import ANGLE, TERMS, WORK_ROWS, angle_at, load_shares
 
 
 @compiled
@@ -86,7 +90,7 @@ def row_start(
     frequency = segments[segment, FREQUENCY]
     first_half, first_phase = segment_start(segments, segment)
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
-    seen, _ = side_phase(half, phase, side, frequency)
+    seen, _ = side_phase(half, phase, ONE if is_series(segments, segment) else side, frequency)
     return (
         side_drive(segments, segment, sides, side, since),
         seen,
@@ -98,7 +102,7 @@ def row_start(
 
 
 @allocating
-def fill_nonlinear(
+def fill_in_steps(
     segments: Floats,
     sides: Floats,
     rows: Floats,
@@ -106,12 +110,14 @@ def fill_nonlinear(
     since: Floats,
     states: Floats,
 ) -> None:
-    """Fill what `fill_states` fills; times in order are reached in one pass over each flight.
+    """Fill what `fill_states` fills, of flights in steps, each of which is passed over once.
 
-    What lies beyond steps that come to nothing is no number.
+    Times have to be in order for that; others are reached too.  What lies beyond steps that come
+    to nothing is no number.
     """
-    work = np.empty((WORK_ROWS, TERMS))
-    left_out = sides[0, LEFT_OUT]
+    orders = max((segments.shape[1] - SHARES) // 2, 0)
+    work = np.empty((WORK_ROWS + orders, TERMS))
+    left_out = left_out_of(sides)
     row, steps = -1, 0  # whose step the working space holds, and which
     drive, seen, _, _, lean, rate = row_start(segments, sides, rows, ZERO)
     span, side = 0.0, 0.0
@@ -123,6 +129,13 @@ def fill_nonlinear(
         if index[i] != row or since[i] * rate < leg.start:
             row = index[i]
             side = rows[row, ROW_SIDE]
+            segment = int(rows[row, ROW_SEGMENT])
+            if not is_stepped(segments, segment, sides):
+                fill_state(segments, sides, rows, index[i], since[i], states, i)
+                row = -1
+                continue
+            if orders > 0:
+                load_shares(segments[segment, SHARES:], work)
             drive, seen, y, v, lean, rate = row_start(segments, sides, rows, row)
             span = rows[row, ROW_DURATION] * rate
             leg, steps = leg_from(drive, seen, 0.0, y, v, span, left_out, work), 1
@@ -137,7 +150,10 @@ def fill_nonlinear(
         _, turned = phase_at(drive, seen, time)
         states[0, i] = side * lean * angle
         states[1, i] = side * lean * rate * velocity
-        states[2, i] = side * lean * rate * rate * acceleration(drive, time, angle, sin(turned))
+        swing = sin(turned)
+        if drive.series != 0.0:
+            swing = swing_at(drive, segments[int(rows[row, ROW_SEGMENT]), SHARES:], turned)
+        states[2, i] = side * lean * rate * rate * acceleration(drive, time, angle, swing)
 
 
 @compiled
@@ -153,23 +169,32 @@ def fill_states(
 
     `index` names the row in which each time lies, `since` the time since that row's start.
     """
-    if is_nonlinear(sides):
-        fill_nonlinear(segments, sides, rows, index, since, states)
+    if is_nonlinear(sides) or segments.shape[1] > ORDERS:
+        fill_in_steps(segments, sides, rows, index, since, states)
         return
     for i in range(len(index)):
         side = rows[index[i], ROW_SIDE]
         if side == 0.0:
             states[0, i] = states[1, i] = states[2, i] = 0.0
             continue
-        flight, forcing, lean, rate = row_flight(segments, sides, rows, index[i])
-        time = since[i] * rate
-        phase = flight.phase + forcing.frequency * time
-        sine, cosine = sincos_near(phase)
-        angle, velocity = flight_state(flight, forcing, time, sine, cosine)
-        acceleration = flight_acceleration(forcing, time, angle, sine)
-        states[0, i] = side * lean * angle
-        states[1, i] = side * lean * rate * velocity
-        states[2, i] = side * lean * rate * rate * acceleration
+        fill_state(segments, sides, rows, index[i], since[i], states, i)
+
+
+@compiled
+def fill_state(
+    segments: Floats, sides: Floats, rows: Floats, row: int, since: float, states: Floats, i: int
+) -> None:
+    """Fill column i of the states by the closed form of the flight in a row."""
+    side = rows[row, ROW_SIDE]
+    flight, forcing, lean, rate = row_flight(segments, sides, rows, row)
+    time = since * rate
+    phase = flight.phase + forcing.frequency * time
+    sine, cosine = sincos_near(phase)
+    angle, velocity = flight_state(flight, forcing, time, sine, cosine)
+    acceleration = flight_acceleration(forcing, time, angle, sine)
+    states[0, i] = side * lean * angle
+    states[1, i] = side * lean * rate * velocity
+    states[2, i] = side * lean * rate * rate * acceleration
 
 
 @compiled
@@ -183,12 +208,14 @@ def last_crossing(
     """
     index = len(rows) - 1
     while True:
-        if is_nonlinear(sides):
+        segment = int(rows[index, ROW_SEGMENT])
+        if is_stepped(segments, segment, sides):
             drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
             span = rows[index, ROW_DURATION] * rate
             side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
-            lost = point_of_no_return(segments, int(rows[index, ROW_SEGMENT]), sides, side)
-            time = last_rise_of(drive, seen, y, v, span, sides[0, LEFT_OUT], level, lost)
+            lost = point_of_no_return(segments, segment, sides, side)
+            shares = segments[segment, SHARES:]
+            time = last_rise_of(drive, seen, y, v, span, left_out_of(sides), level, lost, shares)
         else:
             flight, forcing, _, rate = row_flight(segments, sides, rows, index)
             endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
@@ -218,12 +245,21 @@ def recorded_peaks(
         above = rows[index, ROW_SIDE] > 0.0
         angle = positive if above else negative
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
-        if is_nonlinear(sides):
+        segment = int(rows[index, ROW_SEGMENT])
+        if is_stepped(segments, segment, sides):
             drive, seen, y, v, lean, rate = row_start(segments, sides, rows, index)
             fast = speed / (lean * rate)
             if not stays_below(drive, y, v, duration * rate, angle, fast):
                 angle, fast = peaks_of(
-                    drive, seen, y, v, duration * rate, sides[0, LEFT_OUT], angle, fast
+                    drive,
+                    seen,
+                    y,
+                    v,
+                    duration * rate,
+                    left_out_of(sides),
+                    angle,
+                    fast,
+                    segments[segment, SHARES:],
                 )
         else:
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)

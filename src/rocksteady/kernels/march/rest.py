@@ -18,7 +18,7 @@ estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gi
 
 import math
 
-from rocksteady.kernels.core.clock import side_phase
+from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import (
     HALF_PI,
     LINE,
@@ -31,9 +31,11 @@ from rocksteady.kernels.core.forcing import (
     starts_positive,
     steepest_forcing,
 )
+from rocksteady.kernels.core.harmonics import level_of, lifts_at, next_lift
 from rocksteady.kernels.core.tables import RATE, Floats, free_side
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.types import Floats2
 
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100
@@ -86,6 +88,44 @@ def next_uplift(
     if min(plus, minus) >= span:
         return 0, span
     return (1, plus) if plus <= minus else (-1, minus)
+
+
+@compiled
+def series_uplift(
+    positive: Forcing,
+    negative: Forcing,
+    free: int,
+    shares: Floats,
+    lifts: Floats2,
+    half: int,
+    phase: float,
+) -> tuple[int, float, int, float]:
+    """Return the side that a Fourier series lifts first, by which turn of its phase, and the clock.
+
+    Side 0 and an infinite turn where it lifts none.  The clock is set to the phase of `lifts`, so
+    that nothing is left of what was before the rest.
+    """
+    seen, _ = side_phase(half, phase, ONE, 1.0)
+    odd = half % 2
+    here = odd * math.pi + phase
+    if free >= 0 and lifts_at(shares, 1.0, level_of(positive), lifts[0], seen):
+        return 1, 0.0, half, phase
+    if free <= 0 and lifts_at(shares, -1.0, level_of(negative), lifts[1], seen):
+        return -1, 0.0, half, phase
+    side, least, until, periods = 0, math.inf, 0.0, 0
+    if free >= 0:
+        until, periods = next_lift(lifts[0], here)
+        least = until - here + TWO_PI * periods
+        side = 1 if least < math.inf else 0
+    if free <= 0:
+        other, later = next_lift(lifts[1], here)
+        turn = other - here + TWO_PI * later
+        if turn < least:
+            side, least, until, periods = -1, turn, other, later
+    if side == 0:
+        return 0, math.inf, half, phase
+    turned, rest = clock(until)
+    return side, least, half - odd + turned + 2 * periods, rest
 
 
 @inlined

@@ -6,7 +6,8 @@ vertical motion added)::
     y'' = -(1 + l) sin(alpha (1 - y))/alpha + h cos(alpha (1 - y)),
 
 where l is the vertical acceleration of the base over g and h the horizontal one over alpha g, seen
-from the side.  The same, written around the base::
+from the side.  In the linear model, whose alpha is 0 here, it is ``y'' = y - 1 + h``.  The same,
+written around the base::
 
     y'' = r cos(alpha y) + k sin(alpha y)/alpha,
     r = h cos(alpha) - (1 + l) sin(alpha)/alpha,    k = (1 + l) cos(alpha) + alpha h sin(alpha).
@@ -19,6 +20,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.harmonics import shape_at
 from rocksteady.kernels.core.tables import (
     ALPHA,
     AMPLITUDE,
@@ -31,8 +33,10 @@ from rocksteady.kernels.core.tables import (
     RATE,
     SLOPE,
     Floats,
+    is_series,
+    slenderness,
 )
-from rocksteady.kernels.elementary.circular import cos, sincos_near
+from rocksteady.kernels.elementary.circular import cos, sin, sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
 
@@ -50,6 +54,9 @@ class Drive(NamedTuple):
     frequency: float
     lift: float  # l = lift + lift_slope t
     lift_slope: float
+    # Of a Fourier series the side, +1 or -1: its phase is that of the base, and the amplitude times
+    # its shape, as the side sees it, takes the sinusoid's place.  0 of a sinusoid.
+    series: float = 0.0
 
 
 @compiled
@@ -59,21 +66,24 @@ def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: 
     lean, rate = sides[row, LEAN], sides[row, RATE]
     slope, lift_slope = segments[index, SLOPE], segments[index, LIFT_SLOPE]
     return Drive(
-        sides[row, ALPHA],
+        slenderness(sides, row),
         side * (segments[index, CONSTANT] + slope * elapsed) / lean,
         side * slope / (lean * rate),
         segments[index, AMPLITUDE] / lean,
         segments[index, FREQUENCY] / rate,
         segments[index, LIFT] + lift_slope * elapsed,
         lift_slope / rate,
+        float(side) if is_series(segments, index) else 0.0,
     )
 
 
 @compiled
 def foot_forcing(drive: Drive) -> Forcing:
     """Return r, the acceleration of a block that stands on its base."""
-    sine, cosine = sincos_near(drive.alpha)
-    sine /= drive.alpha
+    sine, cosine = 1.0, 1.0
+    if drive.alpha > 0.0:
+        sine, cosine = sincos_near(drive.alpha)
+        sine /= drive.alpha
     return make_forcing(
         drive.constant * cosine - (1.0 + drive.lift) * sine,
         drive.slope * cosine - drive.lift_slope * sine,
@@ -84,12 +94,25 @@ def foot_forcing(drive: Drive) -> Forcing:
 
 @compiled
 def acceleration(drive: Drive, time: float, angle: float, sine: float) -> float:
-    """Return y'' at `time`, where the sinusoid has this sine."""
+    """Return y'' at `time`, where the sinusoid has this sine, or the series this value."""
+    if drive.alpha == 0.0:
+        return angle - 1.0 + drive.constant + drive.slope * time + drive.amplitude * sine
     tilt = drive.alpha * (1.0 - angle)
     h = drive.constant + drive.slope * time + drive.amplitude * sine
     weight = 1.0 + drive.lift + drive.lift_slope * time
     sine_of_tilt, cosine_of_tilt = sincos_near(tilt)
     return h * cosine_of_tilt - weight * sine_of_tilt / drive.alpha
+
+
+@compiled
+def swing_at(drive: Drive, shares: Floats | None, phase: float) -> float:
+    """Return the sine of a phase, or the value of the series as the side sees it."""
+    if shares is None:
+        return sin(phase)
+    if drive.series == 0.0:
+        return sin(phase)
+    sine, cosine = sincos_near(phase)
+    return drive.series * shape_at(shares, sine, cosine)[0]
 
 
 @inlined

@@ -27,6 +27,8 @@ LONGEST_MOVING_STEP = 8.0
 """Of one that moves.  Only beside the upright position, by less than rounding, might a step be
 longer; in it the motion would grow so much that its nodes lay too close together to be counted."""
 
+NEVER = 1e200
+"""Angle of a block that lies on its side, in the linear model, which knows of none."""
 FAR = 8.0
 """Angle, over that of lying on the side, to which a step may lead."""
 
@@ -88,7 +90,9 @@ def is_lost(drive: Drive, lost_from: float, angle: float, velocity: float) -> bo
     """
     if angle > lost_from and velocity >= 0.0:
         return True
-    still = drive.amplitude == 0.0 and drive.constant == 0.0 and drive.lift == 0.0
+    still = (
+        drive.alpha > 0.0 and drive.amplitude == 0.0 and drive.constant == 0.0 and drive.lift == 0.0
+    )
     return still and falls_on_still_base(drive.alpha, angle, velocity)
 
 
@@ -118,7 +122,7 @@ def fly(
     angle, velocity
         y and y' at the start, y >= 0.
     phase
-        Of the sinusoid at the start, in [-pi/2, 3 pi/2).
+        Of the shaking at the start, in [-pi/2, 3 pi/2).
     span
         Side time to the end of the segment.
     endless
@@ -134,10 +138,11 @@ def fly(
     lean, rate
         Of the side; they convert its speed.
     work
-        Working space, shape (6, 24).
+        Working space, shape (6, 24), or that of `kernels.nonlinear.series.make_work`.
     course
         Working space of the derivatives by the state at the start, shape (7, 48), which are left
-        in its first row; or of shape (0, ...).  They are for endless harmonic shaking.
+        in its first row; or of shape (0, ...).  They are for endless periodic shaking, in the
+        nonlinear model.
 
     Returns
     -------
@@ -146,7 +151,7 @@ def fly(
         that of the block lying on its side where it has come to that.  STALLED where `is_stuck`
         says so: nothing is known of what follows.
     """
-    flat = HALF_PI / drive.alpha
+    flat = HALF_PI / drive.alpha if drive.alpha > 0.0 else NEVER
     time, cycle, steps = 0.0, 0, 0
     watch, varied = len(peaks) > 0, len(course) > 0
     if varied:

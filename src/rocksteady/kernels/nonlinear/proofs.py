@@ -21,21 +21,28 @@ y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration
 
 import math
 
-from rocksteady.kernels.core.forcing import largest_forcing, steepest_forcing
+from rocksteady.kernels.core.forcing import Forcing, largest_forcing
+from rocksteady.kernels.core.harmonics import largest_ahead
 from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import (
-    ALPHA,
     CEILING,
     LEAN,
     LIFT_CEILING,
     RATE,
     Floats,
     free_side,
+    slenderness,
 )
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration, foot_forcing, side_drive
+from rocksteady.kernels.nonlinear.drive import (
+    Drive,
+    acceleration,
+    foot_forcing,
+    side_drive,
+    swing_at,
+)
 
 HALF_PI = 0.5 * math.pi
 
@@ -47,11 +54,13 @@ def point_of_no_return(segments: Floats, index: int, sides: Floats, side: int) -
     Infinite where the base may yet fall away under the block, or a jump is to come.
     """
     row = 0 if side > 0 else 1
-    alpha: float = sides[row, ALPHA]
+    alpha = slenderness(sides, row)
     ceiling: float = segments[index, CEILING] / sides[row, LEAN]
     weight = 1.0 - segments[index, LIFT_CEILING]
     if weight <= 0.0 or ceiling == math.inf:
         return math.inf
+    if alpha == 0.0:
+        return 1.0 + ceiling
     return 1.0 + atan2(alpha * ceiling, weight) / alpha
 
 
@@ -75,6 +84,7 @@ def bounces_end(
     phase_here: float,
     phase_there: float,
     span: float,
+    shares: Floats | None = None,
 ) -> bool:
     """Return whether the bounces that start now are proved to die out within `span`.
 
@@ -92,6 +102,8 @@ def bounces_end(
         Phase of the sinusoid seen from the side of the first bounce, and from that of the second.
     span
         Time in which they have to end.
+    shares
+        Of a Fourier series, whose phase is the same from either side.
     """
     row = 0 if side > 0 else 1
     there = row if free_side(sides) != 0 else 1 - row
@@ -106,6 +118,7 @@ def bounces_end(
         phase_there,
         speed / (sides[there, LEAN] * sides[there, RATE]),
         sides[there, RATE],
+        shares,
     )
 
 
@@ -121,6 +134,7 @@ def bounces_settle(
     phase_there: float,
     speed_there: float,
     rate_there: float,
+    shares: Floats | None = None,
 ) -> bool:
     """Return whether the coming bounces are proved to end before an uplift and within `span`.
 
@@ -129,10 +143,10 @@ def bounces_settle(
     if restitution >= 1.0:
         return False
     # Most impacts are decided here.
-    pull_here: float = -acceleration(here, 0.0, 0.0, sin(phase_here))
+    pull_here: float = -acceleration(here, 0.0, 0.0, swing_at(here, shares, phase_here))
     if pull_here <= speed_here:
         return False
-    pull_there = -acceleration(there, 0.0, 0.0, sin(phase_there))
+    pull_there = -acceleration(there, 0.0, 0.0, swing_at(there, shares, phase_there))
     if pull_there <= speed_there:
         return False
     window = (
@@ -143,10 +157,10 @@ def bounces_settle(
     if window > span:
         return False
     growth_here, lasts_here = bounce_bounds(
-        here, phase_here, speed_here, rate_here, window * rate_here
+        here, phase_here, speed_here, rate_here, window * rate_here, shares
     )
     growth_there, lasts_there = bounce_bounds(
-        there, phase_there, speed_there, rate_there, window * rate_there
+        there, phase_there, speed_there, rate_there, window * rate_there, shares
     )
     kappa: float = restitution * math.sqrt(max(growth_here, growth_there))
     return kappa < 1.0 and max(lasts_here, lasts_there) <= (1.0 - kappa) * window
@@ -154,12 +168,19 @@ def bounces_settle(
 
 @compiled
 def bounce_bounds(
-    drive: Drive, phase: float, velocity: float, rate: float, window: float
+    drive: Drive,
+    phase: float,
+    velocity: float,
+    rate: float,
+    window: float,
+    shares: Floats | None = None,
 ) -> tuple[float, float]:
     """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
     forcing = foot_forcing(drive)
-    pull = -largest_forcing(forcing, phase, window)
+    pull, steepest = shaking_bounds(drive, forcing, phase, window, shares)
     alpha = drive.alpha
+    if alpha == 0.0:
+        return linear_bounds(pull, forcing.amplitude * steepest, velocity, rate)
     sine, cosine = sincos_near(alpha)
     shaking = abs(drive.constant) + abs(drive.slope) * window + drive.amplitude
     weight = 1.0 + abs(drive.lift) + abs(drive.lift_slope) * window
@@ -169,8 +190,34 @@ def bounce_bounds(
         return math.inf, math.inf
     root = math.sqrt((pull - faster) * (pull + faster))
     drift = (
-        steepest_forcing(forcing)
+        abs(forcing.slope)
+        + forcing.amplitude * steepest
         + abs(drive.lift_slope) * (cosine + sine / alpha)
-        + alpha * sine * (abs(drive.slope) + drive.amplitude * drive.frequency)
+        + alpha * sine * (abs(drive.slope) + drive.amplitude * steepest)
     )
     return 1.0 + 4.0 * drift * velocity / (pull * root), 2.0 * velocity / (root * rate)
+
+
+@compiled
+def shaking_bounds(
+    drive: Drive, forcing: Forcing, phase: float, window: float, shares: Floats | None
+) -> tuple[float, float]:
+    """Return a lower bound of -r over a window, and an upper one of the shaking's rate over A."""
+    if shares is None:
+        return -largest_forcing(forcing, phase, window), drive.frequency
+    if drive.series == 0.0:
+        return -largest_forcing(forcing, phase, window), drive.frequency
+    turn = drive.frequency * window
+    swing, steepest = largest_ahead(shares, drive.series, phase, turn)
+    return -(forcing.constant + forcing.amplitude * swing), drive.frequency * steepest
+
+
+@compiled
+def linear_bounds(
+    pull: float, steepest: float, velocity: float, rate: float
+) -> tuple[float, float]:
+    """Return what `bounce_bounds` does in the linear model, for bounds of -r and of |r'|."""
+    if pull <= velocity:
+        return math.inf, math.inf
+    root = math.sqrt((pull - velocity) * (pull + velocity))
+    return 1.0 + 4.0 * steepest * velocity / (pull * root), 2.0 * velocity / (root * rate)

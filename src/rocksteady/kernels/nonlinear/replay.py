@@ -7,15 +7,13 @@ read off their polynomials is what the march has seen.
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at, reach_of
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand, third_bound
+from rocksteady.kernels.nonlinear.series import angle_at, expand, make_work, third_bound
 
 LONG = 1.0
 """Side time from which on a flight is searched for its peaks."""
@@ -81,12 +79,13 @@ def peaks_of(
     left_out: float,
     top_angle: float,
     top_speed: float,
+    shares: Floats | None = None,
 ) -> tuple[float, float]:
     """Return the largest y and |y'| of a flight, or the tops given where these are larger.
 
     They are not numbers where the flight comes to no end.
     """
-    work = np.empty((WORK_ROWS, TERMS))
+    work = make_work(shares)
     steps = 1
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
     while True:
@@ -130,6 +129,7 @@ def last_rise_of(
     left_out: float,
     level: float,
     beyond: float,
+    shares: Floats | None = None,
 ) -> float:
     """Return the last time at which a flight rises through a level, or -1.
 
@@ -137,7 +137,7 @@ def last_rise_of(
     come back.  Where the steps of one that does so by a hair come to nothing, or lead below the
     floor, it is the last that they have passed.
     """
-    work = np.empty((WORK_ROWS, TERMS))
+    work = make_work(shares)
     steps = 1
     last = -1.0
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)

@@ -100,7 +100,7 @@ def fly_through(
         else:
             if y + h * (v + h * (short.second + h * short.third)) <= 0.0:
                 break  # it lands
-            drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope)
+            drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
             degree, step = expand_series(
                 drive, 0.0, y, v, 0.0, 1.0, FALSE, reach_of(v, h), left_out, work
             )

@@ -26,7 +26,7 @@ from rocksteady.kernels.core.typed import TRUE
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
-from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.nonlinear._short import DEGREE, fill_short, short_step
 from rocksteady.kernels.nonlinear.drive import Drive
 
@@ -54,6 +54,24 @@ COSINE = 3  # of C
 SHAKING = 4  # of h
 POINTS = 5  # control points of `rocksteady.kernels.nonlinear._bernstein`
 WORK_ROWS = 6
+SHARES = 6  # and from here on, a row for each order of a Fourier series, its two shares
+
+
+@allocating
+def make_work(shares: Floats | None) -> Floats:
+    """Return working space for steps under shaking with these shares, or with none."""
+    if shares is None:
+        return np.empty((WORK_ROWS, TERMS))
+    work = np.empty((WORK_ROWS + len(shares) // 2, TERMS))
+    load_shares(shares, work)
+    return work
+
+
+@compiled
+def load_shares(shares: Floats, work: Floats) -> None:
+    """Write the shares of a Fourier series into working space that has room for them."""
+    for k in range(len(shares) // 2):
+        work[SHARES + k, 0], work[SHARES + k, 1] = shares[2 * k], shares[2 * k + 1]
 
 
 @inlined
@@ -90,6 +108,8 @@ def expand(
 
     Parameters and results are those of `expand_series`, which fills all rows.
     """
+    if drive.alpha == 0.0:
+        return expand_linear(drive, angle, velocity, sine, cosine, lifting, reach, left_out, work)
     if drive.frequency == 0.0:
         shaking = drive.constant + drive.slope * time
         weight = 1.0 + drive.lift + drive.lift_slope * time
@@ -159,15 +179,20 @@ def expand_series(
     square = drive.alpha * drive.alpha
     tilt = drive.alpha * (1.0 - angle)
     weight = 1.0 + drive.lift + drive.lift_slope * time
-    shaken = drive.amplitude > 0.0
+    shaken = drive.amplitude != 0.0
     work[ANGLE, 0] = angle
     work[ANGLE, 1] = work[SPEED, 0] = velocity
     work[SINE, 0], work[COSINE, 0] = sincos_near(tilt)
     work[SINE, 0] /= drive.alpha
     swing, swing_speed = drive.amplitude * sine, drive.amplitude * drive.frequency * cosine
-    work[SHAKING, 0] = drive.constant + drive.slope * time + swing
-    work[SHAKING, 1] = drive.slope + swing_speed
-    if shaken:  # the derivatives of the sinusoid over the factorials, two by two
+    if drive.series != 0.0:
+        fill_shaking(drive, sine, cosine, work)
+    else:
+        work[SHAKING, 0] = drive.constant + drive.slope * time + swing
+        work[SHAKING, 1] = drive.slope + swing_speed
+    if (
+        shaken and drive.series == 0.0
+    ):  # the derivatives of the sinusoid over the factorials, two by two
         turn = -drive.frequency * drive.frequency
         for n in range(2, HIGHEST - 1, 2):
             swing *= turn * TWICE_SHARED[n]
@@ -193,6 +218,80 @@ def expand_series(
         work[SINE, n + 1] = -by_cosine * share
         work[COSINE, n + 1] = square * by_sine * share
         work[SPEED, n + 1] = force * share
+        work[ANGLE, n + 2] = force * TWICE_SHARED[n + 2]
+        if not abs(work[ANGLE, n + 2]) < HUGE:
+            return n + 1, min(reach, _step(left_out, n + 1, work))
+        power *= reach
+        term = abs(work[ANGLE, n + 2]) * power
+        if n < 2:
+            largest = max(largest, term)
+        elif term <= left_out * largest:
+            small += 1
+            if small == 2:
+                return n + 2, reach
+        else:
+            small = 0
+    return HIGHEST, min(reach, _step(left_out, HIGHEST, work))
+
+
+@compiled
+def fill_shaking(drive: Drive, sine: float, cosine: float, work: Floats) -> None:
+    """Fill the coefficients of a Fourier series, each order's derivatives over the factorials.
+
+    `sine` and `cosine` are those of the phase of its period.
+    """
+    for n in range(HIGHEST):
+        work[SHAKING, n] = 0.0
+    order_sine, order_cosine = sine, cosine
+    size = drive.series * drive.amplitude
+    for k in range(len(work) - WORK_ROWS):
+        p, q = size * work[SHARES + k, 0], size * work[SHARES + k, 1]
+        if p != 0.0 or q != 0.0:
+            turn = (k + 1) * drive.frequency
+            swing = p * order_sine + q * order_cosine
+            swing_speed = turn * (p * order_cosine - q * order_sine)
+            work[SHAKING, 0] += swing
+            work[SHAKING, 1] += swing_speed
+            turn *= -turn
+            for n in range(2, HIGHEST - 1, 2):
+                swing *= turn * TWICE_SHARED[n]
+                swing_speed *= turn * TWICE_SHARED[n + 1]
+                work[SHAKING, n] += swing
+                work[SHAKING, n + 1] += swing_speed
+        order_sine, order_cosine = (
+            order_sine * cosine + order_cosine * sine,
+            order_cosine * cosine - order_sine * sine,
+        )
+
+
+@compiled
+def expand_linear(
+    drive: Drive,
+    angle: float,
+    velocity: float,
+    sine: float,
+    cosine: float,
+    lifting: bool,
+    reach: float,
+    left_out: float,
+    work: Floats,
+) -> tuple[int, float]:
+    """Fill the coefficients of the linear y under a Fourier series: ``y'' = y - 1 + h``.
+
+    Parameters and results are those of `expand_series`, which needs the time of a slope too; the
+    rows of S and C stay as they are.
+    """
+    fill_shaking(drive, sine, cosine, work)
+    work[ANGLE, 0], work[ANGLE, 1] = angle, velocity
+    power = reach
+    largest = max(abs(angle), abs(velocity) * reach)
+    small = 0
+    for n in range(HIGHEST - 1):
+        force = work[ANGLE, n] + work[SHAKING, n]
+        if n == 0:
+            force -= 1.0
+            if lifting:
+                force = max(force, 0.0)
         work[ANGLE, n + 2] = force * TWICE_SHARED[n + 2]
         if not abs(work[ANGLE, n + 2]) < HUGE:
             return n + 1, min(reach, _step(left_out, n + 1, work))

@@ -1,8 +1,8 @@
 """Periodic orbits as closed chains of arcs: equations and derivatives for continuation.
 
 The unknowns are the phases of the impacts alone.  Between two of them the block flies an arc
-(`kernels.linear.arcs`), and at impact k the arc that begins must leave with what the impact
-leaves of the one that lands (eq 9)::
+(`kernels.linear.arcs`, `kernels.nonlinear.arcs`), and at impact k the arc that begins must leave
+with what the impact leaves of the one that lands (eq 9)::
 
     F_k = start(Phi_k, Phi_(k+1)) - restitution landing(Phi_(k-1), Phi_k) = 0,  k = 0 .. m - 1
     Phi_m = Phi_0 + h pi
@@ -29,13 +29,15 @@ from rocksteady.kernels.linear.arcs import arc_flight, make_arc
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.orbits.return_map import (
-    Jacobian,
+from rocksteady.kernels.nonlinear.arcs import nonlinear_arc, nonlinear_extrema
+from rocksteady.kernels.orbits.return_map import Jacobian, identity, product
+from rocksteady.kernels.orbits.systems import (
+    EitherSystem,
+    SeriesSystem,
     System,
+    drive_of,
     forcing_of,
-    identity,
     make_system,
-    product,
 )
 
 Floats = NDArray[np.float64]
@@ -74,6 +76,14 @@ def seen(turns: int, phase: float, side: int) -> float:
 
 
 @compiled
+def seen_from(shares: Floats | None, turns: int, phase: float, side: int) -> float:
+    """Return what `seen` does; of a Fourier series the phase is the base's on both sides."""
+    if shares is None:
+        return seen(turns, phase, side)
+    return seen(turns, phase, 1)
+
+
+@compiled
 def fill_chain(
     amplitude: float,
     frequency: float,
@@ -90,8 +100,8 @@ def fill_chain(
     amplitude, frequency
         A and Omega.
     sides
-        As for `kernels.orbits.return_map.make_system`; the derivative by the restitution is that
-        by both sides' together.
+        As for `kernels.orbits.systems.make_system`, of either model; the derivative by the
+        restitution is that by both sides' together.
     turns, phases
         Whole half cycles and the phase beyond them at each impact, shape (m,).
     half_cycles
@@ -99,7 +109,25 @@ def fill_chain(
     table
         Shape (m, CHAIN_COLUMNS).
     """
-    system = make_system(amplitude, frequency, sides)
+    fill_rows(make_system(amplitude, frequency, sides), turns, phases, half_cycles, table)
+
+
+@compiled
+def series_fill_chain(
+    system: SeriesSystem, turns: Integers1, phases: Floats1, half_cycles: int, table: Floats2
+) -> None:
+    """Do what `fill_chain` does under a Fourier series; its amplitude is the bound of the series.
+
+    The half periods are those of its period: odd only where half a period turns it round.
+    """
+    fill_rows(system, turns, phases, half_cycles, table)
+
+
+@compiled
+def fill_rows(
+    system: EitherSystem, turns: Integers1, phases: Floats1, half_cycles: int, table: Floats2
+) -> None:
+    """Fill the table of a chain in a system of either kind."""
     m = len(phases)
     table[:, ERROR:] = 0.0
     for k in range(m):
@@ -111,8 +139,12 @@ def fill_chain(
         passed = halves * math.pi + (phases[after] - phases[k])
         duration = passed / forcing.frequency
         # An odd chain closes on the other side, where the shaking has turned by as much.
-        last = seen(turns[k] + halves, phases[after], side)
-        arc = make_arc(forcing, duration, seen(turns[k], phases[k], side), last)
+        last = seen_from(system.shares, turns[k] + halves, phases[after], side)
+        first = seen_from(system.shares, turns[k], phases[k], side)
+        if system.left_out > 0.0:
+            arc = nonlinear_arc(drive_of(system, row), duration, first, last, system.shares)
+        else:
+            arc = make_arc(forcing, duration, first, last)
         lean, rate = system.lean[row], system.rate[row]
         unit = lean * rate
         table[k, START], table[k, LANDING] = unit * arc.start, unit * arc.landing
@@ -166,6 +198,22 @@ def fill_arcs(
     A minimum at the base is a graze, one below it makes the chain inadmissible; inf and nan where
     the arc has none.  Of an arc without a positive duration all are nan.  `shape` is (m, 3).
     """
+    fill_shape(system, turns, phases, table, shape)
+
+
+@compiled
+def series_fill_arcs(
+    system: SeriesSystem, turns: Integers1, phases: Floats1, table: Floats2, shape: Floats2
+) -> None:
+    """Do what `fill_arcs` does under a Fourier series."""
+    fill_shape(system, turns, phases, table, shape)
+
+
+@compiled
+def fill_shape(
+    system: EitherSystem, turns: Integers1, phases: Floats1, table: Floats2, shape: Floats2
+) -> None:
+    """Fill the extrema of each arc in a system of either kind."""
     for k in range(len(phases)):
         side = side_in(system, k)
         forcing = forcing_of(system, side)
@@ -175,7 +223,12 @@ def fill_arcs(
         if not duration > 0.0:
             shape[k, :] = math.nan
             continue
-        first = seen(turns[k], phases[k], side)
-        flight = arc_flight(forcing, duration, first, first + forcing.frequency * duration)
-        highest, lowest, when, _ = inner_extrema(flight, forcing, duration)
+        first = seen_from(system.shares, turns[k], phases[k], side)
+        last = first + forcing.frequency * duration
+        if system.left_out > 0.0:
+            drive = drive_of(system, 0 if side > 0 else 1)
+            highest, lowest, when = nonlinear_extrema(drive, duration, first, last, system.shares)
+        else:
+            flight = arc_flight(forcing, duration, first, last)
+            highest, lowest, when, _ = inner_extrema(flight, forcing, duration)
         shape[k, 0], shape[k, 1], shape[k, 2] = max(0.0, highest) * lean, lowest * lean, when / rate

@@ -29,17 +29,16 @@ from rocksteady.kernels.orbits.return_map import (
     Jacobian,
     Passage,
     Section,
-    System,
     guess_after,
     highest_after,
     highest_of,
     identity,
-    like_sides,
     next_passage,
     phase_between,
     product,
     shifted,
 )
+from rocksteady.kernels.orbits.systems import System, is_mirrored
 
 STEPS = 30
 """Most steps of Newton's method."""
@@ -326,10 +325,11 @@ def primitive(table: Floats, passages: int, periods: int) -> tuple[int, int]:
 def is_symmetric(system: System, table: Floats2, passages: int, periods: int) -> bool:
     """Return whether half of an orbit turns it into its mirror image.
 
-    Of a block whose sides differ, or that has one, the mirror image of a motion is none, and one
-    that comes near its own by chance is not symmetric.
+    Of a block whose sides differ, or that has one, or under shaking that half a period does not
+    turn round, the mirror image of a motion is none, and one that comes near its own by chance is
+    not symmetric.
     """
-    if not like_sides(system):
+    if not is_mirrored(system):
         return False
     if passages % 2 == 1 or periods % 2 == 0:
         return False

@@ -1,6 +1,6 @@
-"""The return map of harmonic shaking: from just after one impact to just after the next.
+"""The return map of periodic shaking: from just after one impact to just after the next.
 
-A block that rocks under harmonic shaking is known at each impact by the side it goes to, the phase
+A block that rocks under periodic shaking is known at each impact by the side it goes to, the phase
 of the shaking and its speed just after; a block against a wall always goes to the same side.
 `next_passage` takes such a state to the next one with the exact derivative; everything about
 orbits, attractors and their stability is built from it alone, so that another model needs another
@@ -10,23 +10,25 @@ Two passages are not a plain impact.  Chatter that is proved to die out ends in 
 which the block lifts at a phase of its own whatever came before: the state after it is that uplift,
 with speed 0, and its derivative is 0.  And where the block only **grazes** its base, the derivative
 does not exist.
+
+**Two kinds of shaking.**  A `System` is harmonic.  A `SeriesSystem` has the same fields and the
+shape of a Fourier series besides; its flights are Taylor steps in either model.  What takes a
+system takes both: the compiler makes two versions of it, each with the branches of its own kind.
+Mirrored in the block's middle plane, harmonic shaking is itself half a period later, so that a
+flight to the negative side is one to the positive side at another phase.  A series has no such
+image: the phase is that of the base on both sides, and the negative side sees minus the series.
 """
 
 import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.clock import clock, side_clock, side_phase, uplift_clock
-from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing, starts_positive
+from rocksteady.kernels.core.forcing import SINE, Forcing, starts_positive
+from rocksteady.kernels.core.harmonics import level_of, lifts_at
 from rocksteady.kernels.core.tables import (
-    ALPHA,
     FOUND,
-    LEAN,
-    LEFT_OUT,
     NO_RETURN,
-    RATE,
-    RESTITUTION,
-    free_side,
-    is_nonlinear,
+    Floats,
 )
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
 from rocksteady.kernels.elementary.circular import sincos_near
@@ -35,12 +37,19 @@ from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.machine_code.types import Floats2
-from rocksteady.kernels.march.rest import chatter_ends, uplift_time
-from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
+from rocksteady.kernels.march.rest import chatter_ends, series_uplift, uplift_time
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
 from rocksteady.kernels.nonlinear.proofs import bounces_settle
 from rocksteady.kernels.nonlinear.replay import peaks_of
+from rocksteady.kernels.orbits.systems import (
+    EitherSystem,
+    System,
+    drive_of,
+    forcing_of,
+    next_side,
+    seen_from,
+    sign_in,
+)
 
 # What a passage was.
 IMPACT = 0
@@ -59,25 +68,6 @@ LONGEST_FLIGHT = 2000.0
 hold is past every bound after 745; only a flight without one, upright to the last bit, goes on."""
 ENDLESS = 1e15
 """Pivot time in which chatter may come to rest: no end, in effect."""
-
-
-class System(NamedTuple):
-    """Harmonic shaking seen from both sides of a block.
-
-    Of the nonlinear model the forcings are those of a block on its base.
-    """
-
-    positive: Forcing
-    negative: Forcing
-    frequency: float  # Omega, in reference time
-    restitution: tuple[float, float]  # of the positive and the negative side; of a wall negative
-    free: int  # the one side of a block against a wall, or 0
-    lean: tuple[float, float]
-    rate: tuple[float, float]
-    # Of the nonlinear model; 0 in the linear one.
-    alpha: tuple[float, float]
-    amplitude: float  # A of the reference
-    left_out: float
 
 
 class Section(NamedTuple):
@@ -108,36 +98,6 @@ class Passage(NamedTuple):
     jacobian: Jacobian
 
 
-@compiled
-def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
-    """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides."""
-    size_here, turn_here = amplitude / sides[0, LEAN], frequency / sides[0, RATE]
-    size_there, turn_there = amplitude / sides[1, LEAN], frequency / sides[1, RATE]
-    alpha_here = alpha_there = left_out = 0.0
-    if is_nonlinear(sides):
-        alpha_here, alpha_there, left_out = sides[0, ALPHA], sides[1, ALPHA], sides[0, LEFT_OUT]
-        here = Drive(alpha_here, 0.0, 0.0, size_here, turn_here, 0.0, 0.0)
-        there = Drive(alpha_there, 0.0, 0.0, size_there, turn_there, 0.0, 0.0)
-        positive, negative = foot_forcing(here), foot_forcing(there)
-    else:
-        positive = make_forcing(-1.0, 0.0, size_here, turn_here)
-        negative = positive
-        if size_there != size_here or turn_there != turn_here:
-            negative = make_forcing(-1.0, 0.0, size_there, turn_there)
-    return System(
-        positive,
-        negative,
-        frequency,
-        (sides[0, RESTITUTION], sides[1, RESTITUTION]),
-        free_side(sides),
-        (sides[0, LEAN], sides[1, LEAN]),
-        (sides[0, RATE], sides[1, RATE]),
-        (alpha_here, alpha_there),
-        amplitude,
-        left_out,
-    )
-
-
 @inlined
 def identity() -> Jacobian:
     """Return the derivative of standing still."""
@@ -156,47 +116,10 @@ def product(after: Jacobian, before: Jacobian) -> Jacobian:
 
 
 @compiled
-def forcing_of(system: System, side: int) -> Forcing:
-    """Return the forcing seen from one side."""
-    return system.positive if side > 0 else system.negative
-
-
-@compiled
-def like_sides(system: System) -> bool:
-    """Return whether a block has two sides that are alike."""
-    return (
-        system.restitution[0] == system.restitution[1]
-        and system.lean[0] == system.lean[1]
-        and system.rate[0] == system.rate[1]
-        and system.alpha[0] == system.alpha[1]
-    )
-
-
-@inlined
-def next_side(system: System, side: int) -> int:
-    """Return the side to which an impact sends the block."""
-    return -side if system.free == 0 else side
-
-
-@compiled
-def drive_of(system: System, row: int) -> Drive:
-    """Return what drives the side of a row in the nonlinear model."""
-    return Drive(
-        system.alpha[row],
-        0.0,
-        0.0,
-        system.amplitude / system.lean[row],
-        system.frequency / system.rate[row],
-        0.0,
-        0.0,
-    )
-
-
-@compiled
 def flight_from(system: System, state: Section) -> Flight:
     """Return the flight that a state begins, in the units of its side."""
     row = 0 if state.side > 0 else 1
-    seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
+    seen, _ = seen_from(system.shares, state.half_cycles, state.phase, state.side, system.frequency)
     unit = system.lean[row] * system.rate[row]
     sine, cosine = sincos_near(seen)
     return make_flight(forcing_of(system, state.side), 0.0, state.speed / unit, seen, sine, cosine)
@@ -211,7 +134,7 @@ def next_passage(system: System, state: Section, guess: float) -> Passage:
     if state.speed > 0.0:
         if comes_to_rest(system, state, flight.sine):
             return uplift_after(system, state.half_cycles, state.phase)
-    elif not lifts(forcing, flight.phase):  # it touches its base and stays
+    elif not lifts_in(system, system.shares, row, flight.phase):  # it touches its base and stays
         return uplift_after(system, state.half_cycles, state.phase)
     return passage_of(system, row, state.half_cycles, state.phase, flight, forcing, guess)
 
@@ -234,6 +157,15 @@ def lifts(forcing: Forcing, phase: float) -> bool:
 
 
 @compiled
+def lifts_in(system: EitherSystem, shares: Floats | None, row: int, phase: float) -> bool:
+    """Return whether a block without speed lifts to the side of a row, at a phase seen from it."""
+    forcing = system.positive if row == 0 else system.negative
+    if shares is None:
+        return lifts(forcing, phase)
+    return lifts_at(shares, sign_in(shares, row), level_of(forcing), system.lifts[row], phase)
+
+
+@compiled
 def first_passage(
     system: System, side: int, half_cycles: int, phase: float, angle: float, velocity: float
 ) -> Passage:
@@ -246,7 +178,7 @@ def first_passage(
         return uplift_after(system, half_cycles, phase)
     row = 0 if side > 0 else 1
     forcing = forcing_of(system, side)
-    seen, _ = side_phase(half_cycles, phase, side, system.frequency)
+    seen, _ = seen_from(system.shares, half_cycles, phase, side, system.frequency)
     lean, rate = system.lean[row], system.rate[row]
     sine, cosine = sincos_near(seen)
     flight = make_flight(
@@ -277,6 +209,7 @@ def passage_of(
             flight.phase,
             LONGEST_FLIGHT,
             system.left_out,
+            system.shares,
         )
     else:
         zero = next_zero(flight, forcing, LONGEST_FLIGHT, TRUE, lifting, guess)
@@ -287,7 +220,7 @@ def passage_of(
         here = Section(side, half_cycles, phase, abs(flight.velocity) * unit)
         return Passage(kind, here, math.inf, 0.0, Jacobian(0.0, 0.0, 0.0, 0.0))
     restitution = system.restitution[row]
-    _, seen_half = side_phase(half_cycles, phase, side, system.frequency)
+    _, seen_half = seen_from(system.shares, half_cycles, phase, side, system.frequency)
     turned, landed = side_clock(zero.phase, seen_half)
     half = half_cycles + turned - seen_half + 2 * zero.cycle
     landing = abs(zero.velocity) * unit
@@ -297,7 +230,12 @@ def passage_of(
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
     if system.left_out > 0.0:
         j11, j12, j21, j22 = landing_derivative(
-            drive_of(system, row), abs(restitution), flight.phase, zero, derivative
+            drive_of(system, row),
+            abs(restitution),
+            flight.phase,
+            zero,
+            derivative,
+            system.shares,
         )
     else:
         j11, j12, j21, j22 = landing_jacobian(
@@ -321,9 +259,11 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
     largest = abs(system.restitution[row])
     if system.free == 0:
         largest = max(largest, system.restitution[other])
-    seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
+    seen, _ = seen_from(system.shares, state.half_cycles, state.phase, state.side, system.frequency)
     if system.left_out > 0.0:
-        across, _ = side_phase(state.half_cycles, state.phase, across_side, system.frequency)
+        across, _ = seen_from(
+            system.shares, state.half_cycles, state.phase, across_side, system.frequency
+        )
         return bounces_settle(
             largest,
             ENDLESS,
@@ -335,6 +275,7 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
             across,
             state.speed / (system.lean[other] * system.rate[other]),
             system.rate[other],
+            system.shares,
         )
     return chatter_ends(
         largest,
@@ -354,7 +295,29 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
 @compiled
 def uplift_after(system: System, half_cycles: int, phase: float) -> Passage:
     """Return the uplift that ends a rest, or that nothing does."""
+    return uplift_of(system, system.shares, half_cycles, phase)
+
+
+@compiled
+def uplift_of(
+    system: EitherSystem, shares: Floats | None, half_cycles: int, phase: float
+) -> Passage:
+    """Return the same; of a series, which has shares, by its table of uplifts."""
     nothing = Jacobian(0.0, 0.0, 0.0, 0.0)
+    if shares is not None:
+        side, wait, half, lifted = series_uplift(
+            system.positive,
+            system.negative,
+            system.free,
+            shares,
+            system.lifts,
+            half_cycles,
+            phase,
+        )
+        if side == 0:
+            return Passage(STAY, Section(0, half_cycles, phase, 0.0), math.inf, 0.0, nothing)
+        wait /= system.frequency
+        return Passage(UPLIFT, Section(side, half, lifted, 0.0), wait, 0.0, nothing)
     plus_phase, _ = side_phase(half_cycles, phase, ONE, system.frequency)
     minus_phase, _ = side_phase(half_cycles, phase, MINUS_ONE, system.frequency)
     plus = uplift_time(system.positive, plus_phase, math.inf) / system.rate[0]
@@ -431,6 +394,7 @@ def highest_of(system: System, state: Section, time: float) -> float:
             system.left_out,
             flight.angle,
             math.inf,
+            system.shares,
         )
         return highest * system.lean[row]
     angle, _ = highest_angle(

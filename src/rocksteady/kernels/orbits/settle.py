@@ -35,12 +35,12 @@ from rocksteady.kernels.orbits.return_map import (
     UPLIFT,
     Jacobian,
     Section,
-    System,
     first_passage,
     guess_after,
     next_passage,
     phase_between,
 )
+from rocksteady.kernels.orbits.systems import System
 
 # How a motion ended.
 PERIODIC = 0

@@ -25,13 +25,12 @@ from rocksteady.kernels.orbits.return_map import (
     IMPACT,
     Jacobian,
     Section,
-    System,
     identity,
-    make_system,
     next_passage,
     phase_between,
     shifted,
 )
+from rocksteady.kernels.orbits.systems import System, make_system
 
 SHORTEST = 2.0**-20
 """Part of the square of the slenderness below which a step is given up."""
