@@ -146,3 +146,18 @@ def test_what_a_description_does_not_have_is_not_rendered() -> None:
     assert as_text(bare) == "nothing else"
     assert bare.to_dict() == {}
     assert "<table" not in as_html(bare)
+
+
+def test_a_table_that_is_too_wide_wraps_words_and_keeps_every_number() -> None:
+    rows = [{"place": 12345678, "words": "a symmetry breaking " * 3, "more": "motions " * 9}]
+    columns = (
+        Column("place", "n"),
+        Column("words", "kind", str, left=True),
+        Column("more", "what it is", str, left=True),
+        Column("place", "again"),
+    )
+    text = as_text(Description(headline="wide", facts=(), tables=(Table("rows", rows, columns),)))
+    assert text.count("12,345,678") == 2
+    assert "…" not in text
+    assert text.count("symmetry") == 3
+    assert max(map(len, text.splitlines())) <= 80

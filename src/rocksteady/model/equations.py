@@ -8,7 +8,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 
 TOLERANCE = 1e-10
 """Default relative error that a motion may have."""
@@ -107,7 +107,7 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
     if model is None:
         if isinstance(motion, BaseMotion) and motion.vertical is None:
             motion = motion.horizontal
-        harmonic = motion is None or isinstance(motion, Harmonic)
+        harmonic = motion is None or isinstance(motion, PeriodicMotion)
         return Linear() if harmonic or not isinstance(block, Block) else Nonlinear()
     if isinstance(model, Linear):
         return model

@@ -5,7 +5,7 @@ from typing import Any
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.results.numbers import angle, length, number, quantity
 
 AnyBlock = Block | DimensionlessBlock
@@ -46,13 +46,15 @@ def restitution_values(block: AnyBlock) -> dict[str, Any]:
     return values if first == second else {**values, "negative_restitution": second}
 
 
-def harmonic_values(block: AnyBlock, motion: Harmonic) -> dict[str, Any]:
-    """Return block and harmonic motion without its phase, in SI too where the block has a size."""
+def harmonic_values(block: AnyBlock, motion: PeriodicMotion) -> dict[str, Any]:
+    """Return block and periodic motion without its phase, in SI too where the block has a size."""
     values: dict[str, Any] = {
         "amplitude": motion.amplitude,
         "frequency_ratio": motion.frequency_ratio,
         **restitution_values(block),
     }
+    if isinstance(motion, FourierSeries):
+        values["harmonics"] = [list(wave) for wave in motion.harmonics]
     if isinstance(block, Block):
         values["block"] = block_values(block)
         values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity

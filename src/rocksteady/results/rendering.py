@@ -145,7 +145,8 @@ def _rich(table: Table) -> "RichTable":
     rich = RichTable(box=None, pad_edge=False, padding=(0, gap, 0, 0))
     for column in table.columns:
         side: Literal["left", "right"] = "left" if column.left else "right"
-        rich.add_column(printable(column.heading), justify=side, no_wrap=True)
+        # Where a table is too wide words are wrapped: a number is never cut off.
+        rich.add_column(printable(column.heading), justify=side, no_wrap=not column.left)
     for row in table.shown:
         rich.add_row(*(printable(column.words(row)) for column in table.columns))
     return rich

@@ -19,6 +19,7 @@ from rocksteady import (
     Segment,
     Still,
     add_motions,
+    cut_motion,
     delay_motion,
     join_motions,
     scale_motion,
@@ -154,8 +155,11 @@ def test_the_sum_of_nothing_is_still() -> None:
 
 
 def test_what_cannot_be_made_is_refused() -> None:
-    beats = Harmonic(amplitude=1.0, frequency_ratio=2.0), Harmonic(amplitude=1, frequency_ratio=3)
-    with pytest.raises(ModelError, match=r"several frequencies may not act together for ever"):
+    beats = (
+        Harmonic(amplitude=1.0, frequency_ratio=2.0),
+        Harmonic(amplitude=1.0, frequency_ratio=math.sqrt(3.0)),
+    )
+    with pytest.raises(ModelError, match=r"whole multiples of one frequency"):
         add_motions(*beats)
     with pytest.raises(InputError, match=r"^tolerance = 0"):
         add_motions(SINE, TRIANGLE, tolerance=0.0)
@@ -177,3 +181,26 @@ def test_a_scaled_record_is_a_record() -> None:
     assert twice.acceleration_m_s2.tolist() == [0.0, -4.0, 2.0]
     with pytest.raises(InputError, match="must not be 0"):
         scale_motion(record, 0.0)
+
+
+@given(motions, st.floats(0.0, 15.0))
+def test_cut_off(motion: Piecewise, at: float) -> None:
+    found = cut_motion(motion, at)
+    s = away_from_edges(GRID, motion, found)
+    expected = np.where(s < at, acceleration(motion, s), 0.0)
+    np.testing.assert_array_equal(acceleration(found, s), expected)
+    whole = sum(piece.duration for piece in motion.segments())
+    assert sum(piece.duration for piece in found.segments()) == pytest.approx(min(at, whole))
+
+
+def test_of_endless_shaking_a_part_is_taken() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0)
+    (piece,) = cut_motion(shaking, 7.5).segments()
+    assert (piece.duration, piece.phase) == (7.5, 1.0)
+    assert cut_motion(shaking, 0.0).segments() == ()
+    struck = Impulses(velocities=(0.5, 0.5), times=(0.0, 3.0))
+    assert len(cut_motion(struck, 3.0).segments()) == 1
+    with pytest.raises(InputError, match="at"):
+        cut_motion(shaking, -1.0)
+    with pytest.raises(InputError, match="motion"):
+        cut_motion(Record(acceleration_m_s2=[0.0, 1.0], dt_s=0.1), 0.1)  # type: ignore[arg-type]

@@ -50,6 +50,9 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("find_overturning_windows", "within"),
         ("find_steady_states", "order"),
         ("Scatter.__init__", "deviation"),
+        ("check_boundary", "labels"),
+        ("compute_basin_entropy", "labels"),
+        ("compute_uncertainty_exponent", "labels"),
     }
 )
 """Likewise of other types, each in one function."""
@@ -216,6 +219,8 @@ def _fit_of_text(annotation: str, names: Mapping[str, Any], numbers: bool) -> Fi
         known = names.get(word)
         if word == "None":
             fits.append(_nothing)
+        elif word == "ArrayLike":  # where NumPy is not loaded yet
+            fits.append(numeric_array)
         else:
             fits.append(_fit_of_class(known, numbers) if isinstance(known, type) else _named(word))
     return _either(fits)

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, TypeVar
 from rocksteady.kernels.elementary.arrays import atan2, exp, sin
 from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.motions._sampled import polyline
-from rocksteady.model.motions.combine import add_motions, scale_motion
+from rocksteady.model.motions.combine import added, scale_motion
 from rocksteady.model.motions.segments import Piecewise, Segment
 
 if TYPE_CHECKING:
@@ -230,7 +230,7 @@ def mavroeidis_papageorgiou(
             phase=frequency * w * start + phase,
         )
         waves.append(Piecewise(pieces=(wave,)))
-    return scale_motion(add_motions(*waves, tolerance=tolerance), a).segments()
+    return scale_motion(added(waves, tolerance, series=False), a).segments()
 
 
 def _velocity_waves(oscillations: float) -> tuple[tuple[float, float], ...]:

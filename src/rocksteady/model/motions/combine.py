@@ -1,4 +1,4 @@
-"""Combined base motions: scaled or reversed, delayed, one after another, and summed."""
+"""Combined base motions: scaled or reversed, delayed, cut off, one after another, and summed."""
 
 import math
 from collections.abc import Sequence
@@ -11,6 +11,7 @@ from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._sampled import polyline
+from rocksteady.model.motions.harmonics import HIGHEST_ORDER
 from rocksteady.model.motions.segments import (
     LONGEST_DURATION,
     Motion,
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
 
 SUM_TOLERANCE = 1e-6
 """Default largest error [alpha g] of a sum that has to be sampled."""
+
+SAME_FREQUENCY = 1e-12
+"""Frequencies whose relative distance is below this differ by rounding."""
 
 _SAME_TIME = 1e-12
 """Times whose relative distance is below this differ by rounding."""
@@ -110,6 +114,47 @@ def delay_motion(motion: Motion, by: float) -> Piecewise:
 
 
 @checked
+def cut_motion(motion: Motion, at: float) -> Piecewise:
+    """Return a base motion up to a time, followed by a still base.
+
+    Parameters
+    ----------
+    motion
+        Any base motion, an endless one too.
+    at
+        Pivot time p t at which it is cut off, from 0 to 1e6; n cycles of harmonic shaking last
+        2 pi n/Omega.
+
+    Raises
+    ------
+    InputError
+        If the time is outside its range.
+
+    Examples
+    --------
+    Five cycles of harmonic shaking:
+
+    >>> import math
+    >>> from rocksteady import Harmonic, cut_motion
+    >>> five = cut_motion(Harmonic(amplitude=2.0, frequency_ratio=4.0), 5 * 2.0 * math.pi / 4.0)
+    >>> [round(piece.duration, 6) for piece in five.segments()]
+    [7.853982]
+    """
+    end = in_range("at", at, 0.0, LONGEST_DURATION, "[]", hint="give a pivot time p t")
+    kept: list[Segment] = []
+    begun = 0.0
+    for piece in _segments(motion):
+        if begun >= end:
+            break
+        left = end - begun
+        # A rest that rounding leaves is no segment.
+        whole = piece.duration <= left * (1.0 + _SAME_TIME)
+        kept.append(piece if whole else replace(piece, duration=left))
+        begun += piece.duration
+    return Piecewise(pieces=tuple(kept))
+
+
+@checked
 def join_motions(*motions: Motion) -> Piecewise:
     """Return base motions in sequence, each beginning where the previous one ends.
 
@@ -137,10 +182,11 @@ def join_motions(*motions: Motion) -> Piecewise:
 def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
     """Return the sum of base motions that begin together.
 
-    Constants, slopes and sinusoids of one frequency add up in closed form.  While sinusoids of
-    several frequencies act, the sum is replaced by straight lines that are nowhere further from it
-    than the tolerance: over a line of length h a sum of ``A_i sin(Omega_i s + phi_i)`` is missed by
-    at most ``h^2/8`` times the sum of ``A_i Omega_i^2``.
+    Constants, slopes and sinusoids of one frequency add up in closed form, and so do sinusoids
+    alone whose frequencies are up to 64 times one of them or a whole part of it: a Fourier series.
+    While others of several frequencies act, the sum is replaced by straight lines that are nowhere
+    further from it than the tolerance: over a line of length h a sum of ``A_i sin(Omega_i s +
+    phi_i)`` is missed by at most ``h^2/8`` times the sum of ``A_i Omega_i^2``.
 
     Parameters
     ----------
@@ -154,7 +200,7 @@ def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise
     InputError
         If the tolerance is not above 0, or asks for more than 200 000 lines.
     ModelError
-        If sinusoids of several frequencies act together for ever.
+        If sinusoids of several frequencies that are no Fourier series act together for ever.
 
     Examples
     --------
@@ -164,6 +210,11 @@ def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise
     [1.5, 3.0, 1.5]
     """
     error = positive("tolerance", tolerance, hint="give a small part of alpha g, as 1e-6")
+    return added(motions, error, series=True)
+
+
+def added(motions: Sequence[Motion], tolerance: float, *, series: bool) -> Piecewise:
+    """Return the sum of motions; whether sinusoids may make a Fourier series is `series`."""
     parts = [_Part(_segments(motion)) for motion in motions]
     times = _distinct([time for part in parts if part.pieces for time in part.times])
     pieces: list[Segment] = []
@@ -171,7 +222,7 @@ def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise
         middle = low + 1.0 if high == math.inf else 0.5 * (low + high)
         jump = math.fsum(part.move_to(middle) for part in parts)
         acting = [(low - part.begun, part.acting) for part in parts if part.acting is not None]
-        pieces += _sum(acting, high - low, jump, error)
+        pieces += _sum(acting, high - low, jump, tolerance, series=series)
     return Piecewise(pieces=tuple(pieces))
 
 
@@ -215,6 +266,26 @@ class _Part:
         return jump
 
 
+def _series(phasors: dict[float, tuple[float, float]]) -> Segment | None:
+    """Return sinusoids whose frequencies are multiples of one as a Fourier series, or None."""
+    slowest = min(phasors)
+    for parts in range(1, HIGHEST_ORDER + 1):
+        base = slowest / parts
+        orders = {w: round(w / base) for w in phasors}
+        if max(orders.values()) > HIGHEST_ORDER:
+            return None
+        if all(math.isclose(w, k * base, rel_tol=SAME_FREQUENCY) for w, k in orders.items()):
+            shares: dict[int, tuple[float, float]] = {}
+            for w, (one, other) in phasors.items():
+                before = shares.get(orders[w], (0.0, 0.0))
+                shares[orders[w]] = (before[0] + one, before[1] + other)
+            waves = tuple((k, hypot(p, q), atan2(q, p)) for k, (p, q) in shares.items())
+            if not any(size for _, size, _ in waves):
+                return None
+            return Segment(duration=1.0, amplitude=1.0, frequency=base, harmonics=waves)
+    return None
+
+
 def _distinct(times: list[float]) -> list[float]:
     """Return times in order, without those that differ from the one before by rounding."""
     distinct: list[float] = []
@@ -225,27 +296,37 @@ def _distinct(times: list[float]) -> list[float]:
 
 
 def _sum(
-    acting: list[tuple[float, Segment]], duration: float, jump: float, tolerance: float
+    acting: list[tuple[float, Segment]],
+    duration: float,
+    jump: float,
+    tolerance: float,
+    *,
+    series: bool,
 ) -> tuple[Segment, ...]:
     """Return the sum of segments, each some time after its start, over a duration."""
     constant = math.fsum(piece.constant + piece.slope * since for since, piece in acting)
     slope = math.fsum(piece.slope for _, piece in acting)
     phasors: dict[float, tuple[float, float]] = {}  # its sine's share, and its cosine's
     for since, piece in acting:
-        if piece.amplitude != 0.0:
-            turned = math.remainder(piece.phase + piece.frequency * since, 2.0 * math.pi)
-            sine, cosine = sincos(turned)
-            one, other = phasors.get(piece.frequency, (0.0, 0.0))
-            phasors[piece.frequency] = (
-                one + piece.amplitude * cosine,
-                other + piece.amplitude * sine,
-            )
+        for order, size, phase in piece.harmonics or ((1, 1.0, 0.0),):
+            if piece.amplitude * size != 0.0:
+                turned = math.remainder(piece.phase + piece.frequency * since, 2.0 * math.pi)
+                sine, cosine = sincos(math.remainder(order * turned + phase, 2.0 * math.pi))
+                one, other = phasors.get(order * piece.frequency, (0.0, 0.0))
+                phasors[order * piece.frequency] = (
+                    one + piece.amplitude * size * cosine,
+                    other + piece.amplitude * size * sine,
+                )
+    if series and len(phasors) > 1 and constant == slope == 0.0:
+        together_as = _series(phasors)
+        if together_as is not None:
+            return (replace(together_as, duration=duration, jump=jump),)
     if len(phasors) > 1:
         if duration == math.inf:
             raise ModelError(
                 "motions",
                 sorted(phasors),
-                "sinusoids of several frequencies may not act together for ever",
+                "for ever, sinusoids may act together alone, at whole multiples of one frequency",
                 "end all but one of them, as Piecewise(pieces=(Segment(duration=...),))",
             )
         import numpy as np

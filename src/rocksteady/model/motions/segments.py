@@ -12,16 +12,13 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative, positive
+from rocksteady.model.motions.harmonics import LARGEST_PHASE, Harmonics, harmonics_value
 
 LOWEST_FREQUENCY_RATIO = 0.01
 HIGHEST_FREQUENCY_RATIO = 1.0e4
 
 LONGEST_DURATION = 1.0e6
 """Pivot time of the longest segment that is not endless."""
-
-LARGEST_PHASE = 1.0e6
-"""Phases beyond it [rad] have lost the digits that would tell them apart."""
-
 
 PI_LOW = 1.2246467991473532e-16
 """pi less the double that stands for it."""
@@ -37,6 +34,8 @@ def _phase(value: object) -> float:
 class Segment:
     """One piece of base acceleration, ``constant + slope s + amplitude sin(frequency s + phase)``.
 
+    With harmonics it is ``amplitude sum a_k sin(k (frequency s + phase) + phi_k)``.
+
     Parameters
     ----------
     duration
@@ -48,6 +47,9 @@ class Segment:
     jump
         Change of the block's velocity d(theta/alpha)/ds at the segment's start, by an impulse of
         the base.
+    harmonics
+        Triples (k, a_k, phi_k) of order, size and phase of a Fourier series in place of the
+        sinusoid; none by default.
 
     Raises
     ------
@@ -55,7 +57,8 @@ class Segment:
         If a number is not finite or above 1e50, the duration is not positive or above 1e6 and
         finite, the frequency negative or above 10 000, or the phase beyond 1e6.
     ModelError
-        If an endless segment has a slope, or a sinusoid has no frequency.
+        If an endless segment has a slope, a sinusoid has no frequency, or harmonics meet a constant
+        or a slope.
     """
 
     duration: float
@@ -65,6 +68,7 @@ class Segment:
     frequency: float = 0.0
     phase: float = 0.0
     jump: float = 0.0
+    harmonics: Harmonics = ()
 
     def __post_init__(self) -> None:
         """Validate, and turn a negative amplitude into a positive one half a cycle on."""
@@ -96,12 +100,36 @@ class Segment:
                 "a sinusoid needs a frequency above 0",
                 "give omega/p, or put a constant acceleration into `constant`",
             )
-        if self.amplitude < 0.0:
+        if self.harmonics != ():
+            self._set_harmonics()
+        elif self.amplitude < 0.0:
             object.__setattr__(self, "amplitude", -self.amplitude)
             # Towards 0, and with the digits of pi that a double leaves out: so the march's clock
             # reads the same phase one half cycle on, and what is turned round is a mirror image.
             turn = -1.0 if self.phase > 0.0 else 1.0
             object.__setattr__(self, "phase", (self.phase + turn * math.pi) + turn * PI_LOW)
+
+    def _set_harmonics(self) -> None:
+        """Validate the harmonics, and turn those of a negative amplitude round."""
+        waves = harmonics_value(self.harmonics)
+        if self.constant != 0.0 or self.slope != 0.0:
+            raise ModelError(
+                "harmonics",
+                self.harmonics,
+                "a Fourier series has no constant and no slope beside it",
+                "leave these at 0",
+            )
+        if self.frequency == 0.0:
+            raise ModelError(
+                "frequency",
+                self.frequency,
+                "a Fourier series needs a frequency above 0",
+                "give omega/p of its period",
+            )
+        if self.amplitude < 0.0:
+            object.__setattr__(self, "amplitude", -self.amplitude)
+            waves = tuple((order, -size, phase) for order, size, phase in waves)
+        object.__setattr__(self, "harmonics", waves)
 
 
 class Motion(Protocol):

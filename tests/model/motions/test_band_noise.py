@@ -1,0 +1,192 @@
+"""Noise of a band: its spectrum, its realisations, and the exact sum with another motion."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady import (
+    BandNoise,
+    BaseMotion,
+    Block,
+    Harmonic,
+    Impulses,
+    InputError,
+    ModelError,
+    Piecewise,
+    Pulse,
+    Record,
+    Still,
+    add_noise,
+)
+from rocksteady.dynamics.history.base_motion import base_acceleration, impulses
+from rocksteady.dynamics.history.lowering import segment_table
+
+NOISE = BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1)
+MANY = 200
+BLOCK = Block.rectangle(width=0.8, height=3.0)
+RECORD = Record(acceleration_m_s2=np.sin(0.3 * np.arange(200)), dt_s=0.05)
+
+
+def realisations() -> Any:
+    return np.array([NOISE.realisation(number).samples for number in range(MANY)])
+
+
+def test_rms_band_and_distribution_are_as_stated() -> None:
+    found = realisations()
+    # A realisation has 85 sinusoids, and all of them 17,000: the mean square scatters by 0.8 %.
+    assert (found**2).mean() == pytest.approx(0.04, rel=0.03)
+    assert (found[:, 7] ** 4).mean() / (found[:, 7] ** 2).mean() ** 2 == pytest.approx(3.0, abs=1.0)
+    # Stationary: the same at all times, here at 20 of them, with 200 realisations each.
+    each = (found[:, :: found.shape[1] // 20] ** 2).mean(axis=0) / 0.04
+    assert (np.abs(each - 1.0) < 5.0 * math.sqrt(2.0 / MANY)).all()
+    # Nothing outside the band, and a flat spectrum inside, by periodograms with a Hann window.
+    window = np.hanning(found.shape[1])
+    power = (np.abs(np.fft.rfft(found * window, axis=1)) ** 2).mean(axis=0)
+    ratio = 2.0 * math.pi * np.fft.rfftfreq(found.shape[1], NOISE.step)
+    inside = (ratio > 1.5) & (ratio < 9.5)
+    outside = (ratio < 0.4) | (ratio > 10.6)
+    assert power[outside].max() < 1e-4 * power[inside].mean()
+    assert power[inside].std() / power[inside].mean() < 2.0 / math.sqrt(MANY)
+
+
+def test_realisations_are_independent_and_their_ends_too() -> None:
+    found = realisations()
+    between = np.corrcoef(found[:40])[np.triu_indices(40, 1)]
+    # A correlation of two of them has some 170 degrees of freedom.
+    assert np.abs(between).max() < 0.4
+    assert np.abs(between.mean()) < 0.02
+    ends = np.corrcoef(found[:, 0], found[:, -1])[0, 1]
+    assert abs(ends) < 4.0 / math.sqrt(MANY)
+    other = BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=2)
+    assert not np.array_equal(other.samples, NOISE.samples)
+
+
+def test_a_realisation_depends_on_its_number_alone() -> None:
+    fifth = NOISE.realisation(5)
+    first = fifth.samples.copy()
+    for number in reversed(range(40)):  # more than are kept
+        _ = NOISE.realisation(number).samples
+    assert np.array_equal(BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1, number=5)
+                          .samples, first)  # fmt: skip
+    assert np.array_equal(fifth.samples, first)
+
+
+@pytest.mark.parametrize("number", [0, 3])
+def test_the_samples_are_the_sum_that_the_docstring_has(number: int) -> None:
+    # 2 pi k/60 from 1 to 10: k from 10 to 95.
+    k = np.arange(10, 96)
+    drawn = np.random.default_rng(np.random.SeedSequence(1, spawn_key=(number,))).random((86, 2))
+    size = 0.2 * np.sqrt(-2.0 * np.log1p(-drawn[:, 0]) / 86.0)
+    s = NOISE.step * np.arange(len(NOISE.samples))
+    turned = np.outer(s, 2.0 * math.pi * k / 60.0) - 2.0 * math.pi * drawn[:, 1]
+    expected = np.cos(turned) @ size
+    np.testing.assert_allclose(NOISE.realisation(number).samples, expected, rtol=0.0, atol=1e-13)
+
+
+def test_a_sinusoid_alone_is_sampled_as_it_is() -> None:
+    # A band around one sinusoid of the process, k = 20 of 2 pi k/60.
+    one = BandNoise(rms=1.0, band=(2.08, 2.11), duration=30.0, seed=3)
+    s = one.step * np.arange(len(one.samples))
+    turn = 2.0 * math.pi * 20 / 60.0
+    basis = np.column_stack([np.cos(turn * s), np.sin(turn * s)])
+    _, left, *_ = np.linalg.lstsq(basis, one.samples, rcond=None)
+    assert left[0] < 1e-20
+
+
+MOTIONS: dict[str, Any] = {
+    "still": Still(),
+    "harmonic": Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0),
+    "pulse": Pulse(shape="type-c1", amplitude=2.0, frequency_ratio=0.3),
+    "wavelet": Pulse(shape="ricker", amplitude=2.0, frequency_ratio=1.0, tolerance=1e-3),
+    "impulses": Impulses(velocities=(0.3, -0.4, 0.2), times=(0.0, 11.0, 40.0)),
+    "record": RECORD,
+}
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_the_sum_is_the_sum_of_both_at_any_time(name: str) -> None:
+    motion = MOTIONS[name]
+    total = segment_table(add_noise(motion, NOISE, block=BLOCK))
+    alone, noise = segment_table(motion, BLOCK), segment_table(NOISE)
+    s = np.random.default_rng(0).uniform(0.0, 29.99, 2000)
+    expected = base_acceleration(alone, s) + base_acceleration(noise, s)
+    np.testing.assert_allclose(base_acceleration(total, s), expected, rtol=0.0, atol=1e-9)
+    times, sizes = impulses(total)
+    np.testing.assert_allclose(times, impulses(alone)[0], rtol=1e-12)
+    assert sizes.tolist() == impulses(alone)[1].tolist()
+    later = np.linspace(30.1, 60.0, 50)
+    rest = 0.0 if name == "harmonic" else base_acceleration(alone, later)
+    np.testing.assert_allclose(base_acceleration(total, later), rest, atol=1e-9)
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_noise_of_rms_0_leaves_the_motion_as_it_is(name: str) -> None:
+    motion = MOTIONS[name]
+    quiet = add_noise(motion, NOISE.realisation(0, rms=0.0), block=BLOCK)
+    found, alone = segment_table(quiet), segment_table(motion, BLOCK)
+    if name == "harmonic":  # ends with the noise
+        assert found[0, 0] == 30.0
+        assert np.array_equal(found[0, 1:7], alone[0, 1:7])
+    else:
+        assert np.array_equal(found, alone)
+
+
+def test_the_vertical_component_has_no_noise() -> None:
+    up = RECORD.scaled(0.5)
+    found = add_noise(BaseMotion(RECORD, up), NOISE, block=BLOCK)
+    assert isinstance(found, BaseMotion)
+    assert found.vertical == up
+    assert found.horizontal == add_noise(RECORD, NOISE, block=BLOCK)
+
+
+@given(
+    rms=st.floats(0.0, 10.0),
+    low=st.floats(0.05, 5.0),
+    wide=st.floats(0.5, 10.0),
+    duration=st.floats(7.0, 60.0),
+    seed=st.integers(0, 2**64 - 1),
+)
+def test_any_noise_is_a_motion(
+    rms: float, low: float, wide: float, duration: float, seed: int
+) -> None:
+    noise = BandNoise(rms=rms, band=(low, low + wide), duration=duration, seed=seed)
+    pieces = noise.segments()
+    if rms:
+        assert sum(piece.duration for piece in pieces) == pytest.approx(duration)
+        assert 20 <= 2.0 * math.pi / ((low + wide) * noise.step) < 30
+    assert np.isfinite(noise.samples).all()
+    assert isinstance(add_noise(Still(), noise), Piecewise)
+
+
+def test_si_units_are_those_of_the_block() -> None:
+    noise = BandNoise.from_si(BLOCK, rms_m_s2=0.3, band_hz=(0.5, 5.0), duration_s=20.0, seed=1)
+    assert noise.rms * BLOCK.uplift_acceleration == pytest.approx(0.3)
+    assert noise.band[1] * BLOCK.p / (2.0 * math.pi) == pytest.approx(5.0)
+    assert noise.duration / BLOCK.p == pytest.approx(20.0)
+
+
+def test_what_is_no_noise_is_refused() -> None:
+    good: dict[str, Any] = {"rms": 0.1, "band": (1.0, 5.0), "duration": 20.0, "seed": 1}
+    for name, value in (
+        ("rms", -0.1),
+        ("rms", math.nan),
+        ("band", (5.0, 1.0)),
+        ("band", (0.0, 1.0)),
+        ("band", 3.0),
+        ("band", (1.0, 1.001)),
+        ("duration", 0.0),
+        ("duration", 1e6),
+        ("seed", -1),
+        ("seed", 1.5),
+        ("number", -1),
+    ):
+        with pytest.raises(InputError, match=name):
+            BandNoise(**{**good, name: value})
+    with pytest.raises(InputError, match="1e9 products"):
+        BandNoise(rms=0.1, band=(1.0, 5.0), duration=12000.0, seed=1)
+    with pytest.raises(ModelError, match="block"):
+        add_noise(RECORD, NOISE)
