@@ -3,11 +3,12 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import combinations
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 
 PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
@@ -145,9 +146,12 @@ def shaking_of(block: Block | DimensionlessBlock, given: Mapping[str, float]) ->
 AnyBlock = TypeVar("AnyBlock", Block, DimensionlessBlock, Block | DimensionlessBlock)
 
 
+AnyShaking = TypeVar("AnyShaking", Harmonic, FourierSeries, PeriodicMotion)
+
+
 def moved_to(
-    block: AnyBlock, shaking: Harmonic, parameter: str, value: float
-) -> tuple[AnyBlock, Harmonic]:
+    block: AnyBlock, shaking: AnyShaking, parameter: str, value: float
+) -> tuple[AnyBlock, AnyShaking]:
     """Return block and shaking with one of the parameters at a value.
 
     Raises
@@ -157,4 +161,5 @@ def moved_to(
     """
     if parameter == "restitution":
         return block.with_restitution(value), shaking
-    return block, replace(shaking, **{parameter: value})
+    moved: Any = {parameter: value}
+    return block, replace(shaking, **moved)

@@ -17,8 +17,8 @@ from rocksteady import (
     find_orbits,
     follow_branch,
 )
-from rocksteady.dynamics.continuation._chain import Chain
 from rocksteady.dynamics.continuation._from_orbit import chain_of
+from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.parameters import PARAMETERS
 from tests.dynamics.continuation.branches import setting, special, symmetric_start, values_of
 

@@ -106,9 +106,10 @@ def test_a_branch_is_stable_where_its_points_are() -> None:
 def test_there_is_a_row_a_point(block: Block | DimensionlessBlock) -> None:
     diagram = diagram_of(block, "frequency_ratio")
     frame = diagram.to_dataframe()
-    assert len(frame) == sum(len(branch.points) for branch in diagram.branches)
+    followed = sum(len(branch.points) for branch in diagram.branches)
+    assert len(frame) == followed + sum(len(branch.points) for branch in diagram.resting)
     assert list(frame) == diagram.columns
-    assert len(diagram.columns) == 17 + (4 if block is SIZED else 0)
+    assert len(diagram.columns) == 18 + (4 if block is SIZED else 0)
     moduli = [
         np.hypot(frame[f"multiplier_{n}_re"], frame[f"multiplier_{n}_im"]).to_numpy()
         for n in (1, 2)
@@ -219,7 +220,6 @@ def test_a_diagram_becomes_json() -> None:
         ({"within": (-1.0, 1.0)}, "frequency_ratio = -1"),
         ({"values": -1}, "values = -1"),
         ({"values": 30_000}, "values = 30000|values = 20001"),
-        ({"max_cycles": 0}, "max_cycles = 0"),
     ],
 )
 def test_what_is_no_diagram_is_refused(change: dict[str, Any], message: str) -> None:
@@ -229,9 +229,32 @@ def test_what_is_no_diagram_is_refused(change: dict[str, Any], message: str) -> 
         find_bifurcations(BARE, MOTION, parameter, search=SMALL, **given)
     with pytest.raises(InputError, match="max_impacts = 0"):
         BranchSearch(max_impacts=0)
+    with pytest.raises(InputError, match="max_cycles = 0"):
+        BranchSearch(max_cycles=0)
 
 
-def test_an_asymmetric_block_has_no_branches() -> None:
-    block = DimensionlessBlock(restitution=0.9, negative_restitution=0.8)
-    with pytest.raises(ModelError, match="asymmetric"):
+def test_a_block_against_a_wall_has_no_branches() -> None:
+    block = DimensionlessBlock(restitution=0.9, one_sided=True)
+    with pytest.raises(ModelError, match="stands against a wall"):
         find_bifurcations(block, MOTION, "amplitude")
+
+
+def test_branches_start_from_each_order() -> None:
+    block, motion = (
+        DimensionlessBlock(restitution=0.87),
+        Harmonic(amplitude=5.0, frequency_ratio=8.0),
+    )
+
+    def kinds(*orders: int) -> set[tuple[int, int]]:
+        search = BranchSearch(orders=orders, max_period=3, max_impacts=2, doublings=0)
+        found = find_bifurcations(
+            block, motion, "frequency_ratio", within=(7.0, 9.0), values=0, search=search
+        )
+        assert found.to_dict()["orders"] == list(dict.fromkeys(orders))
+        return {(branch.period, branch.impacts) for branch in found.branches}
+
+    assert kinds(3, 1, 3) == kinds(1) | kinds(3) > kinds(1)
+    assert BranchSearch(orders=(1, 5)).max_period == 20
+    for bad in ((), (2,), (1, -1), (1001,)):
+        with pytest.raises(InputError, match="orders"):
+            BranchSearch(orders=bad)

@@ -19,9 +19,7 @@ from rocksteady import (
     compute_erosion,
     compute_response_curve,
     find_attractor,
-    find_branches,
     find_orbits,
-    follow_branch,
     heteroclinic_amplitude,
     map_attractors,
     map_fates,
@@ -242,12 +240,6 @@ def test_what_knows_symmetric_motions_alone_says_so_and_where_to_go() -> None:
         )
     with pytest.raises(ModelError, match="`find_orbits`"):
         compute_response_curve(BLOCK, 2.0, frequency_ratio=[2.0, 3.0])
-    orbit = find_attractor(ASYMMETRY, HARD).orbit
-    assert orbit is not None
-    with pytest.raises(ModelError, match="sweep_attractor"):
-        next(iter(follow_branch(orbit, "amplitude", (1.0, 3.0))))
-    with pytest.raises(ModelError, match="sweep_attractor"):
-        find_branches([orbit], "amplitude", (1.0, 3.0))
 
 
 def test_sizes_and_housners_value_move_with_symmetric_blocks_alone() -> None:

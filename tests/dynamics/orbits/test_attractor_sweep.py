@@ -198,6 +198,6 @@ def test_what_is_out_of_range_is_refused(change: dict[str, object], said: str) -
     assert "\n" not in str(raised.value)
 
 
-def test_only_harmonic_shaking_has_trails() -> None:
-    with pytest.raises(ModelError, match="harmonic"):
+def test_only_periodic_shaking_has_trails() -> None:
+    with pytest.raises(ModelError, match="those of periodic shaking"):
         sweep_attractor(BLOCK, Still(), "amplitude", [1.0])  # type: ignore[arg-type]

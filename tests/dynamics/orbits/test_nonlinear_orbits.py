@@ -17,7 +17,6 @@ from rocksteady import (
     Steady,
     find_attractor,
     find_orbits,
-    follow_branch,
     map_attractors,
     map_fates,
     simulate,
@@ -235,11 +234,6 @@ def test_the_attractor_from_rest_is_among_them(
     own = found.orbit.highest, found.orbit.lowest
     apart = [np.hypot(*np.subtract(own, pair)) for pair in peaks]
     assert min(apart) < 1e-11
-
-
-def test_branches_refuse_orbits_of_the_nonlinear_model() -> None:
-    with pytest.raises(ModelError, match="linear model alone"):
-        follow_branch(listed(SLENDER, 2.0, 1.9, 3)[0], "amplitude", (1.0, 3.0))
 
 
 def test_without_shaking_there_are_none() -> None:

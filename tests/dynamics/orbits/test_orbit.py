@@ -50,7 +50,7 @@ def test_a_run_from_any_impact_of_an_orbit_is_the_orbit(model: Model) -> None:
 
 def test_an_impact_state_needs_harmonic_shaking_and_one_cell() -> None:
     state, block = ImpactState(side=1, phase=0.5, speed=0.3), DimensionlessBlock(restitution=0.8)
-    with pytest.raises(ModelError, match="needs harmonic shaking"):
+    with pytest.raises(ModelError, match="needs periodic shaking"):
         simulate(block, Still(), start=state)
     with pytest.raises(ModelError, match="one cell"):
         map_fates(

@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.orbits.return_map import next_passage, phase_between
-from rocksteady.model.equations import Linear
+from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.model.motions.fourier import harmonics_of
 
 
 def chain_at(origin: object) -> Chain:
@@ -39,26 +40,14 @@ def chain_of(orbit: Orbit) -> Chain:
     Raises
     ------
     ModelError
-        If the orbit is one of the nonlinear model or comes to rest, or the sides of its block
-        differ.
+        If the orbit comes to rest, or is one of a block against a wall.
     """
-    if not isinstance(orbit.model, Linear):
+    if orbit.block.one_sided:
         raise ModelError(
             "origin",
-            Words(f"is an orbit of the {orbit.model.name} model"),
-            "branches are followed in the linear model alone, whose arcs are in closed form",
-            "ask for `find_orbits` at several values, or move the parameter with `map_attractors`",
-        )
-    if not orbit.block.symmetric:
-        raise ModelError(
-            "origin",
-            Words(
-                "is an orbit of a block against a wall"
-                if orbit.block.one_sided
-                else "is an orbit of an asymmetric block"
-            ),
-            "branches are followed of symmetric blocks alone: the arcs of a chain have one "
-            "restitution, alpha and p",
+            Words("is an orbit of a block against a wall"),
+            "branches are followed of blocks that rock on both sides: against a wall an orbit ends "
+            "in other ways than by a graze",
             "move the parameter with `sweep_attractor`, or ask for `find_orbits` at several values",
         )
     if orbit.rest_phases:
@@ -68,12 +57,12 @@ def chain_of(orbit: Orbit) -> Chain:
             "an orbit that comes to rest forgets its past and does not bifurcate smoothly",
             "start from an orbit without rest, as one of find_steady_states",
         )
-    bare = orbit.block.dimensionless()
     motion = orbit.motion
     states = orbit.states
     if states[0].side < 0:  # an orbit without rest goes to either side in turn
         states = (*states[1:], states[0])
-    system = make_system(bare, motion, Linear())
+    system = make_system(orbit.block, motion, orbit.model)
+    following = for_system(next_passage, system)
     turns, phases = [], []
     here = section_of(states[0])
     since = 0
@@ -84,7 +73,7 @@ def chain_of(orbit: Orbit) -> Chain:
             before = section_of(states[number - 1])
             passed = 0.0
             if orbit.admissible:
-                passed = phase_between(before, next_passage(system, before, -1.0).state)
+                passed = phase_between(before, following(system, before, -1.0).state)
             elif orbit.branch is not None:  # half a symmetric orbit in closed form
                 passed = orbit.period * math.pi
             halves = passed / math.pi - (at.phase - before.phase) / math.pi
@@ -93,9 +82,13 @@ def chain_of(orbit: Orbit) -> Chain:
         phases.append(at.phase)
     count = len(states)
     half = orbit.symmetric
+    restitution = orbit.block.dimensionless().restitution
     return Chain(
-        parameters=np.array([motion.amplitude, motion.frequency_ratio, bare.restitution]),
+        parameters=np.array([motion.amplitude, motion.frequency_ratio, restitution]),
         turns=np.array(turns[: count // 2 if half else count], dtype=np.int64),
         phases=np.array(phases[: count // 2 if half else count]),
         half_cycles=orbit.period if half else 2 * orbit.period,
+        block=orbit.block,
+        model=orbit.model,
+        harmonics=harmonics_of(motion),
     )

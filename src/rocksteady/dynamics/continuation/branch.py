@@ -8,28 +8,29 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._events import (
+from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation.chains.events import (
     ChainCurve,
     ChainSpot,
     events_between,
     range_ends,
     returns,
 )
-from rocksteady.dynamics.continuation._family import (
+from rocksteady.dynamics.continuation.chains.family import (
     LARGEST_STEP,
     Course,
     Family,
     checked_ranges,
 )
-from rocksteady.dynamics.continuation._from_orbit import chain_at
-from rocksteady.dynamics.continuation._predictor_corrector import (
+from rocksteady.dynamics.continuation.chains.point_types import MARGINAL, PointType
+from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     Curve,
     LostError,
     Spot,
     StalledError,
 )
-from rocksteady.dynamics.continuation._switching import switched
-from rocksteady.dynamics.continuation.points import MARGINAL, BranchPoint, PointType
+from rocksteady.dynamics.continuation.chains.switching import switched
+from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
@@ -62,9 +63,10 @@ def follow_branch(
     Parameters
     ----------
     origin
-        An orbit without rest, or a point of another branch.
+        An orbit without rest, of either model and of any block that rocks on both sides, or a point
+        of another branch.
     parameter
-        "amplitude", "frequency_ratio" or "restitution".
+        "amplitude", "frequency_ratio" or "restitution", which is that of both impacts.
     within
         The range of it; the branch ends where it leaves it.
     direction
@@ -92,8 +94,10 @@ def follow_branch(
     InputError
         If a value is outside its range, or the origin is.
     ModelError
-        If the origin comes to rest, passes through the floor and `inadmissible` is off, or nothing
-        branches off there.  From a graze into the floor the branch has its start alone.
+        If the origin comes to rest, is one of a block against a wall, passes through the floor and
+        `inadmissible` is off, or nothing branches off there; or if the parameter is a restitution
+        that differs between the block's impacts.  From a graze into the floor the branch has its
+        start alone.
 
     Examples
     --------

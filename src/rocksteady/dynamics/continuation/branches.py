@@ -1,23 +1,32 @@
 """All connected branches over a parameter, followed through every bifurcation."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._chain import MERGED, Chain
-from rocksteady.dynamics.continuation._family import LARGEST_STEP, checked_ranges
 from rocksteady.dynamics.continuation._from_orbit import chain_at
-from rocksteady.dynamics.continuation._switching import switched
 from rocksteady.dynamics.continuation.branch import follow_branch
-from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
+from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
+from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP, checked_ranges
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.chains.switching import switched
+from rocksteady.dynamics.continuation.points import Branch, BranchPoint
+from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.parameters import PARAMETERS
-from rocksteady.errors import InputError, ModelError
+from rocksteady.dynamics.orbits.return_map import bare_block
+from rocksteady.dynamics.orbits.search import find_orbits
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import odd_order, whole_number
+from rocksteady.model.equations import Model
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.segments import Harmonic
 
 SAME = 1e-5
 """Difference of phases [rad] up to which two orbits are one."""
@@ -25,9 +34,16 @@ NEAR = 0.02
 """Difference of phases [rad] of an orbit and a chord between two points of its branch."""
 SAME_PLACE = 1e-7
 """Difference of a parameter, relative to its range, up to which two bifurcations are one."""
+PLACES = 9
+"""Values over the range at which closed forms are asked for orbits, or a search of a block whose
+sides differ."""
+SEEDS = 24
+"""Of phase and of speed each, of that search."""
 DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.GRAZING)
 
 
+MOST_CYCLES = 1_000_000
+"""Of a sweep's value, as `find_attractor` has it."""
 MOST = 1000
 """Of periods and impacts, as `find_orbits` has it."""
 
@@ -39,11 +55,12 @@ class BranchSearch:
 
     Parameters
     ----------
-    order
-        n = 1, 3, 5, ... of the symmetric motions in closed form from which branches are followed.
+    orders
+        Each n = 1, 3, 5, ... of the symmetric motions in closed form from which branches are
+        followed (default 1 alone); sweeps that begin on a steady state take the first.
     max_period, max_impacts
         Longest orbits that are branched off to [forcing periods, impacts]; by default 4 times the
-        order, and 12.
+        largest order, and 12.
     max_branches
         After so many (default 100) no further one is begun at a bifurcation.
     everywhere
@@ -51,31 +68,39 @@ class BranchSearch:
         and in its middle; they may be many.
     doublings
         Of the longest cascade (default 6, at most 8); 0 follows none.
+    max_cycles
+        Forcing periods at each value of a sweep (default 2000), as for `find_attractor`.
 
     Raises
     ------
     InputError
-        If a number is outside its range.
+        If a number is outside its range, or there is no order.
     """
 
-    order: int = 1
+    orders: tuple[int, ...] = (1,)
     max_period: int | None = None
     max_impacts: int = 12
     max_branches: int = 100
     everywhere: bool = False
     doublings: int = 6
+    max_cycles: int = 2000
 
     def __post_init__(self) -> None:
         """Validate."""
         hint = "give a whole number"
-        order = odd_order(self.order)
-        whole_number("order", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
-        longest = min(4 * order, MOST) if self.max_period is None else self.max_period
+        orders = tuple(dict.fromkeys(odd_order(order, name="orders") for order in self.orders))
+        if not orders:
+            raise InputError("orders", self.orders, "there must be one", "give orders=(1,)")
+        for order in orders:
+            whole_number("orders", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
+        object.__setattr__(self, "orders", orders)
+        longest = min(4 * max(orders), MOST) if self.max_period is None else self.max_period
         for name, value, least, most in (
             ("max_period", longest, 1, MOST),
             ("max_impacts", self.max_impacts, 1, MOST),
             ("max_branches", self.max_branches, 1, 10 * MOST),
             ("doublings", self.doublings, 0, 8),
+            ("max_cycles", self.max_cycles, 1, MOST_CYCLES),
         ):
             whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
             object.__setattr__(self, name, whole)
@@ -94,9 +119,9 @@ def find_branches(
 ) -> tuple[Branch, ...]:
     """Follow orbits over a parameter in both directions, and all branches that bifurcate from them.
 
-    Of mirror images one is followed.  At a graze branches begin with the two new impacts in every
-    half of a symmetric orbit and in one alone, and in every period or in every other; branches with
-    one touch in three periods or more are not looked for.
+    Of mirror images one is followed; a block whose sides differ has none.  At a graze branches
+    begin with the two new impacts in every half of a symmetric orbit and in one alone, and in every
+    period or in every other; branches with one touch in three periods or more are not looked for.
 
     Parameters
     ----------
@@ -123,7 +148,7 @@ def find_branches(
     Raises
     ------
     InputError, ModelError
-        If a value is outside its range, or an origin comes to rest.
+        If a value is outside its range, or an origin is none for `follow_branch`.
 
     Examples
     --------
@@ -276,3 +301,85 @@ def _between(one: Chain, other: Chain, chain: Chain, index: int) -> Chain | None
     share = (value - low) / (high - low) if high != low else 0.0
     turned = (other.turns - one.turns) * math.pi
     return one.moved(one.phases + share * (other.phases + turned - one.phases), chain.parameters)
+
+
+def refuse_wall(block: Block | DimensionlessBlock, what: str) -> None:
+    """Refuse a block against a wall.
+
+    Raises
+    ------
+    InputError, ModelError
+        If it is no block, or is such a one.
+    """
+    if bare_block(block).one_sided:
+        raise ModelError(
+            "block",
+            Words("stands against a wall"),
+            f"{what} are followed of blocks that rock on both sides",
+            "its periodic motions are found by `find_orbits`, along a parameter by "
+            "`sweep_attractor`",
+        )
+
+
+def simple_orbits(
+    block: Block | DimensionlessBlock,
+    motion: PeriodicMotion,
+    parameter: str,
+    within: tuple[float, float],
+    search: BranchSearch,
+    model: Model,
+) -> Iterator[Orbit]:
+    """Yield the motions of each order with two impacts at several values.
+
+    Under harmonic shaking of a block whose sides are alike they are symmetric, from the closed
+    form.
+    """
+    low, high = within
+    alike = block.symmetric and isinstance(motion, Harmonic)
+    seeds = 1 if alike else SEEDS
+    for order in search.orders:
+        for place in range(PLACES):
+            share = place / (PLACES - 1)
+            here = moved_to(block, motion, parameter, (1.0 - share) * low + share * high)
+            for orbit in find_orbits(
+                *here, max_period=order, max_impacts=2, seeds=seeds, model=model
+            ):
+                known = orbit.branch is not None if alike else orbit.impacts == 2
+                if known and orbit.period == order and orbit.admissible:
+                    yield orbit
+
+
+def searched_orbits(
+    block: Block | DimensionlessBlock,
+    motion: PeriodicMotion,
+    parameter: str,
+    within: tuple[float, float],
+    search: BranchSearch,
+    model: Model,
+) -> Iterator[Orbit]:
+    """Yield all orbits without rest that a search finds at both ends and in the middle."""
+    low, high = within
+    for value in (low, 0.5 * (low + high), high):
+        here = moved_to(block, motion, parameter, value)
+        longest, most = int(search.max_period or 0), search.max_impacts
+        for orbit in find_orbits(*here, max_period=longest, max_impacts=most, model=model):
+            if orbit.admissible and not orbit.rest_phases:
+                yield orbit
+
+
+def settled_orbits(sweeps: Iterable[AttractorSweep], search: BranchSearch) -> list[Orbit]:
+    """Return an orbit in the middle of every run of one kind that sweeps met, short ones first.
+
+    Those that come to rest have no branch.
+    """
+    found = [run[len(run) // 2].orbit for sweep in sweeps for _, _, run in sweep.runs()]
+    fitting = [
+        (orbit.period, orbit.impacts, orbit)
+        for orbit in found
+        if orbit is not None and orbit.impacts is not None
+    ]
+    return [
+        orbit
+        for period, impacts, orbit in sorted(fitting, key=lambda each: each[:2])
+        if period <= int(search.max_period or 0) and impacts <= search.max_impacts
+    ]

@@ -3,25 +3,39 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._branch_facts import cascade_notes, cascade_table
-from rocksteady.dynamics.continuation._family import LARGEST_STEP
+from rocksteady.dynamics.continuation._datasets import cascade_dataset
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
-from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
+from rocksteady.dynamics.continuation.branch_facts import (
+    cascade_notes,
+    cascade_table,
+    model_facts,
+    model_text,
+    orders_text,
+    series_facts,
+)
+from rocksteady.dynamics.continuation.chains.family import LARGEST_STEP
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import ModelError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import OfLinear
+from rocksteady.model.equations import Model
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +49,7 @@ SHRINKING = 0.5
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class DoublingCascade(OfLinear, Result):
+class DoublingCascade(Result):
     """Period doublings, each on the branch created by the previous one.
 
     Attributes
@@ -48,6 +62,16 @@ class DoublingCascade(OfLinear, Result):
 
     parameter: str
     points: tuple[BranchPoint, ...]
+
+    @property
+    def block(self) -> Block | DimensionlessBlock:
+        """The block, with the restitution of the first doubling."""
+        return self.points[0].block
+
+    @property
+    def model(self) -> Model:
+        """Which equations of motion hold: `Linear` or `Nonlinear`."""
+        return self.points[0].model
 
     @cached_property
     def values(self) -> Floats:
@@ -85,16 +109,41 @@ class DoublingCascade(OfLinear, Result):
             "limit": self.limit,
         }
 
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the doublings as an xarray Dataset with dimension doubling.
+
+        Returns
+        -------
+        xarray.Dataset
+            Period and impacts of what is doubled, ``distance`` to the next doubling and ``ratio``
+            of two distances, nan where there is none; the three parameters as coordinates, the
+            limit among the attributes.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, find_cascade, find_orbits
+        >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+        >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
+        >>> within = {"within": (1.7, 2.0), "direction": -1, "doublings": 3}
+        >>> data = find_cascade(origin, "frequency_ratio", **within).to_dataset()
+        >>> print(data.period.values, data.ratio.values.round(3))
+        [1 2 4] [  nan 6.107   nan]
+        """
+        return cascade_dataset(self)
+
     def describe(self) -> Description:
         """Return the doublings, the distances between them, and their ratios."""
         values, symbol = self.values_by_name(), SYMBOLS[self.parameter]
+        waves = self.points[0].chain.harmonics
         return Description(
             f"Cascade of {plural(len(self.points), 'period doubling')}: {symbol} from "
-            f"{self.values[0]:.6g} to {self.values[-1]:.6g}, linear model",
+            f"{self.values[0]:.6g} to {self.values[-1]:.6g}{orders_text(waves)}, "
+            f"{model_text(self.block, self.model)}",
             [
                 Fact("parameter", self.parameter),
                 *(Fact(key, value) for key, value in values.items()),
-                Fact("model", "linear", "model"),
+                *series_facts(waves),
+                *model_facts(self.block, self.model),
             ],
             [cascade_table(values, self.parameter)],
             cascade_notes(values),

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
 from functools import cached_property
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
@@ -10,88 +9,57 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._branch_facts import (
+from rocksteady.dynamics.continuation._datasets import branches_dataset
+from rocksteady.dynamics.continuation.branch_facts import (
     BARE,
     bifurcations_table,
     branch_values,
+    model_facts,
+    model_text,
+    orders_text,
+    point_case,
     point_row,
     point_values,
+    series_facts,
     stable_text,
 )
-from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.chains.point_types import (
+    BIFURCATIONS,
+    GRAZES,
+    MARGINAL,
+    REASONS,
+    PointType,
+)
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.verdicts import multipliers_text
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
+from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.equations import Linear, OfLinear
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.equations import Model
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray
 
 Floats = NDArray[np.float64]
 
 
-class PointType(StrEnum):
-    """Type of a point on a branch."""
-
-    REGULAR = "regular"
-    FOLD = "fold"
-    """Two orbits of one kind meet and the branch turns back: a multiplier passes 1."""
-    SYMMETRY_BREAKING = "symmetry-breaking"
-    """Two orbits that lean, mirror images of each other, branch off a symmetric one: half of it
-    has the multiplier -1."""
-    PERIOD_DOUBLING = "period-doubling"
-    """A multiplier passes -1, and an orbit of twice the period branches off."""
-    GRAZING = "grazing"
-    """The block touches its base between two impacts, or two impacts merge: beyond, the solution
-    passes through the floor.  A branch loses its admissibility in no other way."""
-    RANGE_END = "end-of-range"
-    """The branch leaves the range of its parameter."""
-    CLOSED = "closed"
-    """The branch is back where it began."""
-    LIMIT = "limit"
-    """As many points were followed as were asked for."""
-    LOST = "lost"
-    """The branch could not be followed on."""
-    STALLED = "stalled"
-    """The branch could be followed on in steps only that get nowhere."""
-
-
-REASONS = {
-    PointType.RANGE_END: "a parameter leaves its range",
-    PointType.CLOSED: "it is back where it began",
-    PointType.LIMIT: "as many points were followed as were asked for",
-    PointType.LOST: "no next point satisfies its equations, however near",
-    PointType.STALLED: "200 steps together were shorter than the largest one: the equations are "
-    "near to singular there, or rounding is as large as what they ask for",
-    PointType.GRAZING: "beyond, the solution passes through the floor",
-}
-"""Why a branch or a curve ends at a point of a type."""
-
-
-BIFURCATIONS = (
-    PointType.FOLD,
-    PointType.SYMMETRY_BREAKING,
-    PointType.PERIOD_DOUBLING,
-    PointType.GRAZING,
-)
 CLOSING = 1e-6
 """Residual up to which the flights of an orbit count as staying on it."""
-MARGINAL = BIFURCATIONS[:3]
-"""Where a multiplier lies on the unit circle, and rounding may not decide on stability."""
 
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class BranchPoint(OfLinear, Result):
+class BranchPoint(Result):
     """A periodic orbit on a branch.
 
     Attributes
@@ -126,6 +94,16 @@ class BranchPoint(OfLinear, Result):
         return float(self.chain.parameters[2])
 
     @property
+    def block(self) -> Block | DimensionlessBlock:
+        """The block, with the restitution there."""
+        return self.chain.body
+
+    @property
+    def model(self) -> Model:
+        """Which equations of motion hold: `Linear` or `Nonlinear`."""
+        return self.chain.model
+
+    @property
     def reason(self) -> str:
         """Why a branch or a curve that ends at this point ends; empty where its type is no end."""
         return REASONS.get(self.type, "")
@@ -154,15 +132,15 @@ class BranchPoint(OfLinear, Result):
     def multipliers(self) -> NDArray[np.complex128]:
         """Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first.
 
-        Their product is restitution^(2 impacts): a pair never leaves the unit circle together, and
-        there is no Neimark-Sacker bifurcation.
+        Their product is that of the squares of the restitutions of all impacts: a pair never leaves
+        the unit circle together, and there is no Neimark-Sacker bifurcation.
         """
         return self.chain.multipliers
 
     @cached_property
     def admissible(self) -> bool:
         """Whether it is a motion: no flight passes through the floor."""
-        return self.type is PointType.GRAZING or self.chain.admissible
+        return self.type in GRAZES or self.chain.admissible
 
     @property
     def stable(self) -> bool:
@@ -170,7 +148,7 @@ class BranchPoint(OfLinear, Result):
 
         Not at a bifurcation, where one of them lies on it.
         """
-        marginal = self.type in MARGINAL or self.restitution == 1.0
+        marginal = self.type in MARGINAL or self.block.lossless
         return bool(self.admissible and not marginal and modulus(self.multipliers[0]) < 1.0)
 
     @cached_property
@@ -194,16 +172,27 @@ class BranchPoint(OfLinear, Result):
             "multipliers": ("multipliers", multipliers_text(values["multipliers"])),
         }
         return Description(
-            f"{kind.capitalize()}: {place}, restitution {self.restitution:.8g}, linear model",
+            f"{kind.capitalize()}: {place}, {point_case(self)}",
             [
                 *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
                 Fact("stable", self.stable, "stable"),
                 Fact("admissible", self.admissible),
                 Fact("arclength", self.arclength),
-                Fact("model", "linear", "model"),
+                *series_facts(self.chain.harmonics),
+                *model_facts(self.block, self.model),
             ],
             notes=[self.reason] if self.reason else [],
         )
+
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the orbit there; arguments are those of `rocksteady.plot_section`.
+
+        Raises
+        ------
+        ModelError
+            As `orbit`.
+        """
+        return self.orbit().plot(*arguments, **options)
 
     def orbit(self) -> Orbit:
         """Return the orbit there.
@@ -215,18 +204,19 @@ class BranchPoint(OfLinear, Result):
         ModelError
             If the solution passes through the floor, or grazes it.
         """
-        block = DimensionlessBlock(restitution=self.restitution)
-        motion = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
-        system, sections = make_system(block, motion, Linear()), self.chain.sections
+        block, model = self.block, self.model
+        motion = self.chain.motion
+        system, sections = make_system(block, motion, model), self.chain.sections
         table = np.zeros((len(sections), periodic.ORBIT_COLUMNS))
         for row, section in enumerate(sections):
             periodic.put(table, row, section)
         residual = math.inf
         if self.chain.admissible:
-            residual = periodic.measured(system, len(sections), self.period, table).residual
+            measured = for_system(periodic.measured, system)
+            residual = measured(system, len(sections), self.period, table).residual
         if residual < CLOSING:
-            return orbit_from(block, motion, table, self.period, residual, Linear())
-        if not self.chain.admissible or self.type is PointType.GRAZING:
+            return orbit_from(block, motion, table, self.period, residual, model)
+        if not self.chain.admissible or self.type in GRAZES:
             raise ModelError(
                 "point",
                 self.type.value,
@@ -245,6 +235,7 @@ class BranchPoint(OfLinear, Result):
             lowest=float(self.peaks.min()),
             multipliers=self.multipliers,
             residual=math.nan,
+            model=model,
         )
 
 
@@ -271,7 +262,7 @@ class Stretch:
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Branch(OfLinear, Result):
+class Branch(Result):
     """A periodic orbit followed over a parameter.
 
     Attributes
@@ -284,6 +275,16 @@ class Branch(OfLinear, Result):
 
     parameter: str
     points: tuple[BranchPoint, ...]
+
+    @property
+    def block(self) -> Block | DimensionlessBlock:
+        """The block, with the restitution of the first point."""
+        return self.points[0].block
+
+    @property
+    def model(self) -> Model:
+        """Which equations of motion hold: `Linear` or `Nonlinear`."""
+        return self.points[0].model
 
     @cached_property
     def values(self) -> Floats:
@@ -334,7 +335,10 @@ class Branch(OfLinear, Result):
         """Return 1, or -1 where the branch leans to the negative side.
 
         `rocksteady.find_orbits` lists the orbits that lean to the positive side: the mirror images.
+        Of a block whose sides differ, and under even orders, there are none, and it is 1.
         """
+        if not self.points[0].chain.alike:
+            return 1.0
         return 1.0 if np.nanmax(self.peaks) >= -np.nanmin(self.peaks) else -1.0
 
     def rows(self) -> list[dict[str, Any]]:
@@ -346,6 +350,29 @@ class Branch(OfLinear, Result):
         import pandas as pd
 
         return pd.DataFrame(self.rows())
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the points as an xarray Dataset with dimensions point and flight.
+
+        Returns
+        -------
+        xarray.Dataset
+            The columns of `to_dataframe` over point, in order of arclength: the three parameters as
+            coordinates, ``type`` with flags, multipliers by their parts.  ``peaks`` over point and
+            flight: extreme theta/alpha, nan of a flight that is none.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, find_branches, find_orbits
+        >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.2)
+        >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)
+        >>> branch = find_branches(starts[:1], "amplitude", (1.8, 2.2), max_period=1)[0]
+        >>> data = branch.to_dataset()
+        >>> print(data.peaks.dims, data.amplitude.values[[0, -1]], data.stable.values.all())
+        ('point', 'flight') [1.8 2.2] True
+        """
+        data = branches_dataset([self], list(PointType), BARE).drop_vars("branch")
+        return data.assign_attrs(parameter=self.parameter, model=self.model.name)
 
     def describe(self) -> Description:
         """Return what the branch is, its ends, where it is stable, and its bifurcations."""
@@ -363,11 +390,13 @@ class Branch(OfLinear, Result):
         }
         return Description(
             f"{kind} branch, {plural(self.period, 'period')}, {plural(self.impacts, 'impact')}: "
-            f"{symbol} from {low:.6g} to {high:.6g}, linear model",
+            f"{symbol} from {low:.6g} to {high:.6g}{orders_text(self.points[0].chain.harmonics)}, "
+            f"{model_text(self.block, self.model)}",
             [
                 Fact("parameter", self.parameter),
                 *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
-                Fact("model", "linear", "model"),
+                *series_facts(self.points[0].chain.harmonics),
+                *model_facts(self.block, self.model),
             ],
             [bifurcations_table(special, self.parameter, BARE, key="bifurcations")],
         )
@@ -403,6 +432,6 @@ class Branch(OfLinear, Result):
         bound.
         """
         point = self.points[index]
-        lossless = self.parameter == "restitution" and point.restitution == 1.0
+        lossless = self.parameter == "restitution" and point.block.lossless
         undecided = (*BIFURCATIONS, PointType.LOST, PointType.STALLED)
         return point.type not in undecided and not lossless

@@ -116,7 +116,10 @@ def _nonlinear_flights(course: Course) -> Iterator[tuple[float, Matrix]]:
     rates = sides[side, columns.RATE]
     flying = (rows[:, columns.ROW_SIDE] != 0.0) & (durations * rates <= LONGEST_FLIGHT)
     index = rows[:, columns.ROW_SEGMENT].astype(np.int64)
-    turned = durations * np.maximum(rates / STEP, segments[index, columns.FREQUENCY] / TURN)
+    quickest = segments[index, columns.FREQUENCY]
+    if segments.shape[1] > columns.ORDERS:
+        quickest = quickest * np.maximum(segments[index, columns.ORDERS], 1.0)
+    turned = durations * np.maximum(rates / STEP, quickest / TURN)
     steps = np.where(flying, np.maximum(np.ceil(np.where(flying, turned, 0.0)), 1.0), 0.0)
     counts = steps.astype(np.int64)
     first = 0

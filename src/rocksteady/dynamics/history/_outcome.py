@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.motions.pulses import Pulse
-from rocksteady.model.motions.record import Record
-from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motion_facts import motion_facts, motion_text
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, number, quantity
@@ -57,7 +56,8 @@ def description_of(run: Described) -> Description:
         Fact("flights", len(run.rows)),
         *_restitutions(run),
         *_times(run),
-        *_motion(run),
+        *motion_facts(run.block, run.motion, run.vertical),
+        *_body(run),
         *_demands(run),
     ]
     grown = run.growth
@@ -70,7 +70,8 @@ def description_of(run: Described) -> Description:
             f"A small difference grows {words}: rounding decides how the run goes on, and another "
             "way of computing it may end otherwise."
         )
-    words = f"{outcome(run)}: {run.block.describe().headline} on {motion_words(run)}"
+    motion = motion_text(run.block, run.motion, run.vertical)
+    words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
     return Description(f"{words}, {run.model.name} model", facts, notes=notes)
 
 
@@ -91,39 +92,12 @@ def outcome(run: Described) -> str:
 def time_words(run: Described, pt: float) -> str:
     """Return a pivot time, in seconds first where the block has a size, in periods of shaking."""
     parts = [f"pt {number(pt)}"]
-    if isinstance(run.motion, Harmonic):
+    if isinstance(run.motion, PeriodicMotion):
         periods = pt * run.motion.frequency_ratio / (2.0 * math.pi)
         parts.append(f"{number(periods)} periods")
     if not isinstance(run.block, Block):
         return f"{parts[0]} ({parts[1]})" if len(parts) > 1 else parts[0]
     return f"{quantity(pt / run.block.p, 's')} ({', '.join(parts)})"
-
-
-def _pulse_words(pulse: Pulse) -> str:
-    """Return the name of a pulse."""
-    return f"a {'reversed ' if pulse.reverse else ''}{pulse.shape} pulse"
-
-
-def motion_words(run: Described) -> str:
-    """Return the base motion in a few words."""
-    motion, block = run.motion, run.block
-    if isinstance(motion, Record):
-        peak = quantity(motion.peak_acceleration_m_s2 / STANDARD_GRAVITY, "g")
-        words = f"{motion.name or 'a record'} (PGA {peak})"
-    elif isinstance(motion, Harmonic | Pulse):
-        words = "harmonic shaking" if isinstance(motion, Harmonic) else _pulse_words(motion)
-        ratios = f"A = {number(motion.amplitude)}, Omega = {number(motion.frequency_ratio)}"
-        if isinstance(block, Block):
-            level = quantity(motion.acceleration_m_s2(block) / block.gravity, "g")
-            ratios = f"{level} at {quantity(motion.frequency_hz(block), 'Hz')}, {ratios}"
-        words += f" ({ratios})"
-    elif isinstance(motion, Still):
-        words = "a still base"
-    else:
-        words = f"a {type(motion).__name__} motion"
-    if run.vertical is None:
-        return words
-    return f"{words} with a vertical motion"
 
 
 def peak_words(peak: float, alpha: float | None) -> str:
@@ -180,36 +154,10 @@ def _times(run: Described) -> Iterator[Fact]:
         yield Fact(f"{name}_time_pt", pt, **shown)
 
 
-def _motion(run: Described) -> Iterator[Fact]:
-    """Yield the base motion as the block felt it, and the measures of the block."""
-    motion, block = run.motion, run.block
-    if isinstance(motion, Harmonic | Pulse):
-        if isinstance(motion, Pulse):
-            yield Fact("pulse", motion.shape)
-        yield Fact("amplitude", motion.amplitude)
-        yield Fact("frequency_ratio", motion.frequency_ratio)
-        if isinstance(block, Block):
-            yield Fact("accel_g", motion.acceleration_m_s2(block) / block.gravity)
-            yield Fact("freq_hz", motion.frequency_hz(block))
-        if isinstance(motion, Harmonic):
-            yield Fact("phase", motion.phase)
-        else:
-            yield Fact("reversed", motion.reverse)
-            yield Fact("duration_pt", motion.duration)
-            if isinstance(block, Block):
-                yield Fact("duration_s", motion.duration / block.p)
-    elif isinstance(motion, Record):
-        yield Fact("record", motion.name)
-        yield Fact("npts", len(motion.acceleration_m_s2))
-        yield Fact("dt_s", motion.dt_s)
-        yield Fact("duration_s", motion.duration_s)
-        if isinstance(run.vertical, Record):
-            peak = run.vertical.peak_acceleration_m_s2 / STANDARD_GRAVITY
-            words = f"{run.vertical.name or 'a record'} ({quantity(peak, 'g')})"
-            yield Fact("vertical", run.vertical.name, "vertical motion", words)
-            yield Fact("vertical_pga_g", peak)
-    if isinstance(block, Block):
-        yield Fact("block", block.to_dict())
+def _body(run: Described) -> Iterator[Fact]:
+    """Yield the measures of the block."""
+    if isinstance(run.block, Block):
+        yield Fact("block", run.block.to_dict())
 
 
 def _demands(run: Described) -> Iterator[Fact]:

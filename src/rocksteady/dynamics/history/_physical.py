@@ -19,8 +19,9 @@ from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.model.motions.segments import Still
 
 if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -76,7 +77,7 @@ class Physical:
         return pt / self.block.p if pt is not None and isinstance(self.block, Block) else None
 
     def _tau(self, pt: float | None) -> float | None:
-        if pt is None or not isinstance(self.motion, Harmonic):
+        if pt is None or not isinstance(self.motion, PeriodicMotion):
             return None
         return pt * self.motion.frequency_ratio
 
@@ -150,7 +151,7 @@ class Physical:
         ModelError
             If the shaking is not harmonic.
         """
-        if not isinstance(self.motion, Harmonic):
+        if not isinstance(self.motion, PeriodicMotion):
             raise ModelError(
                 "motion",
                 self.motion,
@@ -202,7 +203,7 @@ class Physical:
         views = {"pt": self.__call__, "t_s": self.at_time, "tau": self.at_tau}
         motion = views[names[0]](time)
         phase = None
-        if isinstance(self.motion, Harmonic):
+        if isinstance(self.motion, PeriodicMotion):
             # From the clock of its flight, which keeps its digits in long runs.
             at = float(motion.pt)
             row = int(np.searchsorted(self.flights.pt, at, side="right")) - 1
@@ -214,7 +215,7 @@ class Physical:
     @property
     def _shaken_block(self) -> Block | None:
         """The block, if it has a size and the base a motion that ends, of finite acceleration."""
-        endless = isinstance(self.motion, Harmonic | Still) and self.vertical is None
+        endless = isinstance(self.motion, PeriodicMotion | Still) and self.vertical is None
         struck = self.segments[:, columns.JUMP].any()
         return self.block if isinstance(self.block, Block) and not (endless or struck) else None
 

@@ -5,19 +5,56 @@ displacements in units of alpha g/p^2.
 """
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.history.lowering import ceilings, samples_alike
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import acos, sin, sincos
 
 Floats = NDArray[np.float64]
 
+CELLS = 64
+"""Parts of the shortest wave of a series in which its crests are looked for."""
+
 
 def segment_starts(segments: Floats) -> Floats:
     """Return the pivot time at which each segment starts."""
     return np.concatenate([[0.0], np.cumsum(segments[:-1, columns.DURATION])])
+
+
+def motion_after(table: Floats, time: float, *, struck: bool = False) -> Floats:
+    """Return the segments of a motion from a pivot time on, without the still base after it.
+
+    Parameters
+    ----------
+    table
+        The motion, with the still base after it.
+    time
+        From 0 on; no row is left where the motion has ended.
+    struck
+        Whether an impulse of the motion at that very time is still to come; by default the block
+        has felt it.
+    """
+    starts = segment_starts(table)
+    index = int(np.searchsorted(starts, time, side="right")) - 1
+    rest = table[index:-1].copy()
+    if not len(rest):
+        return rest
+    since = max(time - float(starts[index]), 0.0)
+    first = rest[0]
+    first[columns.DURATION] -= since
+    if since > 0.0 or not struck:
+        first[columns.JUMP] = 0.0
+    first[columns.CONSTANT] += first[columns.SLOPE] * since
+    first[columns.PHASE] += first[columns.FREQUENCY] * since
+    if rest.shape[1] > columns.LIFT:
+        first[columns.LIFT] += first[columns.LIFT_SLOPE] * since
+    rest[:, columns.CEILING] = ceilings(rest)
+    rest[:, columns.ALIKE] = samples_alike(rest)
+    return np.ascontiguousarray(rest)
 
 
 def pulse_times(segments: Floats, per_period: int) -> list[Floats]:
@@ -61,13 +98,7 @@ def base_acceleration(segments: Floats, s: ArrayLike) -> Floats:
     """Return the base acceleration at pivot times, in units of alpha g."""
     index, since = _place(segments, s)
     row = segments[index]
-    result: Floats = (
-        row[..., columns.CONSTANT]
-        + row[..., columns.SLOPE] * since
-        + row[..., columns.AMPLITUDE]
-        * sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
-    )
-    return result
+    return _acceleration(row, since)
 
 
 def lift(segments: Floats, s: ArrayLike) -> Floats:
@@ -88,11 +119,7 @@ def accelerations_in(
     At the end of a segment it is the value there, not that with which the next one begins.
     """
     row, since = segments[index], s - segment_starts(segments)[index]
-    across: Floats = (
-        row[:, columns.CONSTANT]
-        + row[:, columns.SLOPE] * since
-        + row[:, columns.AMPLITUDE] * sin(row[:, columns.FREQUENCY] * since + row[:, columns.PHASE])
-    )
+    across = _acceleration(row, since)
     if segments.shape[1] <= columns.LIFT:
         return across, np.zeros(len(row))
     return across, row[:, columns.LIFT] + row[:, columns.LIFT_SLOPE] * since
@@ -107,7 +134,9 @@ def peak_acceleration(segments: Floats) -> float:
             lasting = 0.0
         frequency, phase = row[[columns.FREQUENCY, columns.PHASE]]
         at = np.array([0.0, lasting])
-        if amplitude:
+        if amplitude and _is_series(row):
+            at = np.concatenate([at, _crests(row, lasting)])
+        elif amplitude:
             # Where slope + amplitude frequency cos(turned) is 0.
             level = acos(np.clip(-slope / (amplitude * frequency), -1.0, 1.0))
             turns = np.arange(
@@ -117,7 +146,7 @@ def peak_acceleration(segments: Floats) -> float:
             turned = np.concatenate([2.0 * math.pi * turns + level, 2.0 * math.pi * turns - level])
             inner = (turned - phase) / frequency
             at = np.concatenate([at, inner[(inner > 0.0) & (inner < lasting)]])
-        value = row[columns.CONSTANT] + slope * at + amplitude * sin(frequency * at + phase)
+        value = _acceleration(row, at)
         peak = max(peak, float(np.abs(value).max()))
     return peak
 
@@ -133,7 +162,11 @@ def largest_acceleration(segments: Floats) -> float:
 def swinging_displacement(segments: Floats, s: ArrayLike) -> Floats:
     """Return the displacement of a base in endless harmonic shaking, to and fro about 0."""
     a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
-    result: Floats = -a / (w * w) * sin(w * np.asarray(s, dtype=np.float64) + phase)
+    turned = w * np.asarray(s, dtype=np.float64) + phase
+    result: Floats = np.zeros(np.shape(turned))
+    for order, p, q in _waves(segments[0]):
+        sine, cosine = sincos(order * turned)
+        result = result - a / (w * w) * (p * sine + q * cosine) / (order * order)
     return result
 
 
@@ -165,11 +198,77 @@ def _gains(rows: Floats, since: Floats) -> tuple[Floats, Floats]:
     constant, slope = rows[..., columns.CONSTANT], rows[..., columns.SLOPE]
     phase, frequency = rows[..., columns.PHASE], rows[..., columns.FREQUENCY]
     w = np.where(frequency > 0.0, frequency, 1.0)  # without one there is no amplitude
-    swing = rows[..., columns.AMPLITUDE] / w
-    turned = w * since + phase
-    (sine, cosine), (late_sine, late_cosine) = sincos(phase), sincos(turned)
-    velocity = since * (constant + since * slope / 2.0) + swing * (cosine - late_cosine)
-    displacement = since * since * (constant / 2.0 + since * slope / 6.0) + swing * (
-        since * cosine - (late_sine - sine) / w
-    )
+    velocity = since * (constant + since * slope / 2.0)
+    displacement = since * since * (constant / 2.0 + since * slope / 6.0)
+    for order, p, q in _waves(rows):
+        turn = order * w
+        swing = rows[..., columns.AMPLITUDE] / turn
+        sine, cosine = sincos(order * phase)
+        late_sine, late_cosine = sincos(order * (w * since + phase))
+        faster, slower = cosine - late_cosine, late_sine - sine
+        velocity = velocity + swing * (p * faster + q * slower)
+        displacement = displacement + swing * (
+            p * (since * cosine - slower / turn) + q * (faster / turn - since * sine)
+        )
     return velocity, displacement
+
+
+def _acceleration(rows: Floats, since: Floats) -> Floats:
+    """Return the base acceleration in segments a time after their start."""
+    turned = rows[..., columns.FREQUENCY] * since + rows[..., columns.PHASE]
+    if not _is_series(rows):
+        swing = sin(turned)
+    else:
+        swing = np.zeros(np.shape(turned))
+        for order, p, q in _waves(rows):
+            sine, cosine = sincos(order * turned)
+            swing = swing + (p * sine + q * cosine)
+    result: Floats = (
+        rows[..., columns.CONSTANT]
+        + rows[..., columns.SLOPE] * since
+        + rows[..., columns.AMPLITUDE] * swing
+    )
+    return result
+
+
+def _is_series(rows: Floats) -> bool:
+    """Return whether a Fourier series is in a table of segments, or in one of them."""
+    return bool(rows.shape[-1] > columns.ORDERS)
+
+
+def _waves(rows: Floats) -> Iterator[tuple[int, Floats | float, Floats | float]]:
+    """Yield the orders of shaking, and the shares of their sine and cosine in each segment."""
+    if not _is_series(rows):
+        yield 1, 1.0, 0.0
+        return
+    single = rows[..., columns.ORDERS] == 0.0
+    for at in range(columns.SHARES, rows.shape[-1], 2):
+        order = 1 + (at - columns.SHARES) // 2
+        p, q = rows[..., at], rows[..., at + 1]
+        if p.any() or q.any() or order == 1:
+            yield order, np.where(single, 1.0, p) if order == 1 else p, q
+
+
+def _crests(row: Floats, lasting: float) -> Floats:
+    """Return the times inside a segment at which a Fourier series is stationary."""
+    w, orders = row[columns.FREQUENCY], max(row[columns.ORDERS], 1.0)
+    count = math.ceil(CELLS * orders * max(w * lasting / (2.0 * math.pi), 1.0))
+    low = np.linspace(0.0, lasting, count + 1)
+    rate = _rate(row, low)
+    inside = np.flatnonzero((rate[:-1] > 0.0) != (rate[1:] > 0.0))
+    low, high, rising = low[inside], low[inside + 1], rate[inside] > 0.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        before = (_rate(row, middle) > 0.0) == rising
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return low
+
+
+def _rate(row: Floats, since: Floats) -> Floats:
+    """Return the derivative of a Fourier series by the phase, over its bound."""
+    turned = row[columns.FREQUENCY] * since + row[columns.PHASE]
+    rate = np.zeros(np.shape(turned))
+    for order, p, q in _waves(row):
+        sine, cosine = sincos(order * turned)
+        rate = rate + order * (p * cosine - q * sine)
+    return rate

@@ -10,6 +10,7 @@ from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import LONGEST_DURATION, Motion, Segment, segments_of
 
@@ -30,7 +31,7 @@ def segment_table(
 
     Returns
     -------
-    ndarray, shape (segments, 9)
+    ndarray, shape (segments, 9), or (segments, 13 + 2 orders) of a Fourier series
         Columns as in `rocksteady.kernels.core.tables`; the last segment is endless.
 
     Raises
@@ -45,7 +46,9 @@ def segment_table(
     segments = list(segments_of(motion))
     if not segments or segments[-1].duration != math.inf:
         segments.append(Segment(duration=math.inf))
-    table = np.zeros((len(segments), columns.SEGMENT_COLUMNS))
+    orders = max((wave[0] for segment in segments for wave in segment.harmonics), default=0)
+    width = columns.SHARES + 2 * orders if orders else columns.SEGMENT_COLUMNS
+    table = np.zeros((len(segments), width))
     for row, segment in zip(table, segments, strict=True):
         row[columns.DURATION] = segment.duration
         row[columns.JUMP] = segment.jump
@@ -55,6 +58,11 @@ def segment_table(
         # Kept at amplitude 0 too: it is the clock by which harmonic shaking counts its cycles.
         row[columns.FREQUENCY] = segment.frequency
         row[columns.PHASE] = segment.phase if segment.frequency else 0.0
+        if segment.harmonics:
+            total, shares = shares_of(segment.harmonics)
+            row[columns.AMPLITUDE] *= total
+            row[columns.ORDERS] = len(shares) // 2
+            row[columns.SHARES : columns.SHARES + len(shares)] = shares
     table[:, columns.CEILING] = ceilings(table)
     table[:, columns.ALIKE] = samples_alike(table)
     return table

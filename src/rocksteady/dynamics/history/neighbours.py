@@ -14,9 +14,9 @@ from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
-    Harmonic,
     Motion,
     Piecewise,
     Segment,
@@ -197,7 +197,7 @@ def check_neighbours(trajectory: Trajectory) -> Neighbours:
     26 of 26
     """
     block, motion = trajectory.block, trajectory.motion
-    if not isinstance(block, Block) or isinstance(motion, Harmonic | Still):
+    if not isinstance(block, Block) or isinstance(motion, PeriodicMotion | Still):
         raise ModelError(
             "trajectory",
             Words(f"has {block.describe().headline} on a {type(motion).__name__} motion"),
@@ -280,6 +280,7 @@ def _in_units_of(
             amplitude=size * piece.amplitude,
             frequency=rate * piece.frequency,
             phase=piece.phase,
+            harmonics=piece.harmonics,
         )
         for piece in segments_of(motion)
     )

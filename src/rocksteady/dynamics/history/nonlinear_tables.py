@@ -102,8 +102,8 @@ def nonlinear_segment_table(
     Raises
     ------
     ModelError
-        If the block has no slenderness, or the vertical motion has a sinusoid, an impulse or no
-        end.
+        If the block has no slenderness, the vertical motion has a sinusoid, an impulse or no end,
+        or there is one beside a Fourier series.
     InputError
         As for `rocksteady.dynamics.history.lowering.segment_table`.
     """
@@ -111,6 +111,13 @@ def nonlinear_segment_table(
     flat = segment_table(motion, body)
     if vertical is None:
         return lifted_table(flat)
+    if flat.shape[1] > columns.ORDERS:
+        raise ModelError(
+            "vertical",
+            vertical,
+            "no vertical motion goes with a Fourier series",
+            "leave it out, or sample the horizontal motion into a Record",
+        )
     lifted = segment_table(vertical, body)
     last = lifted[-1]
     if lifted[:, columns.AMPLITUDE].any() or lifted[:, columns.JUMP].any() or last[2:4].any():
@@ -139,6 +146,8 @@ def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0)
     ndarray, shape (segments, 12)
         As for `nonlinear_segment_table`.
     """
+    if flat.shape[1] > columns.ORDERS:
+        return flat  # with room for the vertical motion that there is none of
     if lifted is None:
         table = np.zeros((len(flat), columns.NONLINEAR_SEGMENT_COLUMNS))
         table[:, : columns.SEGMENT_COLUMNS] = flat

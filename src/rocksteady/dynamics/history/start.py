@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.departure import set_off
-from rocksteady.dynamics.history.lowering import side_table
+from rocksteady.dynamics.history.lowering import only_side, side_table
 from rocksteady.dynamics.steady.states import (
     find_steady_states,
     refuse_asymmetric,
@@ -15,7 +15,7 @@ from rocksteady.dynamics.steady.states import (
 )
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import March
+from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, March, is_nonlinear
 from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -28,6 +28,7 @@ from rocksteady.model.checks.validation import (
     positive,
     side_value,
 )
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, segments_of
 
@@ -273,12 +274,12 @@ def initial_march(
     if isinstance(start, Steady):
         motion, state = _steady_state(start, block, motion, sides)
     elif isinstance(start, ImpactState):
-        if not isinstance(motion, Harmonic):
+        if not isinstance(motion, PeriodicMotion):
             raise ModelError(
                 "start",
                 start,
-                "the state after an impact needs harmonic shaking, whose phase it has",
-                "give a Harmonic motion, or start from a State",
+                "the state after an impact needs periodic shaking, whose phase it has",
+                "give a Harmonic or a FourierSeries, or start from a State",
             )
         motion = replace(motion, phase=start.phase)
         state = State(angle=0.0, velocity=start.side * start.speed)
@@ -287,34 +288,51 @@ def initial_march(
     elif isinstance(start, State):
         state = start
         if start.phase is not None:
-            if not isinstance(motion, Harmonic):
+            if not isinstance(motion, PeriodicMotion):
                 raise ModelError(
                     "start",
                     start,
-                    "the phase of a state is that of harmonic shaking",
-                    "give a Harmonic motion, or a State without a phase",
+                    "the phase of a state is that of periodic shaking",
+                    "give a Harmonic or a FourierSeries, or a State without a phase",
                 )
             motion = replace(motion, phase=start.phase)
     else:
         state = State(angle=0.0, velocity=0.0)
     refuse_behind_wall(block, state.angle, state.velocity)
-    half, phase, velocity = 0, 0.0, state.velocity
+    half, phase, jump = 0, 0.0, 0.0
     # The march reads clock and jump of the later segments itself; a record has neither.
     for first in () if isinstance(motion, Record) else segments_of(motion)[:1]:
-        # Each side takes an impulse of the base by its own p^2.
-        leaning = state.angle or velocity + first.jump
-        _, lean, rate = block.sides[0 if leaning > 0.0 else 1]
-        jump = first.jump * (rate * rate)
-        if sides is not None:
-            jump *= jump_share(sides, 1 if leaning > 0.0 else -1, abs(state.angle) / lean)
-        velocity += jump
+        jump = first.jump
         if first.frequency:
             half, phase = clock(first.phase)
-    if block.one_sided and state.angle == 0.0 and velocity < 0.0:  # thrown against the wall
-        velocity = -block.restitution * velocity if state.velocity > 0.0 else 0.0
-    standing = state.angle == 0.0 and velocity == 0.0
-    leans = 0 if standing else (1 if (state.angle or velocity) > 0.0 else -1)
+    table = side_table(block) if sides is None else sides
+    leans, velocity = set_going(state.angle, state.velocity, jump, table)
     return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
+
+
+def set_going(angle: float, velocity: float, jump: float, sides: Floats) -> tuple[int, float]:
+    """Return the side on which a block begins, 0 at rest, and its velocity after an impulse.
+
+    Parameters
+    ----------
+    angle, velocity
+        Its state before.
+    jump
+        The impulse of the base at that moment, in units of alpha g/p.
+    sides
+        Of the block, shape (2, 3) or (2, 5).
+    """
+    leaning = angle or velocity + jump
+    row = 0 if leaning > 0.0 else 1
+    lean, rate = float(sides[row, LEAN]), float(sides[row, RATE])
+    turned = jump * (rate * rate)  # each side takes an impulse of the base by its own p^2
+    if jump and is_nonlinear(sides):
+        turned *= jump_share(sides, 1 if leaning > 0.0 else -1, abs(angle) / lean)
+    later = velocity + turned
+    if only_side(sides) > 0 and angle == 0.0 and later < 0.0:  # thrown against the wall
+        later = float(sides[0, RESTITUTION]) * later if velocity > 0.0 else 0.0
+    standing = angle == 0.0 and later == 0.0
+    return 0 if standing else (1 if (angle or later) > 0.0 else -1), later
 
 
 def _steady_state(

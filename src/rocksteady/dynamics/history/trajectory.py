@@ -30,8 +30,9 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import LARGEST, span_value, whole_number, within_memory
 from rocksteady.model.equations import Linear, Model
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.model.motions.segments import Harmonic, Motion
+from rocksteady.model.motions.segments import Motion
 from rocksteady.outcomes import Status
 
 if TYPE_CHECKING:
@@ -294,7 +295,7 @@ class Trajectory(Described):
 
         A base that still moves when the block has come to rest is followed to its end.
         """
-        if not isinstance(self.motion, Harmonic):
+        if not isinstance(self.motion, PeriodicMotion):
             if self.rest_time_pt is not None:
                 moving = float(base_motion.segment_starts(self.segments)[-1])
                 return min(self.end_time_pt, max(1.05 * self.rest_time_pt, moving) + 0.1)
@@ -321,7 +322,7 @@ class Trajectory(Described):
         hint = "give samples per unit of time"
         count = whole_number("per_unit", per_unit, at_least=1, at_most=1_000_000, hint=hint)
         unit = 1.0
-        if isinstance(self.motion, Harmonic):
+        if isinstance(self.motion, PeriodicMotion):
             unit = 2.0 * math.pi / self.motion.frequency_ratio
         start, end = (0.0, self.shown_to_pt) if span is None else self._span(span)
         wanted = count * ((end - start) / unit + base_motion.pulse_turns(self.segments))
@@ -366,7 +367,7 @@ class Trajectory(Described):
         states = np.empty((3, len(flat)))
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
-        harmonic = isinstance(self.motion, Harmonic)
+        harmonic = isinstance(self.motion, PeriodicMotion)
         return Samples(
             pt=times,
             tau=times * self.frequency_ratio if harmonic else None,
@@ -415,7 +416,7 @@ class Trajectory(Described):
 
         Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
         """
-        if isinstance(self.motion, Harmonic):
+        if isinstance(self.motion, PeriodicMotion):
             return base_motion.swinging_displacement(self.segments, self._times(pt))
         return base_motion.displacement_from_rest(self.segments, self._times(pt))
 

@@ -9,7 +9,7 @@ from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
@@ -17,20 +17,24 @@ from rocksteady.results.numbers import number, plural, quantity
 # The classes that use this module are named Any: to import them would close a circle.
 
 
-def motion_text(block: AnyBlock, motion: Harmonic) -> str:
-    """Return a harmonic motion: in g and Hz where the block has a size."""
+def motion_text(block: AnyBlock, motion: PeriodicMotion) -> str:
+    """Return a periodic motion: in g and Hz where the block has a size."""
+    orders = ""
+    if isinstance(motion, FourierSeries):
+        orders = f", orders {', '.join(str(order) for order in motion.orders)}"
     if not isinstance(block, Block):
-        return f"A = {number(motion.amplitude, 4)}, Ω = {number(motion.frequency_ratio, 4)}"
+        ratio = number(motion.frequency_ratio, 4)
+        return f"A = {number(motion.amplitude, 4)}, Ω = {ratio}{orders}"
     accel_g = motion.acceleration_m_s2(block) / block.gravity
-    return f"{quantity(accel_g, 'g')} at {quantity(motion.frequency_hz(block), 'Hz')}"
+    return f"{quantity(accel_g, 'g')} at {quantity(motion.frequency_hz(block), 'Hz')}{orders}"
 
 
-def where(block: AnyBlock, motion: Harmonic, model: Model) -> str:
+def where(block: AnyBlock, motion: PeriodicMotion, model: Model) -> str:
     """Return what moves and by what, for a headline."""
     return f"{motion_text(block, motion)}, {case_text(block)}, {model.name} model"
 
 
-def case_facts(block: AnyBlock, motion: Harmonic, model: Model) -> list[Fact]:
+def case_facts(block: AnyBlock, motion: PeriodicMotion, model: Model) -> list[Fact]:
     """Return the facts of what moves, by what and in which model."""
     values = harmonic_values(block, motion)
     text = motion_text(block, motion)

@@ -1,4 +1,4 @@
-"""Attractor of a block under harmonic shaking: its long-term motion."""
+"""Attractor of a block under periodic shaking: its long-term motion."""
 
 import math
 from collections.abc import Sequence
@@ -21,16 +21,23 @@ from rocksteady.dynamics.orbits._orbit_facts import (
     where,
 )
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, state_of
+from rocksteady.dynamics.orbits.return_map import (
+    bare_block,
+    has_mirror_images,
+    make_system,
+    periodic_motion,
+    state_of,
+)
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
@@ -57,6 +64,7 @@ MEANING = {
     "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
     "asymmetric block": "The motion repeats; of a block whose sides differ none is symmetric.",
     "one-sided block": "The motion repeats, on the one side that the wall leaves to the block.",
+    "even orders": "The motion repeats; shaking with even orders has no mirror images of motions.",
     "rest": "The block comes to rest, and the shaking does not lift it again.",
     "overturned": "The block falls: it is proved that it cannot come back to its base.",
     "aperiodic": "The motion does not repeat: motions beside it part at the rate of the exponent.",
@@ -130,7 +138,7 @@ class Attractor(Result):
     """
 
     block: Block | DimensionlessBlock
-    motion: Harmonic
+    motion: PeriodicMotion
     kind: AttractorKind
     orbit: Orbit | None
     lyapunov: float
@@ -258,8 +266,13 @@ class Attractor(Result):
         facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
         known = plural(self.after, "forcing period")
         meaning = self.kind.value
-        if not self.block.symmetric and self.kind is AttractorKind.UNSYMMETRIC:
-            meaning = "one-sided block" if self.block.one_sided else "asymmetric block"
+        if self.kind is AttractorKind.UNSYMMETRIC:
+            if self.block.one_sided:
+                meaning = "one-sided block"
+            elif not self.block.symmetric:
+                meaning = "asymmetric block"
+            elif not has_mirror_images(self.block, self.motion):
+                meaning = "even orders"
         notes = [self.reason or MEANING[meaning]]
         decided = (AttractorKind.APERIODIC, AttractorKind.UNDECIDED)
         if self.growth > ROUNDED and self.kind not in decided:
@@ -284,13 +297,13 @@ class Attractor(Result):
 @checked
 def find_attractor(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     *,
     start: Start | None = None,
     max_cycles: int = 2000,
     model: Model | None = None,
 ) -> Attractor:
-    """Follow a motion under harmonic shaking until its attractor is known.
+    """Follow a motion under periodic shaking until its attractor is known.
 
     Recognised by returning states, polished by Newton's method on the return map to a residual of
     1e-12, and believed only if it is stable by its exact multipliers and the motion comes to within
@@ -301,7 +314,8 @@ def find_attractor(
     ----------
     block
         Its restitution counts, and how its sides differ: no motion of an asymmetric block, or of
-        one against a wall, is symmetric, whatever it looks like.
+        one against a wall, is symmetric, whatever it looks like; none is under a series with even
+        orders.
     motion
         Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.
     start
@@ -319,7 +333,7 @@ def find_attractor(
     Raises
     ------
     InputError, ModelError
-        If a number is outside its range, the shaking is not harmonic, or the start does not fit.
+        If a number is outside its range, the shaking is not periodic, or the start does not fit.
 
     Examples
     --------
@@ -330,18 +344,19 @@ def find_attractor(
     >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """
-    bare, shaken = bare_block(block), harmonic(motion)
+    bare, shaken = bare_block(block), periodic_motion(motion)
     periods = cycles_value(max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
     initial = Rest() if start is None else start
     moved, begin = initial_march(initial, bare, shaken, tilted)
-    shaken = harmonic(moved)
+    shaken = periodic_motion(moved)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
     )
-    found = kernel.settle(
-        make_system(block, shaken, equations),
+    system = make_system(block, shaken, equations)
+    found = for_system(kernel.settle, system)(
+        system,
         begin.side,
         begin.half_cycles,
         begin.phase,

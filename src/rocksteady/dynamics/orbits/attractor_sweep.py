@@ -13,24 +13,32 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start
 from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
-from rocksteady.dynamics.orbits.attractor import Attractor, cycles_value, find_attractor
+from rocksteady.dynamics.orbits.attractor import KINDS, Attractor, cycles_value, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
+from rocksteady.dynamics.orbits.return_map import (
+    bare_block,
+    make_system,
+    periodic_motion,
+    section_of,
+)
 from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
-from rocksteady.model.motions.segments import Harmonic
-from rocksteady.outcomes import AttractorKind
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
+from rocksteady.results.datasets import ColumnWords, padded, variables_of
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
     import pandas as pd
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -40,6 +48,22 @@ MOST_RUNS = 8
 """Runs of a sweep that a summary lists."""
 CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APERIODIC)
 """Kinds from whose last state the next value goes on."""
+
+EXTREMES = ("highest", "lowest")
+_WORDS = {
+    "kind": ColumnWords(
+        long_name="what the motion settles to", flags=tuple(kind.value for kind in KINDS)
+    ),
+    "period": ColumnWords(long_name="forcing periods of the orbit; 0 without one", missing=0),
+    "impacts": ColumnWords(
+        long_name="impacts in a period of the orbit; 0 without one, -1 for infinitely many",
+        missing=0,
+    ),
+    "highest": ColumnWords(long_name="largest theta/alpha of the orbit"),
+    "lowest": ColumnWords(long_name="smallest theta/alpha of the orbit"),
+    "lyapunov": ColumnWords(long_name="largest Lyapunov exponent per forcing period"),
+    "after": ColumnWords(long_name="forcing periods until that was known", missing=0),
+}
 
 
 @checked_result
@@ -66,7 +90,7 @@ class AttractorSweep(Result):
     attractors: tuple[Attractor, ...]
     peaks: tuple[Floats, ...]
     block: Block | DimensionlessBlock
-    motion: Harmonic
+    motion: PeriodicMotion
     start: Start
     model: Model
 
@@ -128,6 +152,50 @@ class AttractorSweep(Result):
             frame["lowest_rad"] = frame.lowest * self.block.alpha
         return frame
 
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the attractors as an xarray Dataset with dimensions of the parameter and flight.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over the parameter, in the order of the sweep: ``kind`` with the flags of
+            `map_attractors`, ``period`` and ``impacts`` (0 without an orbit, -1 for infinitely many
+            impacts), ``highest``, ``lowest``, ``lyapunov`` per forcing period and ``after``, as
+            there.  ``peaks`` over flight too: extreme theta/alpha, nan beyond the last.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, sweep_attractor
+        >>> block = DimensionlessBlock(restitution=0.8)
+        >>> motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+        >>> data = sweep_attractor(block, motion, "amplitude", [0.5, 2.0, 2.5]).to_dataset()
+        >>> print(data.kind.values, data.period.sel(amplitude=2.0).item())
+        [2 0 0] 1
+        """
+        import xarray
+
+        rows = [
+            {
+                "kind": found.kind.value,
+                "period": found.period,
+                "impacts": _impacts_code(found),
+                **dict(zip(EXTREMES, found.peaks or (math.nan, math.nan), strict=True)),
+                "lyapunov": found.lyapunov,
+                "after": found.after,
+            }
+            for found in self.attractors
+        ]
+        name, flight = self.parameter, ("flight",)
+        words = {"long_name": "extreme theta/alpha of each flight, with its side", "units": "1"}
+        return xarray.Dataset(
+            {
+                **variables_of(rows, name, _WORDS),
+                "peaks": ((name, *flight), padded(self.peaks), words),
+            },
+            coords={name: (name, self.values, {"units": "1"})},
+            attrs={"parameter": name, "direction": self.direction, "model": self.model.name},
+        )
+
     def values_by_kind(self) -> dict[str, int]:
         """Return how many values settle to each kind of motion."""
         return dict(sorted(Counter(self.kinds).items()))
@@ -178,10 +246,17 @@ def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
     return (found.kind.value, found.period, None if found.orbit is None else found.orbit.impacts)
 
 
+def _impacts_code(found: Attractor) -> int:
+    """Return the impacts in a period as maps code them."""
+    if found.orbit is None:
+        return 0
+    return INFINITELY_MANY if found.orbit.impacts is None else found.orbit.impacts
+
+
 @checked
 def sweep_attractor(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     parameter: str,
     values: ArrayLike,
     *,
@@ -235,7 +310,7 @@ def sweep_attractor(
     1.75 overturned None
     """
     bare_block(block)
-    shaken, equations = harmonic(motion), chosen_model(model, block)
+    shaken, equations = periodic_motion(motion), chosen_model(model, block)
     body = block if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
@@ -274,7 +349,7 @@ def sweep_attractor(
 
 def _from_start(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     start: Start,
     cycles: int,
     model: Model,
@@ -306,10 +381,10 @@ def flight_peaks(found: Attractor) -> Floats:
     system = make_system(found.block, found.motion, found.model)
     here, peaks = section_of(found.state), []
     for _ in range(SHOWN_FLIGHTS):
-        step = next_passage(system, here, -1.0)
+        step = for_system(next_passage, system)(system, here, -1.0)
         if step.kind in (FALL, STAY, STUCK):
             break
-        peaks.append(here.side * highest_after(system, here, step)[0])
+        peaks.append(here.side * for_system(highest_after, system)(system, here, step)[0])
         here = step.state
     return np.array(peaks)
 
@@ -319,7 +394,7 @@ def _peaks_of(orbit: Orbit) -> Floats:
     peaks = []
     for state in orbit.states:
         here = section_of(state)
-        step = next_passage(system, here, -1.0)
-        near, far = highest_after(system, here, step)
+        step = for_system(next_passage, system)(system, here, -1.0)
+        near, far = for_system(highest_after, system)(system, here, step)
         peaks += [here.side * near] + ([-here.side * far] if far > 0.0 else [])
     return np.array([peak for peak in peaks if math.isfinite(peak)])

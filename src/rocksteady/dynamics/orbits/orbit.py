@@ -22,17 +22,23 @@ from rocksteady.dynamics.orbits._orbit_facts import (
     where,
     worth,
 )
-from rocksteady.dynamics.orbits.return_map import make_system, section_of, state_of
+from rocksteady.dynamics.orbits.return_map import (
+    has_mirror_images,
+    make_system,
+    section_of,
+    state_of,
+)
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import hypot, log
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description
 from rocksteady.results.result import Result
@@ -46,7 +52,7 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Orbit(Result):
-    """A periodic orbit under harmonic shaking.
+    """A periodic orbit under periodic shaking.
 
     Attributes
     ----------
@@ -82,7 +88,7 @@ class Orbit(Result):
     """
 
     block: Block | DimensionlessBlock
-    motion: Harmonic
+    motion: PeriodicMotion
     period: int
     states: tuple[ImpactState, ...]
     rest_phases: int
@@ -142,8 +148,8 @@ class Orbit(Result):
         Raises
         ------
         ModelError
-            If the block's sides differ, or it stands against a wall: the mirror image is a motion
-            of another block.
+            If the block's sides differ, it stands against a wall, or half a period does not turn
+            the shaking round: the mirror image is a motion of another block or shaking.
         """
         if self.symmetric:
             return self
@@ -160,6 +166,13 @@ class Orbit(Result):
                 Words("is one of an asymmetric block"),
                 "its mirror image is a motion of the mirrored block",
                 "ask for orbits of the block with its sides exchanged",
+            )
+        if not has_mirror_images(self.block, self.motion):
+            raise ModelError(
+                "orbit",
+                Words("is one under a Fourier series with even orders"),
+                "its mirror image is a motion under the series turned round",
+                "ask for orbits under the series with minus its sizes",
             )
         return replace(
             self,
@@ -235,7 +248,7 @@ class Orbit(Result):
 
 def orbit_from(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     table: Floats,
     periods: int,
     residual: float,
@@ -257,19 +270,19 @@ def orbit_from(
         In which.
     """
     system, passages = make_system(block, motion, model), len(table)
-    fixed = periodic.measured(system, passages, periods, table)
-    periodic.fill_peaks(system, passages, table)
+    fixed = for_system(periodic.measured, system)(system, passages, periods, table)
+    for_system(periodic.fill_peaks, system)(system, passages, table)
     states = tuple(state_of(periodic.state_at(table, k)) for k in range(passages))
     positive = table[:, periodic.SIDE] > 0.0
     peak, other = table[:, periodic.PEAK], table[:, periodic.OTHER_PEAK]
-    determinant = periodic.loss(system, states[0].side, passages, fixed.rests)
+    determinant = for_system(periodic.loss, system)(system, states[0].side, passages, fixed.rests)
     return Orbit(
         block=block,
         motion=replace(motion, phase=states[0].phase),
         period=periods,
         states=states,
         rest_phases=fixed.rests,
-        symmetric=bool(periodic.is_symmetric(system, table, passages, periods)),
+        symmetric=bool(for_system(periodic.is_symmetric, system)(system, table, passages, periods)),
         highest=float(np.where(positive, peak, other).max()),
         lowest=0.0 - float(np.where(positive, other, peak).max()),
         multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),
@@ -308,7 +321,7 @@ def _course(orbit: Orbit) -> Iterator[list[float]]:
         # The state's own clock, set on by the whole periods that have passed since the start.
         apart = half - here.half_cycles + (phase - here.phase) / math.pi
         passed = 2 * round(0.5 * apart)
-        step = next_passage(system, here, -1.0)
+        step = for_system(next_passage, system)(system, here, -1.0)
         if step.kind == UPLIFT:
             yield from _to_rest(orbit, state, step.time, passed)
         else:

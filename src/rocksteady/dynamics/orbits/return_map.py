@@ -1,4 +1,4 @@
-"""The return map of harmonic shaking, from impact to impact, with its exact derivative."""
+"""The return map of periodic shaking, from impact to impact, with its exact derivative."""
 
 import math
 from collections.abc import Iterator
@@ -11,12 +11,15 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.orbits import return_map
+from rocksteady.kernels.core.tables import LINEAR_LEFT_OUT
+from rocksteady.kernels.orbits import return_map, systems
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model, Nonlinear, chosen_model
+from rocksteady.model.motions.fourier import PeriodicMotion, shares_of
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Event
 
@@ -69,7 +72,7 @@ class ReturnMap:
     block
         Its sides and their restitution count; in the nonlinear model their slenderness too.
     motion
-        Its phase does not: the states have theirs.
+        Harmonic shaking or a Fourier series.  Its phase does not count: the states have theirs.
     model
         `Linear()` (default) or `Nonlinear()`.
 
@@ -77,7 +80,7 @@ class ReturnMap:
     ------
     InputError, ModelError
         If the block is none, or has no slenderness for the nonlinear model, the motion is not
-        harmonic, or there is no such model.
+        periodic, or there is no such model.
 
     Examples
     --------
@@ -95,12 +98,12 @@ class ReturnMap:
     def __init__(
         self,
         block: Block | DimensionlessBlock,
-        motion: Harmonic,
+        motion: PeriodicMotion,
         *,
         model: Model | None = None,
     ) -> None:
         self.block = bare_block(block)
-        self.motion = harmonic(motion)
+        self.motion = periodic_motion(motion)
         self.model = chosen_model(model, block)
         self.system = make_system(block, self.motion, self.model)
 
@@ -130,8 +133,9 @@ class ReturnMap:
         here = begin = section_of(state)
         time = landing = 0.0
         impacts = uplifts = 0
+        following = for_system(return_map.next_passage, self.system)
         for _ in range(count):
-            step = return_map.next_passage(self.system, here, -1.0)
+            step = following(self.system, here, -1.0)
             kind, landing = step.kind, step.landing
             time += step.time
             if kind not in (return_map.IMPACT, return_map.UPLIFT, return_map.GRAZE):
@@ -182,27 +186,55 @@ def bare_block(block: object) -> DimensionlessBlock:
     return block.dimensionless()
 
 
-def harmonic(motion: object) -> Harmonic:
-    """Return a motion that is harmonic.
+def periodic_motion(motion: object) -> PeriodicMotion:
+    """Return a motion that is periodic.
 
     Raises
     ------
     ModelError
         If it is not.
     """
-    if not isinstance(motion, Harmonic):
+    if not isinstance(motion, PeriodicMotion):
         raise ModelError(
             "motion",
             motion,
-            "periodic motions are those of harmonic shaking",
-            "give a Harmonic(amplitude=..., frequency_ratio=...)",
+            "orbits and attractors are those of periodic shaking",
+            "give a Harmonic(amplitude=..., frequency_ratio=...) or a FourierSeries",
         )
     return motion
 
 
+def harmonic(motion: object) -> Harmonic:
+    """Return a motion that is a single sinusoid.
+
+    Raises
+    ------
+    ModelError
+        If it is not.
+    """
+    if not isinstance(periodic_motion(motion), Harmonic):
+        raise ModelError(
+            "motion",
+            motion,
+            "this takes a single sinusoid, and no Fourier series",
+            "give a Harmonic(amplitude=..., frequency_ratio=...)",
+        )
+    assert isinstance(motion, Harmonic)
+    return motion
+
+
+def has_mirror_images(block: Block | DimensionlessBlock, motion: PeriodicMotion) -> bool:
+    """Return whether the mirror image of a motion, half a period later, is a motion too.
+
+    The sides of the block have to be alike, and half a period has to turn the shaking round: of a
+    Fourier series all orders are odd.
+    """
+    return block.symmetric and (isinstance(motion, Harmonic) or motion.antisymmetric)
+
+
 def make_system(
-    block: Block | DimensionlessBlock, motion: Harmonic, model: Model
-) -> return_map.System:
+    block: Block | DimensionlessBlock, motion: PeriodicMotion, model: Model
+) -> systems.EitherSystem:
     """Return block and motion as the kernels see them.
 
     Raises
@@ -211,7 +243,15 @@ def make_system(
         If the nonlinear model meets a block without slenderness.
     """
     sides = sides_of(block, model)
-    return return_map.make_system(motion.amplitude, motion.frequency_ratio, sides)
+    if isinstance(motion, Harmonic):
+        return systems.make_system(motion.amplitude, motion.frequency_ratio, sides)
+    total, shares = shares_of(motion.harmonics)
+    amplitude = motion.amplitude * total
+    bound = systems.make_system(amplitude, motion.frequency_ratio, sides)
+    lifts = np.empty((2, len(shares) // 2))
+    systems.fill_uplifts(bound, shares, lifts)
+    left_out = bound.left_out if isinstance(model, Nonlinear) else LINEAR_LEFT_OUT
+    return systems.SeriesSystem(*bound[:-3], left_out, shares, lifts)
 
 
 def section_of(state: ImpactState) -> return_map.Section:

@@ -12,7 +12,13 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits._orbit_facts import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
+from rocksteady.dynamics.orbits.return_map import (
+    bare_block,
+    has_mirror_images,
+    make_system,
+    periodic_motion,
+    section_of,
+)
 from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic
@@ -23,17 +29,19 @@ from rocksteady.kernels.orbits.return_map import (
     STAY,
     STUCK,
     UPLIFT,
-    System,
     guess_after,
     next_passage,
     uplift_after,
 )
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
+from rocksteady.kernels.orbits.systems import EitherSystem
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
@@ -51,7 +59,7 @@ SAME = 1e-6
 @checked
 def find_orbits(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     *,
     max_period: int = 3,
     max_impacts: int = 6,
@@ -100,7 +108,7 @@ def find_orbits(
     Raises
     ------
     InputError, ModelError
-        If a number is not a whole one from 1 to 1000, the shaking is not harmonic, or the nonlinear
+        If a number is not a whole one from 1 to 1000, the shaking is not periodic, or the nonlinear
         model meets a block without slenderness.
 
     Examples
@@ -114,7 +122,7 @@ def find_orbits(
     unsymmetric True True 0.90035
     """
     bare_block(block)
-    shaken = harmonic(motion)
+    shaken = periodic_motion(motion)
     equations = chosen_model(model, block)
     system = make_system(block, shaken, equations)
     longest, most, count = (
@@ -126,7 +134,8 @@ def find_orbits(
         )
     )
     found: list[Orbit] = []
-    if block.symmetric:
+    mirrors = has_mirror_images(block, shaken)
+    if block.symmetric and isinstance(shaken, Harmonic):
         if isinstance(equations, Linear):
             found += _symmetric_orbits(block, shaken, system, longest)
         else:
@@ -135,12 +144,12 @@ def find_orbits(
         orbit_from(block, shaken, table, periods, residual, equations)
         for table, periods, residual in (
             *_resting_orbits(system, longest),
-            *_searched_orbits(system, shaken, longest, most, count, mirrors=block.symmetric),
+            *_searched_orbits(system, shaken, longest, most, count, mirrors=mirrors),
         )
     ]
     for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
         known = [orbit]
-        if block.symmetric:
+        if mirrors:
             leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
             known = [leaning, leaning.mirrored]
         if not any(_same(one, other) for one in known for other in found):
@@ -151,7 +160,7 @@ def find_orbits(
 def describe_orbits(
     orbits: Sequence[Orbit],
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     model: Model,
     **limits: int,
 ) -> Description:
@@ -169,7 +178,8 @@ def describe_orbits(
     reach = f"up to {plural(limits['max_period'], 'period')} and "
     reach += plural(limits["max_impacts"], "impact")
     # A block whose sides differ has no mirror images.
-    images = "; of two mirror images one is listed." if block.symmetric else "."
+    mirrors = has_mirror_images(block, motion)
+    images = "; of two mirror images one is listed." if mirrors else "."
     seeds = limits["seeds"]
     unit = "Angles are in units of alpha. " if isinstance(block, DimensionlessBlock) else ""
     count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
@@ -200,7 +210,7 @@ def _order(orbit: Orbit) -> tuple[object, ...]:
 
 
 def _symmetric_orbits(
-    block: Block | DimensionlessBlock, motion: Harmonic, system: System, longest: int
+    block: Block | DimensionlessBlock, motion: Harmonic, system: EitherSystem, longest: int
 ) -> Iterable[Orbit]:
     """Yield the symmetric orbits with two impacts of the linear model, in closed form."""
     if motion.amplitude == 0.0:
@@ -224,7 +234,7 @@ def _symmetric_orbits(
                 begin = section_of(first)
                 periodic.put(table, 0, begin)
                 periodic.put(table, 1, mirror(begin, order))
-                error = periodic.measured(system, 2, order, table).residual
+                error = for_system(periodic.measured, system)(system, 2, order, table).residual
                 residual = error if math.isfinite(error) else math.nan
             yield Orbit(
                 block=block,
@@ -246,7 +256,7 @@ def _nonlinear_symmetric_orbits(
     block: Block | DimensionlessBlock,
     motion: Harmonic,
     model: Nonlinear,
-    system: System,
+    system: EitherSystem,
     longest: int,
 ) -> Iterable[Orbit]:
     """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
@@ -272,7 +282,7 @@ def _nonlinear_symmetric_orbits(
             table = np.zeros((2, periodic.ORBIT_COLUMNS))
             periodic.put(table, 0, half.state)
             periodic.put(table, 1, mirror(half.state, order))
-            residual = periodic.measured(system, 2, order, table).residual
+            residual = for_system(periodic.measured, system)(system, 2, order, table).residual
             orbit = orbit_from(block, motion, table, order, residual, model)
             yield replace(orbit, branch=which + 1)
 
@@ -281,13 +291,13 @@ Found = tuple[Floats, int, float]
 """An orbit as the kernels leave it: its table, periods and residual."""
 
 
-def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
+def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
     """Yield the periodic orbits with rest phases, followed from uplift to uplift.
 
     Yields none where a small difference grows so much between two rests that rounding decides the
     motion.
     """
-    lifting = uplift_after(system, 0, 0.0)
+    lifting = for_system(uplift_after, system)(system, 0, 0.0)
     if lifting.kind == STAY:
         return
     begin, step = lifting.state, lifting
@@ -295,7 +305,7 @@ def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
     nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)
     whole, grown = nothing, [0.0]  # since the last rest, and its logarithm at each passage
     while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
-        step = next_passage(system, step.state, guess_after(step))
+        step = for_system(next_passage, system)(system, step.state, guess_after(step))
         if step.kind in (FALL, STAY, STUCK):
             return
         states.append(step.state)
@@ -315,18 +325,35 @@ def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
             passages = len(states) - 1 - earlier[-1]
             periods = (step.state.half_cycles - states[earlier[-1]].half_cycles) // 2
             table = np.zeros((passages, periodic.ORBIT_COLUMNS))
-            fixed = periodic.polish(system, step.state, passages, periods, table)
+            fixed = for_system(periodic.polish, system)(
+                system, step.state, passages, periods, table
+            )
             if fixed.found and periods <= longest:
                 yield table, periods, fixed.residual
             return
 
 
+def _swing_speed(motion: PeriodicMotion) -> float:
+    """Return the speed that a block without impacts has under the shaking, or more."""
+    w = motion.frequency_ratio
+    if isinstance(motion, Harmonic):
+        return float(motion.amplitude / hypot(1.0, w))
+    return motion.amplitude * math.fsum(
+        abs(size) / hypot(1.0, order * w) for order, size, _ in motion.harmonics
+    )
+
+
 def _searched_orbits(
-    system: System, motion: Harmonic, longest: int, most: int, seeds: int, *, mirrors: bool
+    system: EitherSystem,
+    motion: PeriodicMotion,
+    longest: int,
+    most: int,
+    seeds: int,
+    *,
+    mirrors: bool,
 ) -> Iterable[Found]:
     """Yield the orbits that Newton's method finds."""
-    w = motion.frequency_ratio
-    fastest = 1.0 + motion.amplitude / hypot(1.0, w)
+    fastest = 1.0 + _swing_speed(motion)
     steps = np.arange(seeds, dtype=np.float64)
     phases: Floats = steps * (2.0 * math.pi / seeds)
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
@@ -336,14 +363,14 @@ def _searched_orbits(
     for column in range(seeds):
         for row in range(seeds):  # one state at a time, so that an interruption is heard
             phase, speed = phases[column : column + 1], speeds[row : row + 1]
-            count = periodic.search(
+            count = for_system(periodic.search, system)(
                 system, phase, speed, most, longest, mirrors, table, found, shape, count
             )
     for (turn, rate), (passages, periods) in zip(
         found[:count].tolist(), shape[:count].tolist(), strict=True
     ):
         begin = section_of(ImpactState(side=1, phase=turn, speed=rate))
-        fixed = periodic.polish(system, begin, passages, periods, table)
+        fixed = for_system(periodic.polish, system)(system, begin, passages, periods, table)
         if fixed.found:
             yield table[:passages].copy(), periods, fixed.residual
 

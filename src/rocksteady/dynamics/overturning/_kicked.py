@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.base_motion import segment_starts
-from rocksteady.dynamics.history.lowering import ceilings, only_side, samples_alike
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, LONGEST_REST
 from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
@@ -42,29 +41,6 @@ class Kicked:
     table: Floats
     still: Floats
     sides: Floats
-
-
-def motion_after(table: Floats, time: float) -> Floats:
-    """Return the segments of a motion from a pivot time on, without the still base after it.
-
-    An impulse of the motion at that very time is left out: the state has it already.
-    """
-    starts = segment_starts(table)
-    index = int(np.searchsorted(starts, time, side="right")) - 1
-    rest = table[index:-1].copy()
-    if not len(rest):
-        return rest
-    since = max(time - float(starts[index]), 0.0)
-    first = rest[0]
-    first[columns.DURATION] -= since
-    first[columns.JUMP] = 0.0
-    first[columns.CONSTANT] += first[columns.SLOPE] * since
-    first[columns.PHASE] += first[columns.FREQUENCY] * since
-    if rest.shape[1] > columns.LIFT:
-        first[columns.LIFT] += first[columns.LIFT_SLOPE] * since
-    rest[:, columns.CEILING] = ceilings(rest)
-    rest[:, columns.ALIKE] = samples_alike(rest)
-    return np.ascontiguousarray(rest)
 
 
 def kicked_fates(size: Floats, *, kicked: Kicked, impacts: int = 0) -> Fates:

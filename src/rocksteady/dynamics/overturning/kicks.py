@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history.base_motion import motion_after
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, State
-from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates, motion_after
+from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates
 from rocksteady.dynamics.overturning.scan import MANY, Found, scan
 from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,

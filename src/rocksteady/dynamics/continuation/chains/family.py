@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._chain import Chain
-from rocksteady.dynamics.continuation._predictor_corrector import gradient
+from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.chains.predictor_corrector import gradient
 from rocksteady.dynamics.parameters import PARAMETERS
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.checks.validation import (
     LARGEST,
     Ends,
@@ -113,9 +113,9 @@ class Family:
         return self.chain.moved(place[:count] * self.phase_scale, parameters)
 
     def evaluate(self, place: Floats) -> ChainSolution | None:
-        """Return the equations at a place."""
+        """Return the equations at a place; None outside their domain, or where no arc is found."""
         chain = self.chain_at(place)
-        if chain is None:
+        if chain is None or not np.isfinite(chain.errors).all():
             return None
         errors, slopes = chain.errors, chain.jacobian(self.active)
         slopes = slopes * np.concatenate([np.full(chain.impacts, self.phase_scale), self.widths])
@@ -139,6 +139,8 @@ def checked_ranges(
     ------
     InputError
         If a parameter has no such name, or a range is none, or does not hold the chain's own value.
+    ModelError
+        If it is the restitution of a block whose two impacts have different ones.
     """
     active, ranges = [], []
     for name, ends in zip(parameters, within, strict=True):
@@ -150,7 +152,23 @@ def checked_ranges(
                 "name one of them",
             )
         index = PARAMETERS.index(str(name))
+        kept = chain.sides[:, 0]
+        if name == "restitution" and kept[0] != kept[1]:
+            raise ModelError(
+                "parameter",
+                name,
+                f"that of the block's two impacts differs, {kept[0]:.12g} and {kept[1]:.12g}",
+                "follow it over another parameter, or give the block one restitution",
+            )
         low, high = _checked_range(index, ends)
+        fastest = max((order for order, _, _ in chain.harmonics), default=1)
+        if name == "frequency_ratio" and high * fastest > HIGHEST_FREQUENCY_RATIO:
+            raise InputError(
+                "within",
+                ends,
+                f"its order {fastest} may be at most {HIGHEST_FREQUENCY_RATIO:g} p fast",
+                "lower the upper end",
+            )
         value = float(chain.parameters[index])
         if not low <= value <= high:
             raise InputError(

@@ -15,7 +15,7 @@ from rocksteady import (
     follow_branch,
 )
 from rocksteady.dynamics.continuation._from_orbit import chain_of
-from rocksteady.dynamics.continuation._switching import switched
+from rocksteady.dynamics.continuation.chains.switching import switched
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.equations import Linear

@@ -1,25 +1,36 @@
 """Bifurcation curves in two parameters."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._chain import MERGED, Chain
-from rocksteady.dynamics.continuation._events import ChainCurve, Event, range_ends, returns
-from rocksteady.dynamics.continuation._family import (
+from rocksteady.dynamics.continuation.chains.events import (
+    ChainCurve,
+    ChainSpot,
+    range_ends,
+    returns,
+)
+from rocksteady.dynamics.continuation.chains.family import (
     LARGEST_STEP,
-    ChainSolution,
     Course,
     Family,
-    Test,
     checked_ranges,
 )
-from rocksteady.dynamics.continuation._predictor_corrector import Curve, LostError, StalledError
-from rocksteady.dynamics.continuation.points import BIFURCATIONS, BranchPoint, PointType
+from rocksteady.dynamics.continuation.chains.point_types import (
+    BIFURCATIONS,
+    CODIMENSION_TWO,
+    PointType,
+)
+from rocksteady.dynamics.continuation.chains.predictor_corrector import LostError, StalledError
+from rocksteady.dynamics.continuation.curves._codimension_two import curve_through, meetings
+from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import is_pair
+
+AT_START = 1e-6
+"""Arclength up to which a point of codimension two is the one at which the curve begins."""
 
 
 @checked
@@ -54,8 +65,10 @@ def follow_bifurcation(
     Yields
     ------
     BranchPoint
-        The origin, then one after another, of the type of the origin; the type of the last one says
-        why the curve ends: also as grazing, where the orbit on another curve meets the floor.
+        The origin, then one after another, of the type of the origin; where a second condition is
+        met the point has the type of that: `CODIMENSION_TWO` in
+        `rocksteady.dynamics.continuation.points`.  The type of the last one says why the curve
+        ends: also as a graze, where the orbit on another curve meets the floor.
 
     Raises
     ------
@@ -93,40 +106,40 @@ def follow_bifurcation(
         )
     course = Course(direction=direction, largest_step=largest_step, most_points=most_points)
     active, ranges = checked_ranges(origin.chain, parameters, within)
-    conditions = (_condition(origin.type, origin.chain),)
-    family = Family(chain=origin.chain, active=active, ranges=ranges, conditions=conditions)
-    curve = Curve(evaluate=family.evaluate, largest_step=course.largest_step)
+    family, curve = curve_through(origin.type, origin.chain, active, ranges, course.largest_step)
     return _followed(family, curve, origin.type, course)
 
 
-def _followed(
-    family: Family, curve: ChainCurve, kind: PointType, course: Course
+def follow_curve(
+    family: Family, curve: ChainCurve, kind: PointType, begin: ChainSpot, most_points: int
 ) -> Iterator[BranchPoint]:
-    """Yield the points of a curve."""
-    towards = np.append(np.zeros(family.chain.impacts + 1), course.direction)
-    begin = curve.start(family.place_of(family.chain), towards)
-    if begin is None:
-        raise ModelError(
-            "origin",
-            kind.value,
-            "the curve through it has no direction there",
-            "start from another point of it",
-        )
-    yield BranchPoint(type=kind, arclength=0.0, chain=begin.solution.chain)
+    """Yield the points of a curve after its first one.
+
+    Parameters
+    ----------
+    family, curve
+        Its equations.
+    kind
+        Of bifurcation.
+    begin
+        Where it begins, with the tangent along which it sets off.
+    most_points
+        After which it ends.
+    """
     spot = begin
-    free = _others(kind, family.chain)
     end = PointType.LOST
     try:
         for count, new in enumerate(curve.follow(begin)):
-            ends = [*range_ends(family, curve, spot, new)]
-            ends += returns(family, curve, spot, new, begin)
-            if free(spot.solution) > 0.0 >= free(new.solution):
-                met = curve.locate(spot, new, free)
-                ends.append(Event(PointType.GRAZING, met.arclength, met.solution.chain, final=True))
-            for event in sorted(ends, key=lambda event: event.arclength):
+            events = meetings(kind, family, curve, spot, new)
+            events += range_ends(family, curve, spot, new)
+            events += returns(family, curve, spot, new, begin)
+            for event in sorted(events, key=lambda event: event.arclength):
+                if event.type in CODIMENSION_TWO and event.arclength < AT_START:
+                    continue  # the point at which the curve begins
                 yield BranchPoint(type=event.type, arclength=event.arclength, chain=event.chain)
-                return
-            last = count + 1 == course.most_points
+                if event.final:
+                    return
+            last = count + 1 == most_points
             yield BranchPoint(
                 type=PointType.LIMIT if last else kind,
                 arclength=new.arclength,
@@ -142,34 +155,18 @@ def _followed(
     yield BranchPoint(type=end, arclength=spot.arclength, chain=spot.solution.chain)
 
 
-def _condition(kind: PointType, chain: Chain) -> Test:
-    """Return what vanishes along the curve of a kind of bifurcation."""
-    if kind is not PointType.GRAZING:
-        closing, sizes = 1.0 if kind is PointType.FOLD else -1.0, chain.sizes
-        return lambda chain: chain.scaled_determinant(closing, sizes)
-    row, merged = _grazed(chain)
-    if merged:
-        return lambda chain: float(chain.durations[row])
-    return lambda chain: float(chain.shape[row, 1])
-
-
-def _grazed(chain: Chain) -> tuple[int, bool]:
-    """Return the arc that grazes, and whether it has no duration."""
-    row = int(np.argmin(np.abs(chain.durations)))
-    if abs(chain.durations[row]) < MERGED:
-        return row, True
-    return int(np.nanargmin(chain.shape[:, 1])), False
-
-
-def _others(kind: PointType, chain: Chain) -> Callable[[ChainSolution], float]:
-    """Return the least height and duration of a chain, but for the arc that grazes by itself."""
-    grazed, merged = _grazed(chain) if kind is PointType.GRAZING else (-1, False)
-
-    def free(solution: ChainSolution) -> float:
-        rows = np.arange(solution.chain.impacts)
-        durations = solution.chain.durations[rows != grazed if merged else rows >= 0]
-        dips = solution.chain.shape[rows != grazed, 1]
-        dip = float(np.nanmin(dips, initial=1.0))
-        return min(dip, float(durations.min(initial=1.0)))
-
-    return free
+def _followed(
+    family: Family, curve: ChainCurve, kind: PointType, course: Course
+) -> Iterator[BranchPoint]:
+    """Yield the points of a curve through a bifurcation."""
+    towards = np.append(np.zeros(family.chain.impacts + 1), course.direction)
+    begin = curve.start(family.place_of(family.chain), towards)
+    if begin is None:
+        raise ModelError(
+            "origin",
+            kind.value,
+            "the curve through it has no direction there",
+            "start from another point of it",
+        )
+    yield BranchPoint(type=kind, arclength=0.0, chain=begin.solution.chain)
+    yield from follow_curve(family, curve, kind, begin, course.most_points)

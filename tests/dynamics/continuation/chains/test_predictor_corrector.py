@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._predictor_corrector import (
+from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     ATTEMPTS,
     Curve,
     LostError,

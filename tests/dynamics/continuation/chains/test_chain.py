@@ -13,8 +13,8 @@ from rocksteady import (
     find_orbits,
     find_steady_states,
 )
-from rocksteady.dynamics.continuation._chain import Chain
 from rocksteady.dynamics.continuation._from_orbit import chain_of
+from rocksteady.dynamics.continuation.chains.chain import Chain
 from tests.dynamics.continuation.branches import setting, symmetric_start
 
 

@@ -10,8 +10,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._chain import MERGED, Chain
-from rocksteady.dynamics.continuation.points import PointType
+from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
+from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
 

@@ -7,7 +7,10 @@ from typing import Any
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.facts import AnyBlock, block_text, block_values
+from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.facts import AnyBlock, block_text, block_values, restitution_text
+from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
+from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number
@@ -29,6 +32,69 @@ BARE = DimensionlessBlock(restitution=1.0)
 """What has no size, for texts in units of alpha."""
 
 
+def model_text(block: AnyBlock, model: Model) -> str:
+    """Return the equations of motion; of the nonlinear ones with the slenderness that they know."""
+    name = f"{model.name} model"
+    if isinstance(model, Linear) or not isinstance(block, Block):
+        return name
+    leans = dict.fromkeys(f"{side.alpha:.6g}" for side in (block.positive, block.negative))
+    return f"{name}, alpha {'/'.join(leans)} rad"
+
+
+def model_facts(block: AnyBlock, model: Model) -> list[Fact]:
+    """Return the equations of motion and what they know of a block beside its restitution."""
+    facts = []
+    bare = block.dimensionless()
+    if isinstance(model, Nonlinear) and isinstance(block, Block):
+        leans = [block.positive.alpha, block.negative.alpha]
+        text = "/".join(dict.fromkeys(f"{lean:.6g}" for lean in leans)) + " rad"
+        facts.append(Fact("alpha_rad", leans[0] if leans[0] == leans[1] else leans, "alpha", text))
+    if not block.symmetric:
+        (first, _, _), (other, lean, rate) = bare.sides
+        if other != first:
+            text = f"restitution {other:.6g}"
+            facts.append(Fact("negative_restitution", other, "negative side", text))
+        facts += [
+            Fact("alpha_ratio", lean, "alpha, negative / positive side", f"{lean:.6g}"),
+            Fact("p_ratio", rate, "p, negative / positive side", f"{rate:.6g}"),
+        ]
+    return [*facts, Fact("model", model.name, "model")]
+
+
+def block_fact(block: Block, moving: Sequence[str]) -> Fact:
+    """Return the measures of a block, without its restitution where that is one that moves."""
+    values, text = block_values(block), block_text(block)
+    if "restitution" in moving:
+        text = text.removesuffix(f", {restitution_text(block)}")
+        values["restitution"] = None
+        if "negative" in values:
+            values["negative"] = {**values["negative"], "restitution": None}
+    return Fact("block", values, "block", text)
+
+
+def model_facts_over(block: AnyBlock, model: Model, moving: Sequence[str]) -> list[Fact]:
+    """Return the facts of the model beside those of parameters that move and of `block_fact`."""
+    told = block.with_restitution(1.0) if "restitution" in moving else block
+    sized = isinstance(block, Block)
+    return [fact for fact in model_facts(told, model) if fact.key == "model" or not sized]
+
+
+def kept_text(block: AnyBlock) -> str:
+    """Return the restitution of a block, of unlike impacts both."""
+    kept = [side[0] for side in block.dimensionless().sides]
+    return "/".join(dict.fromkeys(f"{each:.6g}" for each in kept))
+
+
+def point_case(point: Any) -> str:
+    """Return restitution and equations of motion of a point in a few words."""
+    kept = f"{point.restitution:.8g}"
+    other = point.block.dimensionless().sides[1][0]
+    if other != point.restitution and not point.block.symmetric:
+        kept += f"/{other:.8g}"
+    model = model_text(point.block, point.model)
+    return f"restitution {kept}{orders_text(point.chain.harmonics)}, {model}"
+
+
 def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str, float]:
     """Return harmonic motion in g and Hz where the block has a size, else nothing."""
     if not isinstance(block, Block):
@@ -41,7 +107,7 @@ def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str
 
 
 def case_text(
-    block: AnyBlock, motion: Harmonic, parameter: str, within: tuple[float, float]
+    block: AnyBlock, motion: PeriodicMotion, parameter: str, within: tuple[float, float]
 ) -> str:
     """Return the three parameters of a diagram in a few words."""
     parts = []
@@ -50,23 +116,38 @@ def case_text(
         if value is None:
             parts.append(f"{symbol} from {within[0]:.6g} to {within[1]:.6g}")
         else:
-            parts.append(f"{symbol}{equals}{value:.6g}")
-    return ", ".join(parts)
+            text = kept_text(block) if name == "restitution" else f"{value:.6g}"
+            parts.append(f"{symbol}{equals}{text}")
+    return ", ".join(parts) + orders_text(harmonics_of(motion))
+
+
+def orders_text(harmonics: Harmonics) -> str:
+    """Return the orders of a Fourier series, after a comma; nothing of a sinusoid."""
+    if not harmonics:
+        return ""
+    return f", orders {', '.join(str(order) for order, _, _ in harmonics)}"
+
+
+def series_facts(harmonics: Harmonics) -> list[Fact]:
+    """Return the harmonics of a Fourier series; nothing of a sinusoid."""
+    return [Fact("harmonics", [list(wave) for wave in harmonics])] if harmonics else []
 
 
 def case_facts(
-    block: AnyBlock, motion: Harmonic, parameter: str, within: tuple[float, float]
+    block: AnyBlock,
+    motion: PeriodicMotion,
+    parameter: str,
+    within: tuple[float, float],
+    model: Model,
 ) -> list[Fact]:
     """Return what moves in a diagram, between what, and what else is fixed."""
     scales = {"amplitude": motion.amplitude, "frequency_ratio": motion.frequency_ratio}
     over = f"{SYMBOLS[parameter]} from {number(within[0], 6)} to {number(within[1], 6)}"
     fixed = _fixed(block, motion, parameter)
     facts = [Fact(name, value) for name, value in fixed.items()]
+    facts += series_facts(harmonics_of(motion))
     if isinstance(block, Block):
-        values = block_values(block)
-        if parameter == "restitution":
-            values["restitution"] = None
-        facts.append(Fact("block", values, "block", block_text(block)))
+        facts.append(block_fact(block, [parameter]))
         si = in_si(block, **scales)
         for name, (key, unit) in UNITS.items():
             if name == parameter:
@@ -80,11 +161,11 @@ def case_facts(
         Fact("parameter", parameter),
         Fact("within", list(within), "over", over),
         *facts,
-        Fact("model", "linear", "model"),
+        *model_facts_over(block, model, [parameter]),
     ]
 
 
-def _fixed(block: AnyBlock, motion: Harmonic, parameter: str) -> dict[str, float | None]:
+def _fixed(block: AnyBlock, motion: PeriodicMotion, parameter: str) -> dict[str, float | None]:
     """Return the three parameters; None for the one that moves."""
     return {
         "amplitude": motion.amplitude,

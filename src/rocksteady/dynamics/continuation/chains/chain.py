@@ -2,23 +2,34 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
-from itertools import repeat
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits import chains as kernel
 from rocksteady.kernels.orbits.return_map import Section
-from rocksteady.kernels.orbits.return_map import make_system as system_of
+from rocksteady.kernels.orbits.systems import SeriesSystem, make_series_system
+from rocksteady.kernels.orbits.systems import make_system as system_of
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Linear, Model
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, shares_of
+from rocksteady.model.motions.harmonics import Harmonics
+from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
 
 COLUMNS = (kernel.BY_AMPLITUDE, kernel.BY_FREQUENCY, kernel.BY_RESTITUTION)
 MERGED = 1e-9
 """Duration up to which an arc between two impacts counts as none."""
+ANY = DimensionlessBlock(restitution=1.0)
+"""A block whose sides are alike, by default: its restitution is a parameter of the chain."""
+LINEAR = Linear()
+"""The default of its equations of motion."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -28,19 +39,64 @@ class Chain:
     Attributes
     ----------
     parameters
-        Amplitude, frequency ratio and restitution, shape (3,).
+        Amplitude, frequency ratio and restitution, shape (3,); the restitution of both impacts, or
+        where they differ that of the one that ends positive rotation.
     turns, phases
         Whole half cycles of the shaking and the phase beyond them at each impact, shape (m,); the
         first impact sends the block to its positive side.
     half_cycles
         Half periods of the shaking after which the chain closes: odd, as m, for half of a symmetric
         orbit.
+    block
+        What moves; its restitution does not count where both impacts have the same.
+    model
+        Which equations of motion hold.
+    harmonics
+        Of the Fourier series that shakes the base; none of a sinusoid.
     """
 
     parameters: Floats
     turns: NDArray[np.int64]
     phases: Floats
     half_cycles: int
+    block: Block | DimensionlessBlock = ANY
+    model: Model = LINEAR
+    harmonics: Harmonics = ()
+
+    @property
+    def alike(self) -> bool:
+        """Whether mirror images of its orbits are orbits, half a period later.
+
+        The block's sides have to be alike, and all orders of a series odd.
+        """
+        return self.block.symmetric and all(order % 2 == 1 for order, _, _ in self.harmonics)
+
+    @property
+    def motion(self) -> PeriodicMotion:
+        """The shaking."""
+        amplitude, frequency, _ = self.parameters.tolist()
+        if not self.harmonics:
+            return Harmonic(amplitude=amplitude, frequency_ratio=frequency)
+        return FourierSeries(
+            amplitude=amplitude, frequency_ratio=frequency, harmonics=self.harmonics
+        )
+
+    @cached_property
+    def series(self) -> SeriesSystem:
+        """Block and shaking by a Fourier series as the kernels see them."""
+        amplitude, frequency, _ = self.parameters.tolist()
+        total, shares = shares_of(self.harmonics)
+        lifts = np.empty((2, len(shares) // 2))  # of no use to chains, which never rest
+        return make_series_system(amplitude * total, frequency, self.sides, shares, lifts)
+
+    @property
+    def body(self) -> Block | DimensionlessBlock:
+        """The block with the restitution of the chain."""
+        sides = self.block.dimensionless().sides
+        restitution = float(self.parameters[2])
+        if sides[0][0] != sides[1][0] or sides[0][0] == restitution:
+            return self.block
+        return self.block.with_restitution(restitution)
 
     @property
     def impacts(self) -> int:
@@ -59,9 +115,10 @@ class Chain:
 
     @cached_property
     def sides(self) -> Floats:
-        """The block's sides for the kernels, shape (2, 3)."""
-        sides = np.ones((2, 3))
-        sides[:, 0] = self.parameters[2]
+        """The block's sides for the kernels, shape (2, 3) or (2, 5)."""
+        sides = _sides_of(self.block, self.model).copy()
+        if sides[0, 0] == sides[1, 0]:
+            sides[:, 0] = self.parameters[2]
         return sides
 
     @cached_property
@@ -69,6 +126,10 @@ class Chain:
         """What the kernel knows of each arc, shape (m, CHAIN_COLUMNS)."""
         amplitude, frequency, _ = self.parameters.tolist()
         table = np.empty((self.impacts, kernel.CHAIN_COLUMNS))
+        if self.harmonics:
+            kernel.series_fill_chain(self.series, self.turns, self.phases, self.half_cycles, table)
+            table[:, kernel.BY_AMPLITUDE] *= shares_of(self.harmonics)[0]
+            return table
         kernel.fill_chain(
             amplitude, frequency, self.sides, self.turns, self.phases, self.half_cycles, table
         )
@@ -127,8 +188,11 @@ class Chain:
     def shape(self) -> Floats:
         """Largest |theta|/alpha of each arc, its least minimum and when that is, shape (m, 3)."""
         amplitude, frequency, _ = self.parameters.tolist()
-        system = system_of(amplitude, frequency, self.sides)
         shape = np.empty((self.impacts, 3))
+        if self.harmonics:
+            kernel.series_fill_arcs(self.series, self.turns, self.phases, self.table, shape)
+            return shape
+        system = system_of(amplitude, frequency, self.sides)
         kernel.fill_arcs(system, self.turns, self.phases, self.table, shape)
         return shape
 
@@ -155,14 +219,15 @@ class Chain:
     def multipliers(self) -> NDArray[np.complex128]:
         """Floquet multipliers of the whole orbit, shape (2,), the larger first; inf if unknown.
 
-        From the trace and the exact determinant, restitution^(2 m).
+        From the trace and the exact determinant, the product of the squares of all restitutions.
         """
         with np.errstate(all="ignore"):
             over = kernel.turned_over(self.table)
         half = 0.5 * float(over.phase_by_phase + over.speed_by_speed)
         if not math.isfinite(half):
             return np.array([complex(math.inf, 0.0), complex(0.0, 0.0)])
-        determinant = math.prod(repeat(float(self.parameters[2]), 2 * self.impacts))
+        kept = self.sides[np.arange(self.impacts) % 2, 0].tolist()
+        determinant = math.prod(kept + kept)
         spread = half * half - determinant
         if spread < 0.0:
             first = complex(half, math.sqrt(-spread))
@@ -241,7 +306,7 @@ class Chain:
         """Return the chain nearest to a part of this one; None where none can be."""
         count, rest = divmod(self.impacts, times)
         turn, odd = divmod(self.half_cycles, times)
-        if rest or odd or count % 2 != turn % 2:
+        if rest or odd or count % 2 != turn % 2 or (count % 2 and not self.alike):
             return None
         total = (self.turns * math.pi + self.phases).reshape(times, count)
         middle = (total - math.pi * turn * np.arange(times)[:, np.newaxis]).mean(axis=0)
@@ -262,6 +327,19 @@ class Chain:
         apart = (self.turns - other.turns) * math.pi + (self.phases - other.phases)
         return float(np.abs(apart).max())
 
+    def moves_like(self, other: "Chain") -> bool:
+        """Return whether two chains are of one block, its restitution aside, model and series."""
+        if self.harmonics != other.harmonics:
+            return False
+        if self.block == other.block and self.model == other.model:
+            return True
+        mine, theirs = _sides_of(self.block, self.model), _sides_of(other.block, other.model)
+        if mine.shape != theirs.shape:
+            return False
+        unlike = mine[0, 0] != mine[1, 0] or theirs[0, 0] != theirs[1, 0]
+        first = 0 if unlike else 1
+        return bool((mine[:, first:] == theirs[:, first:]).all())
+
     def repeats(self, other: "Chain", tolerance: float, *, mirrors: bool = False) -> bool:
         """Return whether two chains are one orbit, begun at different impacts.
 
@@ -272,13 +350,16 @@ class Chain:
         tolerance
             Largest difference of phases [rad].
         mirrors
-            Whether mirror images count as one orbit; a symmetric orbit is its own.
+            Whether mirror images count as one orbit; a symmetric orbit is its own, and of a block
+            whose sides differ, or under a series with an even order, they are none.
         """
         if (self.impacts, self.half_cycles) != (other.impacts, other.half_cycles):
             return False
+        if not self.moves_like(other):
+            return False
         mine, theirs = (chain.turns * math.pi + chain.phases for chain in (self, other))
         beyond = np.concatenate([theirs, theirs + other.half_cycles * math.pi])
-        either = self.symmetric or mirrors
+        either = self.symmetric or (mirrors and self.alike)
         for shift in range(0, self.impacts, 1 if either else 2):
             apart = beyond[shift : shift + self.impacts] - mine
             # An odd number of impacts later the block goes to the other side: so does the shaking.
@@ -286,3 +367,9 @@ class Chain:
             if np.abs(apart - halves * math.pi).max() <= tolerance:
                 return True
         return False
+
+
+@lru_cache(maxsize=64)
+def _sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
+    """Return a block's sides for the kernels."""
+    return sides_of(block, model)

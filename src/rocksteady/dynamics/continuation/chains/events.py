@@ -7,10 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 
-from rocksteady.dynamics.continuation._chain import Chain
-from rocksteady.dynamics.continuation._family import ChainSolution, Family
-from rocksteady.dynamics.continuation._predictor_corrector import Curve, LostError, Spot
-from rocksteady.dynamics.continuation.points import PointType
+from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.chains.family import ChainSolution, Family
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, LostError, Spot
 
 ChainSpot = Spot[ChainSolution]
 ChainCurve = Curve[ChainSolution]

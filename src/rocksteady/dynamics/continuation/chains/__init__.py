@@ -1,0 +1,1 @@
+"""Orbits as closed chains of arcs, and the curves of solutions that they form."""

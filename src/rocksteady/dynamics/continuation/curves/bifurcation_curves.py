@@ -1,0 +1,470 @@
+"""Bifurcation curves of a plane of two parameters, and the points of codimension two on them."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.continuation.branch_facts import (
+    block_fact,
+    kept_text,
+    model_facts,
+    model_facts_over,
+    model_text,
+)
+from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.points import BranchPoint
+from rocksteady.dynamics.parameters import SYMBOLS
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import odd_order, whole_number
+from rocksteady.model.equations import Linear, Model
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Floats = NDArray[np.float64]
+
+MOST = 1000
+"""Of periods, impacts, curves and points, as branches have it."""
+SHORT = {**SYMBOLS, "restitution": "delta"}
+"""As headings have them."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class CurveSearch:
+    """Which bifurcation curves of a plane are looked for.
+
+    Parameters
+    ----------
+    orders
+        n = 1, 3, 5, ... of the symmetric motions from which all begin; default (1,).  Of a block
+        whose sides differ: forcing periods of the motions with two impacts.
+    lines
+        Across the plane on which bifurcations are looked for: at so many values of the first
+        parameter, and of the second; default (3, 3).
+    max_period, max_impacts
+        Longest motions whose bifurcations are followed [forcing periods, impacts]; by default twice
+        the largest order, and 6.
+    max_branches
+        Of each line and order; default 20.
+    max_curves
+        After so many (default 40) no further one is begun.
+    everywhere
+        Whether to start also from all motions that `find_orbits` finds at both ends and in the
+        middle of each line; they may be many.
+    most_points
+        Of each curve, in either direction; default 400.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range.
+    """
+
+    orders: tuple[int, ...] = (1,)
+    lines: tuple[int, int] = (3, 3)
+    max_period: int | None = None
+    max_impacts: int = 6
+    max_branches: int = 20
+    max_curves: int = 40
+    everywhere: bool = False
+    most_points: int = 400
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        hint = "give a whole number"
+        orders = tuple(dict.fromkeys(odd_order(order) for order in self.orders))
+        whole_number("orders", len(orders), at_least=1, at_most=50, hint="give one order or more")
+        object.__setattr__(self, "orders", orders)
+        longest = min(2 * max(orders), MOST) if self.max_period is None else self.max_period
+        if len(self.lines) != 2:
+            raise InputError("lines", self.lines, "they must be two numbers", "give (3, 3)")
+        first, second = self.lines
+        for name, value, least, most in (
+            ("lines", first, 0, MOST),
+            ("lines", second, 0 if first else 1, MOST),
+            ("max_period", longest, 1, MOST),
+            ("max_impacts", self.max_impacts, 1, MOST),
+            ("max_branches", self.max_branches, 1, 10 * MOST),
+            ("max_curves", self.max_curves, 1, MOST),
+            ("most_points", self.most_points, 1, 100 * MOST),
+        ):
+            whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
+            if name != "lines":
+                object.__setattr__(self, name, whole)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BifurcationCurve(Result):
+    """A bifurcation followed in the plane of two parameters.
+
+    Attributes
+    ----------
+    type
+        Fold, symmetry breaking, period doubling or graze.
+    parameters
+        The two, by name.
+    points
+        In order; those of codimension two stand among the others, with their own type.
+    """
+
+    type: PointType
+    parameters: tuple[str, str]
+    points: tuple[BranchPoint, ...] = field(repr=False)
+
+    @property
+    def block(self) -> Block | DimensionlessBlock:
+        """The block, with the restitution of the first point."""
+        return self.points[0].block
+
+    @property
+    def model(self) -> Model:
+        """Which equations of motion hold: `Linear` or `Nonlinear`."""
+        return self.points[0].model
+
+    @cached_property
+    def values(self) -> Floats:
+        """Both parameters at each point, shape (points, 2)."""
+        return np.array(
+            [[getattr(point, name) for name in self.parameters] for point in self.points]
+        )
+
+    @property
+    def _inner(self) -> BranchPoint:
+        """A point that is neither an end nor of codimension two, where there is one."""
+        own = [point for point in self.points if point.type is self.type]
+        return own[len(own) // 2] if own else self.points[0]
+
+    @property
+    def period(self) -> int:
+        """Forcing periods of its motions."""
+        return self._inner.period
+
+    @property
+    def impacts(self) -> int:
+        """Impacts in a period of its motions."""
+        return self._inner.impacts
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether its motions are symmetric."""
+        return self._inner.symmetric
+
+    @property
+    def kind(self) -> str:
+        """Symmetric or unsymmetric, in that word."""
+        return self._inner.kind
+
+    @cached_property
+    def stable(self) -> NDArray[np.bool_]:
+        """At which points it borders stable motions, shape (points,).
+
+        A fold, a symmetry breaking and a period doubling do all along where an impact has a
+        restitution below 1: the other multiplier has the size of the product of the squares of all
+        restitutions.  A graze does where its motions are stable.
+        """
+        if self.type is not PointType.GRAZING:
+            return np.array([not point.block.lossless for point in self.points], dtype=np.bool_)
+        return np.array([bool(abs(point.multipliers[0]) < 1.0) for point in self.points])
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return a row a point."""
+        return [_row(1, self.type, point) for point in self.points]
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a point."""
+        import pandas as pd
+
+        return pd.DataFrame(self.rows())
+
+    def describe(self) -> Description:
+        """Return what the curve is, where it begins and ends, and why."""
+        values = curve_values(self)
+        low, high = self.values.min(axis=0), self.values.max(axis=0)
+        over = [
+            f"{SYMBOLS[name]} {number(float(a), 5)} to {number(float(b), 5)}"
+            for name, a, b in zip(self.parameters, low, high, strict=True)
+        ]
+        words = {
+            "begin": ("from", values["begin"]["type"].replace("-", " ")),
+            "end": ("to", values["end"]["type"].replace("-", " ")),
+            "points": ("points", str(len(self.points))),
+        }
+        kind = self.type.value.replace("-", " ").capitalize()
+        return Description(
+            f"{kind} curve of {self.kind} motions, {plural(self.period, 'period')}, "
+            f"{plural(self.impacts, 'impact')}: {', '.join(over)}, "
+            f"{model_text(self.block, self.model)}",
+            [
+                Fact("parameters", list(self.parameters)),
+                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
+                *model_facts(self.block, self.model),
+            ],
+        )
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CodimensionTwo:
+    """A point of codimension two, and the curves that meet there.
+
+    Attributes
+    ----------
+    point
+        Its type, its place and the motion there.
+    curves
+        Numbers of the curves, from 1.
+    """
+
+    point: BranchPoint
+    curves: tuple[int, ...]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Region:
+    """A place of the plane, and which of the motions followed are stable there.
+
+    Attributes
+    ----------
+    place
+        Values of the two parameters.
+    motions
+        "symmetric", "unsymmetric", "unsymmetric, period 2", "rest", ...
+    extent
+        Part of the line across the plane on which they are the same: (axis, low, high), the axis 0
+        or 1.
+    """
+
+    place: tuple[float, float]
+    motions: tuple[str, ...]
+    extent: tuple[int, float, float]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BifurcationCurves(Result):
+    """The bifurcation curves of a plane of two parameters, with what is found on them.
+
+    Attributes
+    ----------
+    block, motion
+        What moves, and by what; their own values of the two parameters do not count.
+    parameters, within
+        What moves, and the range of each.
+    search
+        Which curves were looked for.
+    curves
+        In the order in which they were found, those of short motions first.
+    points
+        Every point of codimension two once, with the curves that meet there.
+    regions
+        Places at which it is known which of the motions followed are stable.
+    complete
+        Whether all were followed: False where `max_curves` or `max_branches` ended the work.
+    model
+        Which equations of motion hold: `Linear` or `Nonlinear`.
+    """
+
+    block: Block | DimensionlessBlock
+    motion: Harmonic
+    parameters: tuple[str, str]
+    within: tuple[tuple[float, float], tuple[float, float]]
+    search: CurveSearch
+    curves: tuple[BifurcationCurve, ...]
+    points: tuple[CodimensionTwo, ...]
+    regions: tuple[Region, ...]
+    complete: bool
+    model: Model = field(default_factory=Linear)
+
+    def rows(self) -> Iterator[dict[str, Any]]:
+        """Yield a row a point of each curve."""
+        for place, curve in enumerate(self.curves, start=1):
+            for point in curve.points:
+                yield _row(place, curve.type, point)
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the values of each row."""
+        return next((list(row) for row in self.rows()), ["curve"])
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a point of each curve."""
+        import pandas as pd
+
+        return pd.DataFrame(list(self.rows()), columns=self.columns)
+
+    def describe(self) -> Description:
+        """Return the points of codimension two, the curves, and the regions that are known."""
+        fixed = self._fixed()
+        ranges = [
+            f"{SYMBOLS[name]} from {number(low, 6)} to {number(high, 6)}"
+            for name, (low, high) in zip(self.parameters, self.within, strict=True)
+        ]
+        constant = [
+            f"restitution {kept_text(self.block)}"
+            if name == "restitution"
+            else f"{SYMBOLS[name]} = {value:.6g}"
+            for name, value in fixed.items()
+            if value is not None
+        ]
+        points = [{**point_values(each.point), "curves": list(each.curves)} for each in self.points]
+        curves = [
+            {"curve": place, "type": curve.type.value, **curve_values(curve)}
+            for place, curve in enumerate(self.curves, start=1)
+        ]
+        regions = [
+            {
+                **dict(zip(self.parameters, each.place, strict=True)),
+                "stable": list(each.motions),
+            }
+            for each in self.regions
+        ]
+        facts = [
+            Fact("parameters", list(self.parameters), "over", ", ".join(ranges)),
+            Fact("within", [list(ends) for ends in self.within]),
+            *(Fact(name, value) for name, value in fixed.items()),
+        ]
+        if isinstance(self.block, Block):
+            facts.append(block_fact(self.block, self.parameters))
+        found = f"{plural(len(curves), 'curve')}, {plural(len(points), 'point')} of codimension two"
+        facts += [
+            *model_facts_over(self.block, self.model, self.parameters),
+            Fact("orders", list(self.search.orders)),
+            Fact("lines", list(self.search.lines)),
+            Fact("max_period", self.search.max_period),
+            Fact("max_impacts", self.search.max_impacts),
+            Fact("max_branches", self.search.max_branches),
+            Fact("max_curves", self.search.max_curves),
+            Fact("complete", self.complete),
+            Fact("", label="found", text=found),
+        ]
+        images = "Of mirror images one is followed. " if self.block.symmetric else ""
+        note = (
+            f"{images}Curves that hang together with no bifurcation on "
+            "the lines across the plane are missed: more lines find more."
+        )
+        return Description(
+            f"Bifurcation curves: {', '.join([*ranges, *constant])}, "
+            f"{model_text(self.block, self.model)}",
+            facts,
+            [
+                _points_table(points, self.parameters),
+                _curves_table(curves, self.parameters, {each["type"] for each in points}),
+                Table("regions", regions),
+            ],
+            [note],
+        )
+
+    def _fixed(self) -> dict[str, float | None]:
+        values: dict[str, float | None] = {
+            "amplitude": self.motion.amplitude,
+            "frequency_ratio": self.motion.frequency_ratio,
+            "restitution": self.block.dimensionless().restitution,
+        }
+        return {name: None if name in self.parameters else v for name, v in values.items()}
+
+
+def point_values(point: BranchPoint) -> dict[str, Any]:
+    """Return a point of a curve in plain values."""
+    return {
+        "type": point.type.value,
+        "amplitude": point.amplitude,
+        "frequency_ratio": point.frequency_ratio,
+        "restitution": point.restitution,
+        "period": point.period,
+        "impacts": point.impacts,
+        "symmetric": point.symmetric,
+    }
+
+
+def curve_values(curve: BifurcationCurve) -> dict[str, Any]:
+    """Return what motions a curve is of, where it begins and ends, and why."""
+    begin, end = (
+        {"type": point.type.value, **dict(zip(curve.parameters, place, strict=True))}
+        for point, place in (
+            (curve.points[0], curve.values[0].tolist()),
+            (curve.points[-1], curve.values[-1].tolist()),
+        )
+    )
+    return {
+        "period": curve.period,
+        "impacts": curve.impacts,
+        "symmetric": curve.symmetric,
+        "begin": begin,
+        "end": end,
+        "points": len(curve.points),
+    }
+
+
+def _row(number_: int, kind: PointType, point: BranchPoint) -> dict[str, Any]:
+    """Return the row of a point of a curve in a file."""
+    first, second = (complex(each) for each in point.multipliers)
+    return {
+        "curve": number_,
+        "bifurcation": kind.value,
+        **point_values(point),
+        "multiplier_1_re": first.real,
+        "multiplier_1_im": first.imag,
+        "multiplier_2_re": second.real,
+        "multiplier_2_im": second.imag,
+        "highest": float(np.nanmax(point.peaks)),
+        "lowest": float(np.nanmin(point.peaks)),
+        "arclength": point.arclength,
+    }
+
+
+def _kind(symmetric: object) -> str:
+    return "symmetric" if symmetric else "unsymmetric"
+
+
+def _word(kind: object) -> str:
+    return str(kind).replace("-", " ")
+
+
+def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> Table:
+    columns = [
+        Column("type", "point", _word, left=True),
+        *(Column(name, SHORT[name], lambda value: f"{value:.8f}") for name in parameters),
+        Column("symmetric", "kind", _kind, left=True),
+        Column("period", "period"),
+        Column("impacts", "impacts"),
+        Column("curves", "curves", left=True),
+    ]
+    return Table("points", points, columns, most=100)
+
+
+def _curves_table(
+    curves: list[dict[str, Any]], parameters: tuple[str, str], named: set[str]
+) -> Table:
+    """Return a row a curve; an end in the table of points, or of the range, is its place alone."""
+
+    def place(end: dict[str, Any]) -> str:
+        values = ", ".join(f"{end[name]:.4g}" for name in parameters)
+        kind = str(end["type"])
+        return values if kind in {*named, PointType.RANGE_END.value} else f"{_word(kind)} {values}"
+
+    over = ", ".join(SHORT[name] for name in parameters)
+
+    columns = [
+        Column("curve", "curve"),
+        Column("type", "bifurcation", _word, left=True),
+        Column("symmetric", "kind", _kind, left=True),
+        Column("period", "period"),
+        Column("impacts", "impacts"),
+        Column("begin", f"from {over}", place, left=True),
+        Column("end", f"to {over}", place, left=True),
+    ]
+    return Table("curves", curves, columns, most=100)

@@ -1,0 +1,1 @@
+"""Orbits with rest phases, continued over a parameter."""

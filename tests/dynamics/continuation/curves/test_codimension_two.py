@@ -1,0 +1,232 @@
+"""Points of codimension two: each kind in 50 digits, and why there are no others."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady import (
+    BifurcationCurves,
+    BranchPoint,
+    CurveSearch,
+    DimensionlessBlock,
+    Harmonic,
+    find_bifurcation_curves,
+)
+from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.kernels.orbits.chains import LANDING
+from tests.dynamics.continuation.branches import random_start
+from tests.dynamics.continuation.curves.fifty_digits import (
+    Numbers,
+    Orbit,
+    bend_of_fold,
+    cubic_of_flip,
+    solved,
+    touches,
+)
+
+PLANE = ("frequency_ratio", "amplitude")
+
+
+@cache
+def around_the_doubling_graze() -> BifurcationCurves:
+    return find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.87),
+        Harmonic(amplitude=3.0, frequency_ratio=4.2),
+        within=((4.4, 5.4), (2.5, 4.0)),
+        search=CurveSearch(orders=(3,), lines=(1, 1), max_impacts=4),
+    )
+
+
+def point_of(found: BifurcationCurves, kind: str, **more: object) -> BranchPoint:
+    return next(
+        each.point
+        for each in found.points
+        if each.point.type == kind
+        and all(getattr(each.point, key) == value for key, value in more.items())
+    )
+
+
+def values_of(point: BranchPoint) -> list[float]:
+    return [point.frequency_ratio, point.amplitude]
+
+
+def graze_with(
+    point: BranchPoint, multiplier: int, parameters: tuple[int, int] = (1, 0)
+) -> list[float]:
+    """Return where the touch of a point meets a multiplier, in 50 digits."""
+    ((row, when),) = touches(point.chain)
+
+    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
+        return [*orbit.height(row, moments[0]), orbit.multiplier(multiplier)]
+
+    return solved(point, parameters, conditions, [when])
+
+
+def test_the_doubling_graze_of_the_atlas() -> None:
+    found = around_the_doubling_graze()
+    point = point_of(found, "doubling-graze", period=3)
+    assert (round(point.frequency_ratio, 4), round(point.amplitude, 4)) == (5.1328, 3.7521)
+    assert values_of(point) == pytest.approx(graze_with(point, -1), abs=1e-9)
+    (meeting,) = (each for each in found.points if each.point is point)
+    kinds = sorted((found.curves[k - 1].type, found.curves[k - 1].period) for k in meeting.curves)
+    # The graze of what is doubled there begins at the point, beside that of the motion itself.
+    assert kinds == [("grazing", 3), ("grazing", 6), ("period-doubling", 3)]
+
+
+def test_fold_and_flip_meet_where_two_impacts_merge_and_nowhere_else() -> None:
+    found = around_the_doubling_graze()
+    point = point_of(found, "resonant-graze", period=3)
+    ((row, when),) = touches(point.chain)
+
+    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
+        # A kick at the touch, which two impacts give, does not come back as a height.
+        return [*orbit.height(row, moments[0]), orbit.turned(row, moments[0])[0, 1]]
+
+    exact = solved(point, (1, 0), conditions, [when])
+    assert values_of(point) == pytest.approx(exact, abs=1e-9)
+    (meeting,) = (each for each in found.points if each.point is point)
+    kinds = sorted((found.curves[k - 1].type, found.curves[k - 1].impacts) for k in meeting.curves)
+    assert kinds == [("fold", 4), ("grazing", 2), ("period-doubling", 4)]
+    # Each of the three comes to it by itself.
+    for number in meeting.curves:
+        near = [
+            values_of(each)
+            for each in found.curves[number - 1].points
+            if each.type == "resonant-graze"
+        ]
+        assert min(np.abs(np.array(near) - exact).max(axis=1)) < 1e-9
+
+
+@cache
+def over_restitution() -> BifurcationCurves:
+    return find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.5),
+        Harmonic(amplitude=2.0, frequency_ratio=1.8),
+        ("restitution", "amplitude"),
+        within=((0.1, 0.4), (1.2, 2.5)),
+        search=CurveSearch(orders=(1,), lines=(1, 0), max_impacts=4, max_period=2),
+    )
+
+
+@pytest.mark.slow
+def test_a_fold_of_doubled_motions_ends_where_the_doubling_is_degenerate() -> None:
+    found = over_restitution()
+    points = [each for each in found.points if each.point.type == "generalised-doubling"]
+    assert len(points) == 2
+    for each in points:
+
+        def conditions(orbit: Orbit, _: Numbers, values: Numbers) -> Numbers:
+            return [orbit.multiplier(-1), cubic_of_flip(orbit, values)]
+
+        exact = solved(each.point, (2, 0), conditions)
+        here = [each.point.restitution, each.point.amplitude]
+        assert here == pytest.approx(exact, abs=1e-9)
+        doubling, fold = (found.curves[number - 1] for number in each.curves)
+        assert (doubling.type, fold.type) == ("period-doubling", "fold")
+        assert (doubling.impacts, fold.impacts) == (2, 4)
+        # Along the fold the square of what sets the halves apart vanishes at the point.
+        apart = [
+            np.sum(np.square(np.asarray(point.chain.halves_apart))) for point in fold.points[1:5]
+        ]
+        ends = np.polynomial.polynomial.polyfit(apart, fold.values[1:5], 3)[0]
+        assert ends == pytest.approx(exact, abs=1e-6)
+
+
+@pytest.mark.slow
+def test_the_breaking_graze_of_the_subharmonic_motion() -> None:
+    found = find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.8),
+        Harmonic(amplitude=3.0, frequency_ratio=3.0),
+        within=((10.5, 12.0), (6.0, 20.0)),
+        search=CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2),
+    )
+    point = point_of(found, "breaking-graze")
+    assert values_of(point) == pytest.approx(graze_with(point, -1), abs=1e-9)
+    assert sorted((curve.type.value, curve.symmetric) for curve in found.curves) == [
+        ("grazing", False),
+        ("grazing", True),
+        ("symmetry-breaking", True),
+    ]
+
+
+@cache
+def with_grazes() -> BifurcationCurves:
+    return find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.5),
+        Harmonic(amplitude=4.91004502, frequency_ratio=5.4),
+        ("restitution", "frequency_ratio"),
+        within=((0.3, 0.6), (5.0, 6.0)),
+        search=CurveSearch(orders=(5,), lines=(5, 0), max_impacts=4, max_period=5),
+    )
+
+
+@pytest.mark.slow
+def test_a_fold_graze_and_a_doubling_graze_beside_it() -> None:
+    found = with_grazes()
+    for kind, multiplier in (("fold-graze", 1), ("doubling-graze", -1)):
+        point = point_of(found, kind)
+        exact = graze_with(point, multiplier, (2, 1))
+        assert [point.restitution, point.frequency_ratio] == pytest.approx(exact, abs=1e-9)
+
+
+@pytest.mark.slow
+def test_a_double_graze_and_the_curves_on_which_either_arc_touches() -> None:
+    found = with_grazes()
+    point = point_of(found, "double-graze", impacts=2)
+    (one, first), (other, second) = touches(point.chain)
+
+    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
+        return [*orbit.height(one, moments[0]), *orbit.height(other, moments[1])]
+
+    exact = solved(point, (2, 1), conditions, [first, second])
+    assert [point.restitution, point.frequency_ratio] == pytest.approx(exact, abs=1e-9)
+    (meeting,) = (each for each in found.points if each.point is point)
+    assert sum(found.curves[number - 1].impacts == 2 for number in meeting.curves) == 2
+
+
+@pytest.mark.slow
+def test_a_cusp_of_motions_that_hang_together_with_no_symmetric_one() -> None:
+    found = find_bifurcation_curves(
+        DimensionlessBlock(restitution=0.8),
+        Harmonic(amplitude=2.0, frequency_ratio=1.8),
+        ("restitution", "amplitude"),
+        within=((0.84, 0.92), (1.55, 1.8)),
+        search=CurveSearch(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
+    )
+    point = point_of(found, "cusp")
+
+    def conditions(orbit: Orbit, _: Numbers, values: Numbers) -> Numbers:
+        return [orbit.multiplier(1), bend_of_fold(orbit, values)]
+
+    exact = solved(point, (2, 0), conditions)
+    assert [point.restitution, point.amplitude] == pytest.approx(exact, abs=1e-9)
+    (meeting,) = (each for each in found.points if each.point is point)
+    (number,) = meeting.curves
+    curve = found.curves[number - 1]
+    # Both parameters turn back there: the two folds lie on one side.
+    at = curve.points.index(point)
+    before, after = (curve.values[at + step] - curve.values[at] for step in (-2, 2))
+    assert float(before @ after) > 0.9 * np.linalg.norm(before) * np.linalg.norm(after)
+
+
+@given(seed=st.integers(0, 10_000))
+def test_a_fold_and_a_flip_exclude_each_other(seed: int) -> None:
+    # C1: the difference of the determinants is a product of speeds, none of which is 0.
+    orbit = random_start(np.random.default_rng(seed))
+    if orbit is None:
+        return
+    chain = chain_at(orbit)
+    _, frequency, restitution = chain.parameters
+    count = chain.impacts
+    landing = chain.table[:, LANDING]
+    slopes = landing / (frequency * np.sinh(chain.durations))
+    told = 2.0 * (-1) ** (count + 1) * (1.0 + restitution ** (2 * count)) * np.prod(slopes)
+    plus, minus = (np.linalg.det(chain.matrix(closing)) for closing in (1.0, -1.0))
+    assert plus - minus == pytest.approx(told, rel=1e-6, abs=1e-13)
+    assert (landing > 0.0).all()
+    first, second = chain.multipliers
+    whole = 2 * count * (2 if chain.symmetric else 1)
+    assert first * second == pytest.approx(restitution**whole, rel=1e-9)
