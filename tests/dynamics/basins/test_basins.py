@@ -274,6 +274,6 @@ def test_what_makes_no_window_is_refused(arguments: dict[str, Any], valid: str) 
         at(1.0, 2.0, 0.8, count=2).fractions(1.0)
 
 
-def test_only_harmonic_shaking_has_basins() -> None:
-    with pytest.raises(ModelError, match="periodic motions are those of harmonic shaking"):
+def test_only_periodic_shaking_has_basins() -> None:
+    with pytest.raises(ModelError, match="orbits and attractors are those of periodic shaking"):
         compute_basins(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]

@@ -20,7 +20,6 @@ from rocksteady import (
     map_fates,
     open_store,
 )
-from rocksteady.dynamics.maps._map_facts import drawn_counts
 from tests.descriptions import as_json, fits
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -36,44 +35,28 @@ def test_the_counts_are_those_of_the_grid() -> None:
     assert values["cells"] == 12 * 9
     assert sum(values["counts"].values()) == 12 * 9
     assert values["counts"]["rest"] == int((found.kind == 2).sum()) > 0
-    assert values["subharmonic"] == int((found.period > 1).sum()) > 0
-    assert sum(values["subharmonic_counts"].values()) == values["subharmonic"]
+    assert values["counts"]["subharmonic"] == int((found.period > 1).sum()) > 0
+    assert sum(values["subharmonic_counts"].values()) == values["counts"]["subharmonic"]
     assert values["axes"]["amplitude"] == {"start": 0.5, "stop": 6.0, "count": 12}
     assert (values["restitution"], values["start"], values["model"]) == (0.8, "rest", "linear")
     assert (values["cycles"], values["fate"], values["store"]) == (200, False, None)
     text = found.rocksteady.summary()
     assert fits(text)
-    classes = drawn_counts(values["counts"], values["subharmonic_counts"])
     lines = [line.split() for line in text.splitlines()]
-    for kind, count in classes.items():
+    for kind, count in values["counts"].items():
         rows = [line for line in lines if line[:2] == [kind, str(count)] and line[-1] == "%"]
         assert len(rows) == (count > 0)
-    assert sum(classes.values()) == 12 * 9
 
 
 def test_fates_have_no_periods() -> None:
     found = map_fates(BLOCK, axes=AXES, cycles=30)
     values = found.rocksteady.to_dict()
-    assert "subharmonic" not in values
+    assert "subharmonic" not in values["counts"]
     assert values["counts"]["overturned"] == int((found.fate == 2).sum()) > 0
     text = found.rocksteady.summary()
     assert fits(text)
     assert ["fate", "cells", "share"] in [line.split() for line in text.splitlines()]
     assert repr(found.rocksteady).startswith("<rocksteady fate map: 108 cells")
-
-
-def test_subharmonic_motions_are_a_class_of_their_own() -> None:
-    counts = {"symmetric": 5, "unsymmetric": 4, "aperiodic": 1, "undecided": 0}
-    classes = drawn_counts(counts, {"symmetric": 2, "unsymmetric": 3})
-    assert classes == {
-        "symmetric": 3,
-        "unsymmetric": 1,
-        "subharmonic": 5,
-        "aperiodic": 1,
-        "undecided": 0,
-    }
-    assert list(classes)[2] == "subharmonic"
-    assert drawn_counts(counts, {}) == counts
 
 
 def headline(found: xr.Dataset) -> str:

@@ -244,8 +244,10 @@ def test_other_folds_and_refusals(found: Calibration) -> None:
     for none in nothing:
         with pytest.raises(InputError, match="tests"):
             found.predict(none)
-    for wrong in ("beta", 1.0, {"alpha_rad"}):
-        with pytest.raises(InputError, match=r"there are .*alpha_rad"):
+    with pytest.raises(InputError, match=r"there are .*alpha_rad"):
+        found.posteriors["block"].interval("beta")
+    for wrong in (1.0, {"alpha_rad"}):
+        with pytest.raises(InputError, match=r"name = .* is not valid"):
             found.posteriors["block"].interval(wrong)  # type: ignore[arg-type]
     stranger = replace(found.tests.tests[0], object="stranger", name="new")
     with pytest.raises(InputError, match="stranger"):

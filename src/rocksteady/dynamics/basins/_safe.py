@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.fates import batch_size, ends_of
+from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -30,6 +31,7 @@ def safe_states(
     velocities: Floats,
     cycles: int,
     run: Run,
+    harmonics: Harmonics = (),
 ) -> Bools:
     """Return which states of a window do not overturn, shape (amplitudes, velocities, angles).
 
@@ -43,6 +45,8 @@ def safe_states(
         The axes: A, u = theta/alpha and du/d(pt).
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
+    harmonics
+        Of a Fourier series; none of a single sinusoid.
     """
     axes = (("amplitudes", amplitudes), ("velocities", velocities), ("angles", angles))
     data = evaluate(
@@ -52,6 +56,7 @@ def safe_states(
             frequency_ratio=frequency_ratio,
             phase=phase,
             cycles=cycles,
+            harmonics=harmonics,
         ),
         Grid(axes=tuple(Axis(name=name, values=values) for name, values in axes)),
         (SAFE,),
@@ -71,6 +76,7 @@ def _safe(
     frequency_ratio: float,
     phase: float,
     cycles: int,
+    harmonics: Harmonics,
 ) -> dict[str, NDArray[Any]]:
     """Return which of some states do not overturn."""
     count = len(amplitudes)
@@ -82,6 +88,7 @@ def _safe(
         velocity=velocities,
         phase=np.full(count, phase),
         cycles=cycles,
+        harmonics=harmonics,
     )
     return {"safe": status != Status.OVERTURNED}
 

@@ -2,39 +2,48 @@
 
 import functools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.basins._basin_facts import basins_described
+from rocksteady.dynamics.basins.basin_facts import basins_described
+from rocksteady.dynamics.basins.cells import (
+    CELL_OUTPUTS,
+    seed_value,
+    settled_states,
+    states_at_phase,
+)
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
+from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropy, compute_basin_entropy
+from rocksteady.dynamics.basins.measures.uncertainty import (
+    Probe,
+    UncertaintyExponent,
+    compute_uncertainty_exponent,
+)
 from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
 from rocksteady.dynamics.batch.attractors import (
-    InitialStates,
     batch_size,
     periods_value,
-    settled_cells,
 )
-from rocksteady.dynamics.history.lowering import only_side, side_table
+from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import State
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value, whole_number
+from rocksteady.model.checks.validation import in_range, index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
 
@@ -46,14 +55,6 @@ Floats = NDArray[np.float64]
 
 MAX_CYCLES = 500
 """Default number of forcing periods for which a state is followed."""
-LARGEST_SEED = 2**64 - 1
-TINY = 1e-300
-"""Least angle of a state that is drawn beside a wall."""
-CELL_OUTPUTS = (
-    Output(name="kind", dtype=np.int8),
-    *(Output(name=name, dtype=np.int64) for name in ("side", "period", "passages", "rests")),
-    *(Output(name=name) for name in ("phase", "speed", "start_angle", "start_velocity")),
-)
 
 
 @checked_result
@@ -121,7 +122,7 @@ class Basins(Result):
     """
 
     block: Block | DimensionlessBlock
-    motion: Harmonic
+    motion: PeriodicMotion
     angle: Floats
     velocity: Floats
     label: NDArray[np.int64]
@@ -143,7 +144,7 @@ class Basins(Result):
 
         An orbit of n forcing periods is at n points, a block at rest at one; others at none.
         """
-        return tuple(_at_phase(one, self.motion) for one in self.attractors)
+        return tuple(states_at_phase(one, self.motion) for one in self.attractors)
 
     def fractions(self, confidence: float = 0.95) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
@@ -268,6 +269,30 @@ class Basins(Result):
             angle=float(self.start_angle[place]), velocity=float(self.start_velocity[place])
         )
 
+    def entropy(self, box: int | Sequence[int] = BOX) -> BasinEntropy:
+        """Return the entropy of the basins, as `compute_basin_entropy` has it.
+
+        Parameters
+        ----------
+        box
+            Cells along each side of a box (default 20), in velocity and in angle.
+        """
+        return compute_basin_entropy(self.label, box)
+
+    def uncertainty_exponent(
+        self, sizes: Sequence[int] | None = None, *, by: Probe = "states"
+    ) -> UncertaintyExponent:
+        """Return the exponent of the boundary, as `compute_uncertainty_exponent` has it.
+
+        Parameters
+        ----------
+        sizes
+            Perturbations or sides of boxes, in cells.
+        by
+            "states" (default) or "boxes".
+        """
+        return compute_uncertainty_exponent(self.label, sizes, by=by)
+
     @property
     def undecided(self) -> float:
         """Share of the states whose attractor is undecided."""
@@ -296,7 +321,7 @@ class Basins(Result):
 @checked
 def compute_basins(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     *,
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
@@ -361,22 +386,22 @@ def compute_basins(
     unsymmetric-1b 0.0450 0.029 to 0.070
     >>> steady = simulate(basins.block, basins.motion, start=basins.attractors[1].start, cycles=2)
     """
-    bare, shaken = bare_block(block), harmonic(motion)
+    bare, shaken = bare_block(block), periodic_motion(motion)
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
-    reaches = window_of(side_table(bare), shaken.amplitude, shaken.frequency_ratio)
+    reaches = window_of(side_table(bare), largest_amplitude(shaken), shaken.frequency_ratio)
     angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)
     periods = periods_value("max_cycles", max_cycles)
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
-        _settled,
+        settled_states,
         motion=shaken,
         sides=sides,
         half_cycles=half,
         phase=rest,
         cycles=periods,
-        seed=_seed(seed),
+        seed=seed_value(seed),
         cell=(spacing(angle), spacing(velocity)),
     )
     data = evaluate(
@@ -399,67 +424,6 @@ def compute_basins(
         start_angle=cells["start_angle"],
         start_velocity=cells["start_velocity"],
         max_cycles=periods,
-        seed=_seed(seed),
+        seed=seed_value(seed),
         model=equations,
     )
-
-
-def _at_phase(one: BasinAttractor, motion: Harmonic) -> Floats:
-    """Return the states of an attractor at the phase of a motion."""
-    if one.orbit is None:
-        return np.zeros((1 if one.kind is AttractorKind.REST else 0, 2))
-    run, ratio = one.orbit.trajectory(), motion.frequency_ratio
-    turn = 2.0 * math.pi
-    first = one.orbit.states[0].phase
-    since = (motion.phase - first) % turn + turn * np.arange(one.orbit.period)
-    here = run(np.minimum(since / ratio, run.end_time_pt))
-    points: Floats = np.column_stack([here.angle, here.velocity])
-    return points
-
-
-def _seed(seed: object) -> int | None:
-    if seed is None:
-        return None
-    hint = "give a seed, as 1, or leave it out"
-    return whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
-
-
-def _settled(
-    velocities: Floats,
-    angles: Floats,
-    number: NDArray[np.int64],
-    *,
-    motion: Harmonic,
-    sides: Floats,
-    half_cycles: int,
-    phase: float,
-    cycles: int,
-    seed: int | None,
-    cell: tuple[float, float],
-) -> dict[str, NDArray[Any]]:
-    """Return what the states of some cells settle to."""
-    angle, velocity = angles, velocities
-    if seed is not None:
-        part = uniform(seed, number, 2) - 0.5
-        angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
-        if only_side(sides) > 0:  # a cell begins at the wall but for a rounding
-            angle = np.maximum(angle, TINY)
-    count = len(number)
-    found = settled_cells(
-        np.full(count, motion.amplitude),
-        np.full(count, motion.frequency_ratio),
-        sides,
-        InitialStates.of(angle, velocity, half_cycles, phase),
-        cycles,
-    )
-    return {
-        "kind": found.kind,
-        "side": found.side,
-        "phase": found.phase,
-        "speed": found.speed,
-        "period": found.period,
-        "passages": found.passages,
-        "rests": found.rests,
-        "start_angle": angle,
-        "start_velocity": velocity,
-    }

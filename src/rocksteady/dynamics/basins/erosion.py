@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import validated_grid
-from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
+from rocksteady.dynamics.basins.basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins.window import (
     POINTS,
     against_wall,
@@ -22,7 +22,7 @@ from rocksteady.dynamics.basins.window import (
 from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
@@ -32,7 +32,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, harmonics_of
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -121,7 +121,7 @@ class Erosion(Result):
     """
 
     block: Block | DimensionlessBlock
-    motion: Harmonic
+    motion: PeriodicMotion
     amplitude: Floats
     angle: Floats
     velocity: Floats
@@ -150,9 +150,11 @@ class Erosion(Result):
         """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
 
         Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
-        model, which has no closed form of it, and against a wall, where there is one saddle.
+        model and under a Fourier series, which have no closed form of it, and against a wall, where
+        there is one saddle.
         """
-        if isinstance(self.model, Nonlinear) or self.block.one_sided:
+        series = isinstance(self.motion, FourierSeries)
+        if series or isinstance(self.model, Nonlinear) or self.block.one_sided:
             return None
         if not self.block.symmetric:
             return tangency_amplitude(self.block.dimensionless().sides, self.motion.frequency_ratio)
@@ -300,7 +302,7 @@ class Erosion(Result):
 @checked
 def compute_erosion(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     amplitudes: ArrayLike,
     *,
     angles: ArrayLike | None = None,
@@ -360,7 +362,7 @@ def compute_erosion(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock
+    >>> from rocksteady import DimensionlessBlock, Harmonic
     >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     >>> erosion = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.2, 0.6, 1.0])
     >>> print(erosion.global_integrity.round(2), erosion.integrity_factor.round(2))
@@ -369,7 +371,7 @@ def compute_erosion(
     how = Run() if run is None else run
     bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
-    given_motion = harmonic(motion)
+    given_motion = periodic_motion(motion)
     ratio = given_motion.frequency_ratio
     validated_grid(axis.points, ratio, 1.0, 1)  # the block knows its restitutions
     equations = chosen_model(model, block)
@@ -399,6 +401,7 @@ def compute_erosion(
         velocities=velocity.points,
         cycles=count,
         run=how,
+        harmonics=harmonics_of(given_motion),
     )
     shares, radii = np.array([measured(one, angle.points, velocity.points) for one in safe]).T
     if shares[0] == 0.0:

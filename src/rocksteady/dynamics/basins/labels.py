@@ -17,12 +17,13 @@ from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.orbits import periodic
+from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import lean_text
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
@@ -126,7 +127,7 @@ class BasinAttractor(Result):
 
 
 def labelled(
-    block: Block | DimensionlessBlock, motion: Harmonic, model: Model, cells: Cells
+    block: Block | DimensionlessBlock, motion: PeriodicMotion, model: Model, cells: Cells
 ) -> tuple[Integers, tuple[BasinAttractor, ...]]:
     """Return the labels of cells and the attractors in the order of their labels.
 
@@ -148,7 +149,7 @@ def labelled(
         (AttractorKind(orbit.kind), orbit, of) for orbit, of in _orbits(block, motion, model, cells)
     ]
     found.sort(key=lambda one: _order(one[0], one[1]))
-    names = _names([(which, orbit) for which, orbit, _ in found])
+    names = attractor_names([(which, orbit) for which, orbit, _ in found])
     label = np.full(kind.shape, -1, dtype=np.int64)
     for place, (_, _, of) in enumerate(found):
         label[of] = place
@@ -173,8 +174,8 @@ def _order(kind: AttractorKind, orbit: Orbit | None) -> tuple[object, ...]:
     )
 
 
-def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
-    """Yield a name for each attractor."""
+def attractor_names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
+    """Yield a name for each attractor: kind and period, with a letter where several share them."""
     plain = [
         str(kind.value) if orbit is None else f"{kind.value}-{orbit.period}"
         for kind, orbit in found
@@ -191,7 +192,7 @@ def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
 
 
 def _orbits(
-    block: Block | DimensionlessBlock, motion: Harmonic, model: Model, cells: Cells
+    block: Block | DimensionlessBlock, motion: PeriodicMotion, model: Model, cells: Cells
 ) -> Iterator[tuple[Orbit, NDArray[np.bool_]]]:
     """Yield each orbit that cells have found, and which cells."""
     left = cells["period"] > 0
@@ -204,7 +205,7 @@ def _orbits(
             same &= cells[name] == one[name]
         on = np.zeros_like(left)
         for state in orbit.states:
-            on[same] |= _near(
+            on[same] |= near_state(
                 state, cells["side"][same], cells["phase"][same], cells["speed"][same]
             )
         on[first] = True  # whatever rounding says
@@ -212,7 +213,9 @@ def _orbits(
         left &= ~on
 
 
-def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> NDArray[np.bool_]:
+def near_state(
+    state: ImpactState, side: Integers, phase: Floats, speed: Floats
+) -> NDArray[np.bool_]:
     """Return which states are one with another, as `rocksteady.dynamics.orbits.search` has it."""
     apart = np.abs(phase - state.phase)
     apart = np.minimum(apart, TURN - apart)
@@ -225,7 +228,7 @@ def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> N
 
 def _orbit(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     model: Model,
     cell: Mapping[str, Any],
 ) -> Orbit:
@@ -240,7 +243,7 @@ def _orbit(
 
 def _through(
     block: Block | DimensionlessBlock,
-    motion: Harmonic,
+    motion: PeriodicMotion,
     model: Model,
     state: ImpactState,
     cell: Mapping[str, Any],
@@ -249,5 +252,5 @@ def _through(
     system = make_system(block, motion, model)
     passages, periods = cell["passages"], cell["period"]
     table = np.zeros((passages, periodic.ORBIT_COLUMNS))
-    fixed = periodic.polish(system, section_of(state), passages, periods, table)
+    fixed = for_system(periodic.polish, system)(system, section_of(state), passages, periods, table)
     return orbit_from(block, motion, table, periods, fixed.residual, model)

@@ -11,7 +11,7 @@ from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
 
 Floats = NDArray[np.float64]
@@ -146,7 +146,7 @@ def spacing(axis: Axis) -> float:
     return float(axis.points[-1] - axis.points[0]) / (len(axis) - 1)
 
 
-def moment(shaking: Harmonic) -> tuple[int, float]:
+def moment(shaking: PeriodicMotion) -> tuple[int, float]:
     """Return the phase of a shaking as 0 or 1 half cycle and a rest in [0, pi).
 
     The rest is rounded to 12 decimals.  Phases that are whole half periods apart then have the same

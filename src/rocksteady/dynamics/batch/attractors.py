@@ -15,6 +15,8 @@ from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.motions.fourier import shares_of
+from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
 from rocksteady.sweep.cases.outputs import Output
 
@@ -118,6 +120,7 @@ def settled_cells(
     sides: Floats,
     begin: "InitialStates",
     cycles: int,
+    harmonics: Harmonics = (),
 ) -> Attractors:
     """Return what motions settle to, each from its own state.
 
@@ -136,6 +139,8 @@ def settled_cells(
         Where they start.
     cycles
         Forcing periods after which a motion counts as unsettled.
+    harmonics
+        Of a Fourier series, which the amplitudes scale; a single sinusoid without.
     """
     cells = len(amplitude)
     whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
@@ -143,7 +148,7 @@ def settled_cells(
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
     # Lanes hold the linear model only; its side table has fewer columns.
-    same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS))
+    same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS) & (not harmonics))
     whole[:, column.OUTCOME] = LEFT_OVER
     for in_lanes in (True, False):
         left = same if in_lanes else np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
@@ -156,7 +161,22 @@ def settled_cells(
             begin.taken(left),
         )
         found = whole[left], real[left]
-        if in_lanes:
+        if harmonics:
+            total, shares = shares_of(harmonics)
+            column.settle_series_cells(
+                total * a,
+                w,
+                shares,
+                blocks,
+                start.side,
+                start.angle,
+                start.velocity,
+                start.half_cycles,
+                start.phase,
+                cycles,
+                *found,
+            )
+        elif in_lanes:
             lane_attractors(
                 a,
                 w,

@@ -1,14 +1,16 @@
-"""Fates of many motions under harmonic shaking after a given time; chooses the kernel."""
+"""Fates of many motions under periodic shaking after a given time; chooses the kernel."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import alike
-from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Linear, Model
+from rocksteady.model.motions.fourier import shares_of
+from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
@@ -36,6 +38,7 @@ def ends_of(
     velocity: Floats,
     phase: Floats,
     cycles: int,
+    harmonics: Harmonics = (),
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
@@ -53,6 +56,8 @@ def ends_of(
         theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.
     cycles
         Forcing periods that they are followed for, at most.
+    harmonics
+        Of a Fourier series, which the amplitudes scale; a single sinusoid without.
 
     Returns
     -------
@@ -62,6 +67,23 @@ def ends_of(
     """
     count = len(amplitude)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    if harmonics:
+        total, shares = shares_of(harmonics)
+        series_fates(
+            total * amplitude,
+            frequency_ratio.copy(),
+            shares,
+            sides.copy(),
+            angle.copy(),
+            velocity.copy(),
+            phase.copy(),
+            cycles,
+            MOST_IMPACTS,
+            status,
+            impacts,
+            np.empty((count, 3)),
+        )
+        return status, impacts
     if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
         nonlinear_lane_fates(
             # Kernels take no views.

@@ -17,7 +17,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.equations import Model, chosen_model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
@@ -61,7 +61,7 @@ class Question:
 def map_of(
     question: Question,
     block: Block | DimensionlessBlock,
-    motion: Harmonic | None,
+    motion: PeriodicMotion | None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None,

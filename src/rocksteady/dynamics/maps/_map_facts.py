@@ -3,20 +3,13 @@
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
+from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
-from rocksteady.sweep.cases.accessor import (
-    class_counts,
-    count_table,
-    flags_of,
-    grid_facts,
-    slabs,
-)
+from rocksteady.sweep.cases.accessor import cell_count, count_table, grid_facts
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,7 +25,8 @@ def describe(dataset: "xr.Dataset") -> Description:
     """Return the cells of each class of a map, its grid, and what is no axis."""
     fates = "fate" in dataset
     name = "fate" if fates else "kind"
-    counts = class_counts(dataset, name)
+    counts, longer = map_counts(dataset)
+    cells = cell_count(dataset)
     cycles = _cycles(dataset)
     facts = [
         *grid_facts(dataset),
@@ -41,30 +35,15 @@ def describe(dataset: "xr.Dataset") -> Description:
         Fact("model", _model(dataset), "model"),
         *_parameters(dataset),
         Fact("counts", counts),
+        Fact("shares", {word: count / cells for word, count in counts.items()}),
     ]
-    drawn, notes = counts, []
-    if not fates and "period" in dataset:
-        longer = _subharmonic(dataset)
-        total = sum(longer.values())
-        facts += [Fact("subharmonic", total), Fact("subharmonic_counts", longer)]
-        drawn = drawn_counts(counts, longer)
-        if total:
-            parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
-            notes.append(f"subharmonic: of period 2 or longer, {parts}")
-    return Description(headline(dataset), facts, [count_table(drawn, heading=name)], notes)
-
-
-def drawn_counts(counts: dict[str, int], longer: dict[str, int]) -> dict[str, int]:
-    """Return the cells of each class of a picture, in the order of its legend.
-
-    Subharmonic motions are a class of their own there, whatever their kind.
-    """
-    drawn: dict[str, int] = {}
-    for kind, count in counts.items():
-        if kind == "aperiodic" and longer:
-            drawn["subharmonic"] = sum(longer.values())
-        drawn[kind] = count - longer.get(kind, 0)
-    return drawn
+    notes = []
+    if longer:
+        facts.append(Fact("subharmonic_counts", longer))
+        parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
+        notes.append(f"subharmonic: of period 2 or longer, {parts}")
+    table = count_table(counts, cells=cells, heading=name)
+    return Description(headline(dataset), facts, [table], notes)
 
 
 def headline(dataset: "xr.Dataset") -> str:
@@ -139,13 +118,3 @@ def _text(name: str, given: "dict[str, Any]") -> str:
     if name in UNITS:
         return quantity(value, UNITS[name])
     return number(value) if isinstance(value, float) else str(value)
-
-
-def _subharmonic(dataset: "xr.Dataset") -> dict[str, int]:
-    """Return how many cells of each kind have a period of two or longer, without the zeros."""
-    words = flags_of(dataset["kind"])
-    longer = dict.fromkeys(words.values(), 0)
-    for kind, period in slabs(dataset, "kind", "period"):
-        for code, word in words.items():
-            longer[word] += int(np.count_nonzero((kind == code) & (period > 1)))
-    return {word: count for word, count in longer.items() if count}

@@ -23,7 +23,7 @@ from rocksteady.dynamics.history.start import (
     validated_start,
 )
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError, Words
@@ -34,7 +34,7 @@ from rocksteady.model.blocks.housner_forms import form_text
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 
 Floats = NDArray[np.float64]
 
@@ -119,7 +119,7 @@ class Scenario:
 
     axes: tuple[str, ...]
     block: Block | DimensionlessBlock
-    motion: Harmonic | None = None
+    motion: PeriodicMotion | None = None
     start: Start = field(default_factory=Rest)
     fixed: tuple[tuple[str, float], ...] = ()
     housner: float | None = None
@@ -134,7 +134,7 @@ class Scenario:
         object.__setattr__(self, "fixed", fixed)
         bare_block(self.block)
         if self.motion is not None:
-            harmonic(self.motion)
+            periodic_motion(self.motion)
         validated_start(self.start)
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
@@ -205,10 +205,14 @@ class Scenario:
         else:
             moved = isinstance(self.start, State) or STATE & set(self.given)
             found["start"] = "state" if moved else "rest"
+        if isinstance(self.motion, FourierSeries):
+            found["harmonics"] = str(self.motion.harmonics)
         found["model"] = self.model.name
         return found
 
-    def at(self, cell: Mapping[str, float]) -> tuple[Block | DimensionlessBlock, Harmonic, Start]:
+    def at(
+        self, cell: Mapping[str, float]
+    ) -> tuple[Block | DimensionlessBlock, PeriodicMotion, Start]:
         """Return block, shaking and start where the axes have these values.
 
         Raises
@@ -222,7 +226,10 @@ class Scenario:
         own: Restitution | None = ("housner", factor) if like else None
         restitution: Restitution | None = given.get("restitution", own)
         block = block_of(self.block, self.sizes, given, restitution)
-        shaking = shaking_of(block, given)
+        shaking: PeriodicMotion = shaking_of(block, given)
+        if isinstance(self.motion, FourierSeries):
+            ratios = {name: getattr(shaking, name) for name in ("amplitude", "frequency_ratio")}
+            shaking = replace(self.motion, phase=shaking.phase, **ratios)
         start = self.start
         if isinstance(start, Steady):
             start = replace(start, kick=given["kick"])
@@ -334,6 +341,13 @@ class Scenario:
             )
 
     def _check_start(self) -> None:
+        if isinstance(self.start, Steady) and isinstance(self.motion, FourierSeries):
+            raise ModelError(
+                "start",
+                self.start,
+                "steady states in closed form are those of a single sinusoid",
+                "start from Rest() or a State",
+            )
         if isinstance(self.start, ImpactState):
             raise ModelError(
                 "start",

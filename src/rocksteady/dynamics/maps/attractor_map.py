@@ -19,7 +19,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
 from rocksteady.sweep.run import Run
 
@@ -32,7 +32,7 @@ Floats = NDArray[np.float64]
 @checked
 def map_attractors(
     block: Block | DimensionlessBlock,
-    motion: Harmonic | None = None,
+    motion: PeriodicMotion | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None = None,
@@ -121,6 +121,7 @@ def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[
         cells.sides,
         cells.begin,
         cycles,
+        harmonics_of(scenario.motion),
     )
     return {
         "kind": np.where(there, found.kind, np.int8(NO_START)),

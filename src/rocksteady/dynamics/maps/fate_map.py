@@ -14,7 +14,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 @checked
 def map_fates(
     block: Block | DimensionlessBlock,
-    motion: Harmonic | None = None,
+    motion: PeriodicMotion | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None = None,
@@ -70,7 +70,7 @@ def map_fates(
     of the motion at that moment?
 
     >>> import numpy as np
-    >>> from rocksteady import DimensionlessBlock, map_fates
+    >>> from rocksteady import DimensionlessBlock, Harmonic, map_fates
     >>> cells = map_fates(
     ...     DimensionlessBlock(restitution=0.8),
     ...     Harmonic(amplitude=1.5, frequency_ratio=3.0),
@@ -106,6 +106,7 @@ def _fates(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[st
         velocity=cells.velocity,
         phase=cells.phase,
         cycles=cycles,
+        harmonics=harmonics_of(scenario.motion),
     )
     return {"fate": np.where(cells.there, status, NO_START).astype(np.int8), "impacts": impacts}
 

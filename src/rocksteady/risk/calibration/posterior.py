@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -17,6 +18,7 @@ Floats = NDArray[np.float64]
 ENDS = (0.5, 0.05, 0.95)
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Posterior(Result):
     """Weighted draws of the parameters of one object.
@@ -76,7 +78,7 @@ class Posterior(Result):
             If there is none of that name.
         """
         columns = self.columns
-        if not isinstance(name, str) or name not in columns:  # type: ignore[redundant-expr]
+        if name not in columns:
             raise InputError("name", name, f"there are {', '.join(columns)}", "give one of them")
         return columns[name]
 
@@ -86,7 +88,7 @@ class Posterior(Result):
         Raises
         ------
         InputError
-            If there is none of that name.
+            If there is none of that name, or `untempered` is not True or False.
         """
         weights = self.untempered_weights if untempered else self.weights
         column = self.of(name)[:, np.newaxis]

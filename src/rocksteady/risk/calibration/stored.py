@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
@@ -55,6 +55,7 @@ def posterior_rows(calibration: Calibration) -> tuple[list[str], list[list[objec
     return ["object", "draw", *names, *WEIGHTS], rows
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class StoredPosterior(Result):
     """Posteriors of a calibration, from its folder.

@@ -106,7 +106,7 @@ class ElasticSpectrum:
         """Validate."""
         for key in ("ag_g", "f0", "tc_star_s", "soil_factor", "cc"):
             value = getattr(self, key)
-            if value is not None:
+            if value is not None or key in ("ag_g", "f0", "tc_star_s"):
                 low, high, hint = LIMITS[key]
                 object.__setattr__(self, key, in_range(key, value, low, high, "[]", hint=hint))
         if not (isinstance(self.topography, str) and self.topography in TOPOGRAPHY_FACTORS):

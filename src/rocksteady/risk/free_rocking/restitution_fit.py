@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
@@ -22,6 +24,8 @@ CONFIDENCE = 0.9
 SMALL = 0.05
 """Part of the first peak down to which impacts are counted."""
 MOST_COUNTED = 1_000_000
+MOST = 2.0
+"""The largest restitution that peaks are computed with."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,9 +154,14 @@ class RestitutionFit(Result):
         Returns
         -------
         ndarray, shape (peaks,)
+
+        Raises
+        ------
+        InputError
+            If there are not two ratios in (0, 2]: those of a fit may exceed 1.
         """
-        ends = self.restitution if ratios is None else ratios
-        return decayed(release, self.block, self.model, (ends[0], ends[1]))
+        ends = self.restitution if ratios is None else _two(ratios)
+        return decayed(release, self.block, self.model, ends)
 
     def describe(self) -> Description:
         """Return the estimates, the impacts and the remarks."""
@@ -283,6 +292,16 @@ def peaks_at(velocity: Floats, side: int, block: Block, model: Model) -> Floats:
     square = sine * sine - half
     fall = half / (sine * np.sqrt(1.0 - square) + np.sqrt(square) * cosine)
     return np.asarray(2.0 * np.arcsin(fall))
+
+
+def _two(ratios: Sequence[float]) -> tuple[float, float]:
+    """Return two restitutions, which of a fit may exceed 1."""
+    if len(ratios) != 2:
+        valid = "there are two impacts, the one that ends positive rotation and the other"
+        raise InputError("ratios", ratios, valid, "give a pair, as (0.9, 0.9)")
+    hint = "give ratios of angular velocities after and before an impact"
+    first, second = (in_range("ratios", one, 0.0, MOST, "(]", hint=hint) for one in ratios)
+    return first, second
 
 
 def decayed(release: Release, block: Block, model: Model, ratios: tuple[float, float]) -> Floats:

@@ -59,7 +59,7 @@ def outputs_described(dataset: xr.Dataset) -> Description:
     tables = []
     for name, variable in dataset.data_vars.items():
         if "flag_values" in variable.attrs:
-            tables.append(count_table(class_counts(dataset, str(name)), heading=str(name)))
+            tables.append(_flag_table(dataset, str(name)))
         elif variable.dtype.kind in "iuf" and variable.size:
             words = str(variable.attrs.get("long_name", name))
             ends = [float(variable.min()), float(variable.max())]
@@ -117,11 +117,17 @@ def flags_of(variable: xr.DataArray) -> dict[int, str]:
     return dict(zip(values, str(variable.attrs["flag_meanings"]).split(), strict=True))
 
 
-def count_table(counts: dict[str, int], *, heading: str) -> Table:
-    """Return a table of classes, cells and shares for people."""
-    whole = sum(counts.values())
+def _flag_table(dataset: xr.Dataset, name: str) -> Table:
+    """Return the table of a variable with flags; what has none of them is not computed."""
+    counts, cells = class_counts(dataset, name), int(dataset[name].size)
+    missing = cells - sum(counts.values())
+    return count_table({**counts, "not-computed": missing}, cells=cells, heading=name)
+
+
+def count_table(counts: dict[str, int], *, cells: int, heading: str) -> Table:
+    """Return a table of classes, their cells and shares of all cells, for people."""
     rows = [
-        {"class": word, "cells": count, "share": f"{100.0 * count / whole:.2f} %"}
+        {"class": word, "cells": count, "share": f"{100.0 * count / cells:.2f} %"}
         for word, count in counts.items()
         if count
     ]

@@ -35,8 +35,8 @@ def test_lines_run_through_columns_that_did_not_begin_them(order: int) -> None:
 
 def test_the_first_doubling_of_the_third_ends_in_a_graze() -> None:
     (line,) = (x for x in small().lines if (x.order, x.name) == (3, "first-doubling"))
-    assert "grazing" in line.ends
-    place = line.ends.index("grazing") - 1
+    assert "doubling-graze" in line.ends
+    place = line.ends.index("doubling-graze") - 1
     assert line.frequency_ratio[-1 if place == 0 else 0] == pytest.approx(5.6875, abs=1e-4)
 
 

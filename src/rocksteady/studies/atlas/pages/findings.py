@@ -81,7 +81,7 @@ def meeting(order: int, lines: Sequence[Line]) -> dict[str, float] | None:
         if (line.order, line.name) != (order, "first-doubling"):
             continue
         for end, place in zip(line.ends, (0, -1), strict=True):
-            if end == "grazing":
+            if end == "doubling-graze":
                 return {
                     "frequency_ratio": float(line.frequency_ratio[place]),
                     "amplitude": float(line.amplitude[place]),

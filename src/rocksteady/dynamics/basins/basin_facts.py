@@ -52,6 +52,7 @@ def basins_described(basins: Any) -> Description:
         Fact("velocities", axis_values(basins.velocity)),
         Fact("erosion"),
         Fact("drop"),
+        Fact("shares"),
     ]
     rows = []
     for attractor, part in zip(basins.attractors, basins.fractions(CONFIDENCE), strict=True):
@@ -197,6 +198,7 @@ def erosion_described(erosion: Any) -> Description:
         Fact("angles", axis_values(erosion.angle)),
         Fact("velocities", axis_values(erosion.velocity)),
         Fact("fractions"),
+        Fact("shares"),
     ]
     shown = [
         Column("amplitude", "amplitude A", lambda value: f"{value:.6g}"),

@@ -1,0 +1,102 @@
+"""Facts and tables of fates over a window of initial states.
+
+The class imports this module, so that its type has no name here.
+"""
+
+import math
+from typing import Any
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.facts import block_text, case_text, lean_text
+from rocksteady.model.motion_facts import motion_facts, motion_text
+from rocksteady.outcomes import Status
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, quantity
+
+CONFIDENCE = 0.95
+"""Of the intervals of a description."""
+
+
+def fates_headline(found: Any) -> str:
+    """Return what the fates are of, in a line."""
+    words = motion_text(found.block, found.motion)
+    return f"Fates under {words}: {case_text(found.block)}, {found.model.name} model"
+
+
+def fates_described(found: Any) -> Description:
+    """Return the facts of fates: shares, integrity, window and case."""
+    block = found.block
+    least, most = (lean_text(block, float(end)) for end in found.angle[[0, -1]])
+    slow, fast = (number(float(end)) for end in found.velocity[[0, -1]])
+    from_to = f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
+    facts = [
+        Fact("block", block.to_dict(), "block", block_text(block)),
+        Fact("motion", motion_text(found.block, found.motion), "base motion"),
+        *motion_facts(block, found.motion),
+        *_moment(found),
+        Fact("model", found.model.name, "model"),
+        Fact("", label="states", text=f"{found.fate.size:,} of {from_to}"),
+        Fact("safe_share", found.safe_share, "safe", f"{100.0 * found.safe_share:.2f} %"),
+        Fact("still_share", found.still_share),
+        Fact(
+            "global_integrity",
+            _or_none(found.global_integrity),
+            "global integrity",
+            _text(found.global_integrity),
+        ),
+        Fact(
+            "integrity_factor",
+            _or_none(found.integrity_factor),
+            "integrity factor",
+            _text(found.integrity_factor),
+        ),
+        Fact("radius", found.radius),
+        Fact("still_radius", found.still_radius),
+        Fact("largest_safe_peak", _or_none(found.largest_safe_peak)),
+        Fact("confidence", CONFIDENCE),
+        Fact("angles", _axis(found.angle)),
+        Fact("velocities", _axis(found.velocity)),
+    ]
+    rows = [part.to_dict() for part in found.fractions(CONFIDENCE)]
+    columns = [
+        Column("name", "fate", left=True),
+        Column("states", "states", lambda states: f"{states:,}"),
+        Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
+        Column("between", f"{100.0 * CONFIDENCE:g} % interval"),
+    ]
+    read = [
+        {**row, "between": f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"}
+        for row in rows
+    ]
+    notes = ["Integrity is 1 on a still base: the safe area, and the radius of its largest circle."]
+    rare = (Status.LOST_CONTACT, Status.UNDECIDED)
+    notes += [status.advice for status in rare if (found.fate == status).any()]
+    if (found.fate == Status.ROCKING).any():
+        notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
+    return Description(
+        fates_headline(found), facts, [Table("fractions", rows), Table("", read, columns)], notes
+    )
+
+
+def _moment(found: Any) -> list[Fact]:
+    """Return the moment of the states, in seconds too where the block has a size."""
+    facts = [Fact("time_pt", found.time_pt)]
+    words = f"pt {number(found.time_pt)}"
+    if isinstance(found.block, Block):
+        seconds = found.time_pt / found.block.p
+        facts.append(Fact("time_s", seconds))
+        words = f"{quantity(seconds, 's')} ({words})"
+    return [*facts, Fact("", label="states at", text=words)] if found.time_pt else facts
+
+
+def _or_none(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
+def _text(value: float) -> str:
+    return "none: no state is safe on a still base" if math.isnan(value) else f"{value:.4f}"
+
+
+def _axis(points: Any) -> dict[str, float]:
+    """Return an axis of a window: first, last and number of its points."""
+    return {"start": float(points[0]), "stop": float(points[-1]), "count": len(points)}

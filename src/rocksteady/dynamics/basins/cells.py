@@ -1,0 +1,120 @@
+"""States of a window: where they are drawn, what they settle to, and attractors at a phase."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.basins.labels import BasinAttractor
+from rocksteady.dynamics.batch.attractors import Attractors, InitialStates, settled_cells
+from rocksteady.dynamics.history.lowering import only_side
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
+from rocksteady.outcomes import AttractorKind
+from rocksteady.sweep.cases.draws import uniform
+from rocksteady.sweep.cases.outputs import Output
+
+Floats = NDArray[np.float64]
+
+LARGEST_SEED = 2**64 - 1
+TINY = 1e-300
+"""Least angle of a state that is drawn beside a wall."""
+CELL_ATTRACTOR = ("kind", "side", "phase", "speed", "period", "passages", "rests")
+CELL_OUTPUTS = (
+    Output(name="kind", dtype=np.int8),
+    *(Output(name=name, dtype=np.int64) for name in ("side", "period", "passages", "rests")),
+    *(Output(name=name) for name in ("phase", "speed", "start_angle", "start_velocity")),
+)
+
+
+def states_at_phase(one: BasinAttractor, motion: PeriodicMotion) -> Floats:
+    """Return the states of an attractor at the phase of a motion, shape (states, 2)."""
+    if one.orbit is None:
+        return np.zeros((1 if one.kind is AttractorKind.REST else 0, 2))
+    run, ratio = one.orbit.trajectory(), motion.frequency_ratio
+    turn = 2.0 * math.pi
+    first = one.orbit.states[0].phase
+    since = (motion.phase - first) % turn + turn * np.arange(one.orbit.period)
+    here = run(np.minimum(since / ratio, run.end_time_pt))
+    points: Floats = np.column_stack([here.angle, here.velocity])
+    return points
+
+
+def seed_value(seed: object) -> int | None:
+    """Return the seed of a draw, or None for the points of a grid.
+
+    Raises
+    ------
+    InputError
+        If it is no whole number of 64 bits.
+    """
+    if seed is None:
+        return None
+    hint = "give a seed, as 1, or leave it out"
+    return whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
+
+
+def settled_states(
+    velocities: Floats,
+    angles: Floats,
+    number: NDArray[np.int64],
+    *,
+    motion: PeriodicMotion,
+    sides: Floats,
+    half_cycles: int,
+    phase: float,
+    cycles: int,
+    seed: int | None,
+    cell: tuple[float, float],
+) -> dict[str, NDArray[Any]]:
+    """Return what the states of some cells settle to."""
+    angle, velocity = angles, velocities
+    if seed is not None:
+        walled = only_side(sides) > 0
+        angle, velocity = drawn_states(angles, velocities, number, seed, cell, walled=walled)
+    count = len(number)
+    found = settled_cells(
+        np.full(count, motion.amplitude),
+        np.full(count, motion.frequency_ratio),
+        sides,
+        InitialStates.of(angle, velocity, half_cycles, phase),
+        cycles,
+        harmonics_of(motion),
+    )
+    return {**found_in_cells(found), "start_angle": angle, "start_velocity": velocity}
+
+
+def drawn_states(
+    angles: Floats,
+    velocities: Floats,
+    number: NDArray[np.int64],
+    seed: int,
+    cell: tuple[float, float],
+    *,
+    walled: bool,
+) -> tuple[Floats, Floats]:
+    """Return the angle and the velocity of a state drawn in each cell of a window.
+
+    Parameters
+    ----------
+    angles, velocities
+        Middles of the cells, shape (cells,).
+    number
+        Of the cells in the window.
+    seed
+        Of the draw.
+    cell
+        Width of a cell in angle and in velocity.
+    walled
+        Whether the block stands against a wall.
+    """
+    part = uniform(seed, number, 2) - 0.5
+    angle, velocity = angles + part[:, 0] * cell[0], velocities + part[:, 1] * cell[1]
+    # A cell begins at the wall but for a rounding.
+    return (np.maximum(angle, TINY) if walled else angle), velocity
+
+
+def found_in_cells(found: Attractors) -> dict[str, NDArray[Any]]:
+    """Return what `labelled` reads of the attractors of some cells."""
+    return {name: getattr(found, name) for name in CELL_ATTRACTOR}

@@ -1,0 +1,269 @@
+"""Basin entropy: how uncertain the attractor is in boxes of initial states."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.result import Result
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+BOX = 20
+"""Default number of cells along a side of a box, that of Attractors.jl."""
+FEW_BOXES = 20
+"""Boundary boxes below which their mean says little."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BasinEntropy(Result):
+    """Entropy of basins of attraction over boxes of initial states.
+
+    Attributes
+    ----------
+    box
+        Cells along each side of a box.
+    box_entropy
+        Entropy of the labels in each box [nats], shape (boxes along each axis).
+    basins
+        Number of different labels.
+    """
+
+    box: tuple[int, ...]
+    box_entropy: Floats
+    basins: int
+
+    @property
+    def boxes(self) -> int:
+        """Number of boxes."""
+        return int(self.box_entropy.size)
+
+    @property
+    def boundary_boxes(self) -> int:
+        """Number of boxes with two labels or more."""
+        return int(np.count_nonzero(self.box_entropy))
+
+    @property
+    def entropy(self) -> float:
+        """Basin entropy S_b: the mean over all boxes [nats]."""
+        return float(self.box_entropy.sum()) / self.boxes
+
+    @property
+    def boundary_entropy(self) -> float:
+        """Boundary basin entropy S_bb: the mean over boundary boxes; nan where there are none."""
+        many = self.boundary_boxes
+        return float(self.box_entropy.sum()) / many if many else math.nan
+
+    @property
+    def largest(self) -> float:
+        """The largest entropy that so many basins can have, ln(basins)."""
+        return math.log(self.basins)
+
+    @property
+    def fractal(self) -> bool:
+        """Whether S_bb > ln 2, which proves a fractal boundary; False decides nothing."""
+        return self.boundary_entropy > math.log(2.0)
+
+    def describe(self) -> Description:
+        """Return both entropies, what they are over, and the criterion."""
+        sides = " x ".join(map(str, self.box))
+        above = "above" if self.fractal else "not above"
+        bound = "—" if math.isnan(self.boundary_entropy) else f"{self.boundary_entropy:.4f}"
+        facts = [
+            Fact("entropy", self.entropy, "basin entropy S_b", f"{self.entropy:.4f}"),
+            Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", bound),
+            Fact("fractal", self.fractal, "ln 2 criterion", f"S_bb is {above} ln 2 = 0.6931"),
+            Fact("box", list(self.box), "box", f"{sides} states"),
+            Fact("boxes", self.boxes),
+            Fact("boundary_boxes", self.boundary_boxes),
+            Fact(
+                "",
+                label="boundary boxes",
+                text=f"{self.boundary_boxes:,} of {self.boxes:,}",
+            ),
+            Fact("basins", self.basins, "basins"),
+        ]
+        notes = []
+        if self.boundary_boxes == 0:
+            notes.append("No box has two basins: there is no boundary to measure at this size.")
+        elif self.boundary_boxes < FEW_BOXES:
+            notes.append("Few boxes lie on a boundary: take more states, or smaller boxes.")
+        if self.boundary_boxes and not self.fractal:
+            notes.append("S_bb above ln 2 means a fractal boundary; below it, either is possible.")
+        return Description(
+            f"basin entropy {self.entropy:.4f}, on the boundary {bound}, boxes of {sides} states",
+            facts,
+            notes=notes,
+        )
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BasinEntropies(Result):
+    """Entropy of basins of attraction over the values of a parameter.
+
+    Attributes
+    ----------
+    parameter
+        "amplitude", "frequency_ratio", "restitution" or "phase".
+    values
+        Of the parameter, shape (values,).
+    entropies
+        One a value, all over boxes of one size.
+    """
+
+    parameter: str
+    values: Floats
+    entropies: tuple[BasinEntropy, ...]
+
+    @property
+    def entropy(self) -> Floats:
+        """Basin entropy S_b at each value [nats], shape (values,)."""
+        return np.array([one.entropy for one in self.entropies])
+
+    @property
+    def boundary_entropy(self) -> Floats:
+        """Boundary basin entropy S_bb at each value [nats], shape (values,); nan without any."""
+        return np.array([one.boundary_entropy for one in self.entropies])
+
+    def describe(self) -> Description:
+        """Return both entropies at each value."""
+        rows = [
+            {
+                self.parameter: value,
+                "entropy": one.entropy,
+                "boundary_entropy": one.boundary_entropy,
+                "fractal": one.fractal,
+                "boundary_boxes": one.boundary_boxes,
+                "basins": one.basins,
+            }
+            for value, one in zip(self.values.tolist(), self.entropies, strict=True)
+        ]
+        first = self.entropies[0]
+        sides = " x ".join(map(str, first.box))
+        facts = [
+            Fact("box", list(first.box), "box", f"{sides} states"),
+            Fact("boxes", first.boxes, "boxes"),
+        ]
+        columns = [
+            Column(self.parameter, self.parameter.replace("_", " "), lambda value: f"{value:.6g}"),
+            Column("entropy", "S_b", lambda value: f"{value:.4f}"),
+            Column("boundary_entropy", "S_bb", lambda value: f"{value:.4f}".replace("nan", "—")),
+            Column("fractal", "above ln 2"),
+            Column("boundary_boxes", "boundary boxes"),
+        ]
+        low, high = float(self.entropy.min()), float(self.entropy.max())
+        headline = f"basin entropy from {low:.4f} to {high:.4f}, boxes of {sides} states"
+        note = "S_bb above ln 2 means a fractal boundary; below it, either is possible."
+        return Description(headline, facts, [Table("entropies", rows, columns)], [note])
+
+
+@checked
+def compute_basin_entropy(labels: ArrayLike, box: int | Sequence[int] = BOX) -> BasinEntropy:
+    """Compute the basin entropy and the boundary basin entropy of labelled states.
+
+    The states are divided into boxes.  A box with shares p_j of its states in basin j has the
+    entropy -sum p_j ln p_j; S_b is the mean of all boxes and S_bb that of the boxes with two basins
+    or more [1]_.  Definitions and default are those of ``basin_entropy`` in Attractors.jl.  If
+    boundaries are smooth and most boxes on them have two basins, S_bb <= ln 2: above it a boundary
+    is fractal.
+
+    Parameters
+    ----------
+    labels
+        Integers, or truths for safe and not, one a state, of any number of dimensions: the states
+        of a window as `Basins.label`, those of an erosion as ``erosion.safe[0]``.
+    box
+        Cells along each side of a box (default 20), one number or one for each axis, of which the
+        shape of `labels` is a multiple.
+
+    Returns
+    -------
+    BasinEntropy
+        Both entropies, and that of each box.
+
+    Raises
+    ------
+    InputError
+        If the labels are no array of integers, or boxes do not divide it.
+
+    References
+    ----------
+    .. [1] A. Daza et al., Sci. Rep. 6, 31416 (2016), https://doi.org/10.1038/srep31416
+
+    Examples
+    --------
+    >>> found = compute_basin_entropy([[0, 0, 0, 1], [0, 0, 1, 1]], box=2)
+    >>> print(found.box_entropy.round(4), f"{found.entropy:.4f} {found.boundary_entropy:.4f}")
+    [[0.     0.5623]] 0.2812 0.5623
+    """
+    array = label_array(labels)
+    sides = box_sides(box, array.shape)
+    codes = np.unique(array, return_inverse=True)[1].reshape(array.shape)
+    split = [
+        part for many, side in zip(array.shape, sides, strict=True) for part in (many // side, side)
+    ]
+    inside = tuple(range(1, 2 * array.ndim, 2))
+    basins = int(codes.max()) + 1
+    entropy = np.zeros(split[::2])
+    for label in range(basins):
+        share = (codes == label).reshape(split).mean(axis=inside)
+        entropy -= share * np.log(np.where(share > 0.0, share, 1.0))
+    return BasinEntropy(box=sides, box_entropy=entropy + 0.0, basins=basins)
+
+
+def label_array(labels: Any) -> Integers:
+    """Return labels as an array of integers; truths become 0 and 1.
+
+    Raises
+    ------
+    InputError
+        If they are anything else, or none.
+    """
+    hint = "give the labels of basins, as basins.label, or whether states are safe"
+    valid = "labels are an array of integers with one dimension or more, not empty"
+    try:
+        array = np.asarray(numeric_array("labels", labels, None))
+    except UnfitError as unfit:
+        raise InputError("labels", labels, *unfit.args) from None
+    except ValueError:  # rows of unequal lengths
+        raise InputError("labels", labels, valid, hint) from None
+    if array.dtype.kind not in "iub" or array.ndim == 0 or array.size == 0:
+        raise InputError("labels", labels, valid, hint)
+    return array.astype(np.int64)
+
+
+def box_sides(box: object, shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the cells along each side of boxes that divide an array of a shape.
+
+    Raises
+    ------
+    InputError
+        If they do not, or are no whole numbers.
+    """
+    given = tuple(box) if isinstance(box, Sequence) else (box,) * len(shape)
+    if len(given) != len(shape):
+        valid = f"there is one number for all axes, or one for each of {len(shape)}"
+        raise InputError("box", box, valid, "give one number of cells, as 20")
+    hint = "give cells along a side of a box"
+    sides = tuple(whole_number("box", side, at_least=1, hint=hint) for side in given)
+    if any(many % side for many, side in zip(shape, sides, strict=True)):
+        whole = math.gcd(*shape)
+        fit = [side for side in range(2, whole + 1) if whole % side == 0]
+        raise InputError(
+            "box",
+            box,
+            "boxes must divide the window of " + " x ".join(map(str, shape)) + " states",
+            f"give {', '.join(map(str, fit[:6]))}" if fit else "take windows of 100 x 100 states",
+        )
+    return sides

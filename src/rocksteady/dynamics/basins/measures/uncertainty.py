@@ -1,0 +1,289 @@
+"""Uncertainty exponent of basins: how the share of uncertain states falls with their precision."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.basins.measures.entropy import label_array
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Probe = Literal["states", "boxes"]
+
+PARTS = 20
+"""The largest default size is the longer side of the window over this."""
+ROUGH = 0.05
+"""Standard error from which on a description calls the fit poor."""
+FEW = 20
+"""Uncertain states or boxes below which a scale says little."""
+CONFIDENCE = 0.95
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class UncertaintyExponent(Result):
+    """Uncertainty exponent of a basin boundary, with the counts from which it follows.
+
+    Attributes
+    ----------
+    by
+        What was counted: "states" or "boxes".
+    size
+        Perturbation of a state, or side of a box [cells], shape (sizes,).
+    uncertain
+        How many of them were uncertain, shape (sizes,).
+    total
+        Of how many, shape (sizes,).
+    dimensions
+        Of the window.
+    """
+
+    by: Probe
+    size: Integers
+    uncertain: Integers
+    total: Integers
+    dimensions: int
+
+    @property
+    def share(self) -> Floats:
+        """Share of uncertain states or boxes, shape (sizes,)."""
+        return self.uncertain / self.total
+
+    @cached_property
+    def _fit(self) -> tuple[float, float, float]:
+        """Slope of the line, its standard error, and r^2."""
+        used = self.uncertain > 0
+        if np.count_nonzero(used) < 2:
+            return math.nan, math.nan, math.nan
+        x = np.log(self.size[used].astype(np.float64))
+        # Boxes count as in Attractors.jl, by their number and not by their share.
+        y = np.log(self.share[used] if self.by == "states" else self.uncertain[used])
+        away = x - x.mean()
+        slope = float(away @ y / (away @ away))
+        left = y - y.mean() - slope * away
+        spread = float(((y - y.mean()) ** 2).sum())
+        fitted = 1.0 - float(left @ left) / spread if spread > 0.0 else 1.0
+        if len(x) == 2:
+            return slope, math.nan, fitted
+        return slope, math.sqrt(float(left @ left) / (len(x) - 2) / float(away @ away)), fitted
+
+    @property
+    def exponent(self) -> float:
+        """Uncertainty exponent; nan where fewer than two sizes meet a boundary."""
+        return self._fit[0] + (0.0 if self.by == "states" else self.dimensions)
+
+    @property
+    def dimension(self) -> float:
+        """Dimension of the boundary: that of the window less the exponent."""
+        return self.dimensions - self.exponent
+
+    @property
+    def standard_error(self) -> float:
+        """Standard error of the slope; nan for fewer than three sizes."""
+        return self._fit[1]
+
+    @property
+    def r_squared(self) -> float:
+        """Share of the variance of the logarithms that the line has."""
+        return self._fit[2]
+
+    def interval(self, confidence: float = CONFIDENCE) -> tuple[float, float]:
+        """Return the interval of the exponent, from Student's distribution.
+
+        The counts at several sizes are of one boundary and not independent: the interval tells how
+        straight the line is, not how another window would come out.
+
+        Raises
+        ------
+        InputError
+            If the confidence is outside its range.
+        """
+        from scipy.stats import t
+
+        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
+        left = int(np.count_nonzero(self.uncertain)) - 2
+        if left < 1:
+            return math.nan, math.nan
+        half = float(t.ppf(0.5 + 0.5 * level, left)) * self.standard_error
+        return self.exponent - half, self.exponent + half
+
+    def describe(self) -> Description:
+        """Return the exponent with its interval, the dimension, and the counts."""
+        low, high = self.interval()
+        rows = [
+            {"size": size, "uncertain": uncertain, "total": total, "share": uncertain / total}
+            for size, uncertain, total in zip(
+                self.size.tolist(), self.uncertain.tolist(), self.total.tolist(), strict=True
+            )
+        ]
+        known = not math.isnan(self.exponent)
+        error = "" if math.isnan(self.standard_error) else f" ± {self.standard_error:.3f}"
+        value = f"{self.exponent:.3f}{error}" if known else "—"
+        facts = [
+            Fact("by", self.by, "counted", self.by),
+            Fact("exponent", self.exponent, "uncertainty exponent", value),
+            Fact("standard_error", self.standard_error),
+            Fact("interval", [low, high]),
+            Fact(
+                "",
+                label="95 % interval",
+                text="—" if math.isnan(low) else f"{low:.3f} to {high:.3f}",
+            ),
+            Fact(
+                "dimension",
+                self.dimension,
+                "dimension of the boundary",
+                f"{self.dimension:.3f}{error}" if known else "—",
+            ),
+            Fact("r_squared", self.r_squared, "r²", f"{self.r_squared:.4f}" if known else "—"),
+            Fact("dimensions", self.dimensions),
+        ]
+        columns = [
+            Column("size", "cells"),
+            Column("uncertain", f"uncertain {self.by}"),
+            Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
+        ]
+        notes = []
+        if not known:
+            notes.append("Fewer than two sizes meet a boundary: there is no exponent.")
+        elif self.standard_error > ROUGH or self.uncertain[self.uncertain > 0].min() < FEW:
+            notes.append("The fit is poor, or counts are small: take more states in the window.")
+        if known and self.by == "boxes" and int(self.size.min()) < 5:
+            notes.append(
+                "A box of few states misses boundaries near its edge, which raises the exponent."
+            )
+        sizes = plural(len(self.size), "size")
+        return Description(
+            f"uncertainty exponent {value} by {self.by}, {sizes}",
+            facts,
+            [Table("scales", rows, columns)],
+            notes,
+        )
+
+
+@checked
+def compute_uncertainty_exponent(
+    labels: ArrayLike, sizes: Sequence[int] | None = None, *, by: Probe = "states"
+) -> UncertaintyExponent:
+    """Compute the uncertainty exponent of labelled states, and the dimension of their boundary.
+
+    If initial conditions are known to within a distance e, a share f(e) of them has an uncertain
+    attractor, and f falls as e^a [1]_: a = 1 for smooth boundaries, a < 1 for fractal ones, whose
+    dimension is that of the window less a.  The exponent is the slope of ln f over ln e, a least
+    squares line.
+
+    By "states", a state is uncertain if a state e cells away on either side along an axis has
+    another label.  By "boxes", as ``uncertainty_exponent`` of Attractors.jl, the window is divided
+    into boxes of e cells a side, what is left at its ends does not count, and N(e) boxes have two
+    labels or more: the dimension is the slope of ln N over -ln e.  Boxes of few states miss
+    boundaries between them, so that a smooth boundary comes out above 1.
+
+    Parameters
+    ----------
+    labels
+        As for `compute_basin_entropy`.
+    sizes
+        e in cells, two or more; by default 1, 2, ... (of boxes 2, 3, ...) up to a twentieth of the
+        window's longer side.
+    by
+        "states" (default) or "boxes".
+
+    Returns
+    -------
+    UncertaintyExponent
+        Exponent, dimension, standard error of the slope, and the counts.
+
+    Raises
+    ------
+    InputError
+        If the labels are no array of integers, or sizes are fewer than two or too large.
+
+    References
+    ----------
+    .. [1] C. Grebogi, S. W. McDonald, E. Ott and J. A. Yorke, Phys. Lett. A 99, 415-418 (1983),
+       https://doi.org/10.1016/0375-9601(83)90945-3
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> x, y = np.meshgrid(np.arange(200), np.arange(200))
+    >>> found = compute_uncertainty_exponent(x > 120)
+    >>> print(f"{found.exponent:.3f} {found.dimension:.3f}")
+    1.000 1.000
+    """
+    array = label_array(labels)
+    spans = probe_sizes(sizes, array.shape, by)
+    counts = (_states if by == "states" else _boxes)(array, spans)
+    return UncertaintyExponent(
+        by=by, size=spans, uncertain=counts[0], total=counts[1], dimensions=array.ndim
+    )
+
+
+def probe_sizes(sizes: Sequence[int] | None, shape: tuple[int, ...], by: Probe) -> Integers:
+    """Return the sizes in ascending order, or the default ones of a shape.
+
+    Raises
+    ------
+    InputError
+        If they are fewer than two, or outside their range.
+    """
+    # A perturbation reaches to both sides of a state.
+    least, most = (1, (min(shape) - 1) // 2) if by == "states" else (2, min(shape))
+    given = range(least, max(shape) // PARTS + 1) if sizes is None else sizes
+    hint = "give whole numbers of cells, as [2, 4, 8]"
+    if sizes is None and len(given) < 2:
+        raise InputError(
+            "sizes",
+            Words("by default do not fit a window of " + " x ".join(map(str, shape)) + " states"),
+            f"they need {PARTS * (least + 1)} or more along an axis",
+            "take more states, or give sizes, as [2, 3, 4]",
+        )
+    numbers = {
+        whole_number("sizes", one, at_least=least, at_most=max(least, most), hint=hint)
+        for one in given
+    }
+    if len(numbers) < 2:
+        raise InputError("sizes", sizes, "a line needs two different sizes or more", hint)
+    return np.array(sorted(numbers), dtype=np.int64)
+
+
+def _states(array: Integers, sizes: Integers) -> tuple[Integers, Integers]:
+    """Return how many states are uncertain, those near the edge of the window left out."""
+    margin = int(sizes[-1])
+    inner = tuple(slice(margin, many - margin) for many in array.shape)
+    middle = array[inner]
+    counts = []
+    for size in sizes.tolist():
+        unsure = np.zeros(middle.shape, dtype=np.bool_)
+        for axis in range(array.ndim):
+            for step in (-size, size):
+                shifted = list(inner)
+                shifted[axis] = slice(margin + step, array.shape[axis] - margin + step)
+                unsure |= array[tuple(shifted)] != middle
+        counts.append(int(np.count_nonzero(unsure)))
+    return np.array(counts, dtype=np.int64), np.full(len(sizes), middle.size, dtype=np.int64)
+
+
+def _boxes(array: Integers, sizes: Integers) -> tuple[Integers, Integers]:
+    """Return how many boxes have two labels or more, and how many there are."""
+    counts, totals = [], []
+    for size in sizes.tolist():
+        many = [length // size for length in array.shape]
+        whole = array[tuple(slice(0, number * size) for number in many)]
+        split = whole.reshape([part for number in many for part in (number, size)])
+        inside = tuple(range(1, 2 * array.ndim, 2))
+        mixed = split.max(axis=inside) != split.min(axis=inside)
+        counts.append(int(np.count_nonzero(mixed)))
+        totals.append(int(mixed.size))
+    return np.array(counts, dtype=np.int64), np.array(totals, dtype=np.int64)

@@ -1,0 +1,1 @@
+"""Which states part basins: edge states, hilltop saddles, and manifolds of saddles."""

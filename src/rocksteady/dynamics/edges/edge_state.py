@@ -1,0 +1,176 @@
+"""Edge state: what a motion on the border of two basins settles to."""
+
+import math
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.edges._edge_facts import case_of, place
+from rocksteady.dynamics.edges.hilltop import HilltopSaddle
+from rocksteady.dynamics.history.start import State
+from rocksteady.dynamics.orbits.attractor import Attractor
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.steady.verdicts import multipliers_text
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Linear, Model
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Floats = NDArray[np.float64]
+
+MEANING = {
+    "hilltop": "On the edge the block balances about its upright position and has no impact.",
+    "orbit": "On the edge the block rocks for ever in an unstable orbit.",
+    "aperiodic": (
+        "The tracked motion has not repeated: the edge is fractal with a chaotic motion in it, or "
+        "the motion is slow. More periods, or other states, tell."
+    ),
+}
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class EdgeState(Result):
+    """What a motion on the border of two basins settles to.
+
+    Attributes
+    ----------
+    block, motion
+        What moves; the phase of `motion` is that of `start`, `other`, `boundary` and of the tracked
+        states, in [0, 2 pi).
+    kind
+        "hilltop" or "orbit" for a saddle of that kind; "aperiodic" without one.
+    saddle
+        `HilltopSaddle` or `Orbit`, found by Newton's method; None where it is aperiodic.
+    start, other
+        The states between which the border was sought.
+    attractors
+        What either settles to.
+    outcomes
+        The same in words, with the side of a fall.
+    boundary
+        The state on the border between them, to 1e-10 of it, at which the tracking began.
+    kick
+        The least fatal kick from `start` [alpha g/p], with its sign, of those 0.001 apart and then
+        bisected; None where `other` was given.
+    angle, velocity
+        The tracked motion at the phase, period by period, shape (periods + 1,).
+    bisections
+        States whose outcome was computed.
+    exponent
+        Rate at which motions leave the border, per forcing period, from the growth of the pairs
+        that bracket it: the Lyapunov exponent of the tracked motion.
+    distance
+        From the last tracked state to the saddle at the phase, in (u, du/d(pt)); nan without one.
+    model
+        Which equations of motion hold: `Linear` or `Nonlinear`.
+    """
+
+    block: Block | DimensionlessBlock
+    motion: Harmonic
+    kind: str
+    saddle: Orbit | HilltopSaddle | None
+    start: State
+    other: State
+    attractors: tuple[Attractor, Attractor]
+    outcomes: tuple[str, str]
+    boundary: State
+    kick: float | None
+    angle: Floats
+    velocity: Floats
+    bisections: int
+    exponent: float
+    distance: float
+    model: Model = field(default_factory=Linear)
+
+    @property
+    def periods(self) -> int:
+        """Forcing periods for which the border was tracked."""
+        return len(self.angle) - 1
+
+    @property
+    def kick_m_s(self) -> float:
+        """The least fatal kick [m/s]; nan of a dimensionless block, or where there is none."""
+        if self.kick is None or not isinstance(self.block, Block):
+            return math.nan
+        return self.kick * self.block.uplift_acceleration / self.block.p
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a tracked state: forcing periods since the boundary, angle and velocity."""
+        import pandas as pd
+
+        return pd.DataFrame(
+            {
+                "period": np.arange(len(self.angle)),
+                "angle": self.angle,
+                "velocity": self.velocity,
+            }
+        )
+
+    def describe(self) -> Description:
+        """Return what the edge state is, what it parts, and how it was tracked."""
+        saddle = self.saddle
+        words = {"hilltop": "hilltop saddle", "aperiodic": "aperiodic"}.get(self.kind, "")
+        if isinstance(saddle, Orbit):
+            words = f"unstable orbit of {plural(saddle.period, 'period')}"
+        multipliers = None if saddle is None else [complex(m) for m in saddle.multipliers]
+        first, second = self.outcomes
+        facts = [
+            Fact("kind", self.kind, "edge state", words),
+            Fact("outcomes", [first, second], "between", f"{first} and {second}"),
+            Fact("period", None if saddle is None else saddle.period),
+            Fact("hilltop_side", saddle.side if isinstance(saddle, HilltopSaddle) else None),
+            Fact("highest", None if saddle is None else saddle.highest),
+            Fact("lowest", None if saddle is None else saddle.lowest),
+            Fact(
+                "multipliers",
+                multipliers,
+                "" if multipliers is None else "multipliers",
+                "" if multipliers is None else multipliers_text(multipliers),
+            ),
+            Fact("exponent", self.exponent, "exponent", f"{number(self.exponent)} a period"),
+            Fact(
+                "least_kick",
+                self.kick,
+                "" if self.kick is None else "least kick",
+                self._kick_text(),
+            ),
+            Fact("least_kick_m_s", None if math.isnan(self.kick_m_s) else self.kick_m_s),
+            Fact("start_state", _pair(self.start), "start", _text(self.start)),
+            Fact("other_state", _pair(self.other), "other", _text(self.other)),
+            Fact("boundary_state", _pair(self.boundary), "boundary", _text(self.boundary)),
+            Fact("phase", self.motion.phase, "phase", f"{number(self.motion.phase)} rad"),
+            Fact("periods", self.periods, "tracked for", plural(self.periods, "forcing period")),
+            Fact("bisections", self.bisections, "outcomes computed"),
+            Fact("distance", None if saddle is None else self.distance),
+            *case_of(self.block, self.motion, self.model),
+        ]
+        if saddle is not None:
+            facts.append(Fact("", label="distance", text=f"{self.distance:.1e} at the end"))
+        headline = f"Edge state, {words}: {place(self.block, self.motion, self.model)}"
+        return Description(headline, facts, notes=[MEANING[self.kind]])
+
+    def _kick_text(self) -> str:
+        if self.kick is None:
+            return ""
+        text = f"{number(self.kick, 6)} alpha g/p"
+        if isinstance(self.block, Block):
+            text = f"{number(self.kick_m_s, 6)} m/s ({text})"
+        return text
+
+
+def _pair(state: State) -> list[float]:
+    return [state.angle, state.velocity]
+
+
+def _text(state: State) -> str:
+    return f"{state.angle:.10g},{state.velocity:.10g}"
