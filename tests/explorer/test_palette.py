@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.explorer._palette import style_variables, theme_colours
-from rocksteady.show.plots.map_classes import LOOKS, CellClass
+from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style.line_colours import DARK, LIGHT, Inks
 
 TEXTS = ("ink", "number", "link", "impact")

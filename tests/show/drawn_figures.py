@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from rocksteady import (
+    BasinSampling,
     Block,
     BranchSearch,
     DimensionlessBlock,
@@ -18,6 +19,7 @@ from rocksteady import (
     State,
     Still,
     Trajectory,
+    compute_basin_shares,
     compute_basins,
     compute_erosion,
     compute_fragility,
@@ -49,6 +51,7 @@ from rocksteady.show.figures.single import (
     overturning_figure,
     record_figure,
     response_figure,
+    shares_figure,
     simulation_figure,
     steady_figure,
 )
@@ -136,6 +139,14 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
     cells = compute_basins(
         BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40)
     )
+    window = np.linspace(-1.2, 1.2, 30)
+    shared = compute_basin_shares(
+        DimensionlessBlock(restitution=0.95),
+        Harmonic(amplitude=0.5, frequency_ratio=2.0),
+        "frequency_ratio",
+        np.linspace(1.6, 3.0, 8),
+        sampling=BasinSampling(angles=window, velocities=window, seed=1),
+    )
     free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
     fallen = compute_fragility(
         BLOCK, suite, restitution=RestitutionBand(draws=1), fitting=Fitting(bands=None)
@@ -153,6 +164,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         ),
         "response": lambda page: response_figure(curves, title=TITLE, page=page),
         "basins": lambda page: basins_figure(cells, TITLE, page),
+        "shares": lambda page: shares_figure(shared, TITLE, page),
         "erosion": lambda page: erosion_figure(eroded, [drop] if drop else (), TITLE, page),
         "overturning": lambda page: overturning_figure(windows, TITLE, page),
         "bifurcation": lambda page: bifurcation_figure(diagram, title=TITLE, page=page),
@@ -170,7 +182,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
 
 NAMES = (
     *("simulation", "free", "vertical", "rest", "orbit", "cloud", "orbits", "steady", "response"),
-    *("basins", "erosion", "overturning", "bifurcation", "record", "records"),
+    *("basins", "shares", "erosion", "overturning", "bifurcation", "record", "records"),
     *("map", "panels", "line", "spectrum", "spectrum-map", "suite", "fragility"),
 )
 

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from rocksteady import DimensionlessBlock, map_attractors
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
-from rocksteady.show.plots.map_classes import BLANK, LOOKS
+from rocksteady.dynamics.maps.cell_classes import BLANK
+from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style import palette
 
 BLOCK = DimensionlessBlock(restitution=0.8)

@@ -36,12 +36,12 @@ from rocksteady import (
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import bifurcation_figure, simulation_figure
 from rocksteady.show.film.animation import film_of
-from rocksteady.show.plots._sweeps import SWEEPS
+from rocksteady.show.plots.branches._sweeps import SWEEPS
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.insets import crowd_of
 from rocksteady.show.style.page import Page
 from tests.show.drawn_figures import resting, rocking, shock
-from tests.show.plots.test_bifurcations import MARKS, diagram_of, over_frequency, sweeps
+from tests.show.plots.branches.test_bifurcations import MARKS, diagram_of, over_frequency, sweeps
 
 BARE = DimensionlessBlock(restitution=0.8)
 NAMES = (

@@ -18,11 +18,12 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from rocksteady import InputError, map_attractors, plot_map
+from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.outcomes import NO_START
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots import maps
-from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass
+from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style import palette
 from tests.show.drawn_maps import (
     AXES,

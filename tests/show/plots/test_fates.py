@@ -14,8 +14,9 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from rocksteady import DimensionlessBlock, InputError, State, map_fates, plot_map
+from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.show.figures.maps import map_figure
-from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
+from rocksteady.show.plots.map_classes import LOOKS, map_cells
 
 CLASS_OF = {
     0: CellClass.ROCKING,

@@ -17,8 +17,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rocksteady import Steady, map_attractors, plot_map
+from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.show.plots import maps
-from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
+from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import picked, spacing_of
 from tests.show.drawn_maps import (

@@ -40,7 +40,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.line_colours import DARK, LIGHT, Inks, inks_of, luminance
 from tests.show.drawn_figures import resting, rocking, shock, vertical_too
 from tests.show.drawn_maps import found
-from tests.show.plots.test_bifurcations import over_frequency, sweeps
+from tests.show.plots.branches.test_bifurcations import over_frequency, sweeps
 
 Floats = NDArray[np.float64]
 

@@ -6,8 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError, Words
 from rocksteady.show.plots.map_classes import MapCells, map_cells
+from rocksteady.show.plots.map_quantities import Colouring, Shade
 from rocksteady.show.plots.maps import (
     SWATCHES,
+    coloured,
+    draw_bar,
     draw_cells,
     draw_map,
     fixed_text,
@@ -31,7 +34,9 @@ NARROWEST = 1.35
 """Width of a panel, in inches, at least."""
 
 
-def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) -> "Figure":
+def map_figure(
+    found: "xarray.Dataset", title: str = "", page: Page = SCREEN, by: Colouring = "class"
+) -> "Figure":
     """Return a figure of a map over one, two or three axes with several values.
 
     Over three there is a panel for each value of the axis that has fewest (of those that are
@@ -46,6 +51,8 @@ def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) ->
         Above the panels.
     page
         Width of the figure, and place of its legend.
+    by
+        What colours the cells, as for `rocksteady.plot_map`; all panels have the same colours.
 
     Raises
     ------
@@ -67,12 +74,12 @@ def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) ->
     >>> [axes.get_title(loc="left") for axes in map_figure(found).axes]
     ['restitution = 0.7', 'restitution = 0.9']
     """
-    cells = map_cells(found)
+    cells, shade = coloured(map_cells(found), found, by)
     panels = panels_axis(dict(zip(cells.names, cells.classes.shape, strict=True)))
     if panels is not None:
-        return _panels(cells.parts(panels), cells, title, page)
+        return _panels(panels, cells, shade, title, page)
     with page.figure(8.0, 4.8, title) as figure:
-        draw_map(figure.add_subplot(), cells, found, page.legend)
+        draw_map(figure.add_subplot(), cells, found, shade, page.legend)
     return figure
 
 
@@ -114,8 +121,9 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     return name
 
 
-def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) -> "Figure":
+def _panels(name: str, cells: MapCells, shade: Shade | None, title: str, page: Page) -> "Figure":
     """Draw the parts of a map side by side, as many in a row as are wide enough."""
+    parts = cells.parts(name)
     across = ACROSS[len(parts)]
     natural = 1.9 + 2.7 * across
     beside = page.legend == "right" or (
@@ -129,28 +137,30 @@ def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) ->
     high = (0.9 + min(2.3, 0.9 * room / across) * down) / page.width(natural)
     with page.figure(natural, 0.9 + 2.3 * down, above, stacked=high) as figure:
         grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
+        drawn = []
         for number, axes in enumerate(grid):
             if number >= len(parts):
                 axes.remove()
                 continue
-            draw_cells(axes, parts[number])
+            drawn.append(draw_cells(axes, parts[number], shade))
             axes.set(xlabel="", ylabel="")
             axes.set_title(fixed_text(parts[number]), loc="left")
             axes.tick_params(labelbottom=number + across >= len(parts))
+        bar = draw_bar(grid[: len(parts)].tolist(), drawn[-1], shade)
         size = text_size(grid[0], 8.0)
         figure.supylabel(palette.axis_label(up), fontsize=size + 1.0)
-        place = page.legend or ("right" if beside else "below")
+        place = page.legend or ("right" if beside and bar is None else "below")
         if place == "below":  # where one label of all panels would meet the legend
             for axes in grid[max(0, len(parts) - across) : len(parts)]:
                 axes.set_xlabel(palette.axis_label(right))
         else:
             figure.supxlabel(palette.axis_label(right), fontsize=size + 1.0)
         if place == "inside":
-            draw_legend(grid[0], place, handles=legend_handles(cells), **SWATCHES)
+            draw_legend(grid[0], place, handles=legend_handles(cells, shade), **SWATCHES)
         elif place != "none":
             outside: Any = "outside right upper" if place == "right" else "outside lower left"
             columns = 1 if place == "right" else max(1, int(page.width(natural) / 1.9))
-            handles = legend_handles(cells)
+            handles = legend_handles(cells, shade)
             figure.legend(handles=handles, loc=outside, ncols=columns, fontsize=size, **SWATCHES)
             if place == "below":
                 rows = math.ceil(len(handles) / columns)

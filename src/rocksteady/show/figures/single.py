@@ -8,7 +8,12 @@ import numpy as np
 
 from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
+from rocksteady.dynamics.basins.fate_basins import FateBasins
+from rocksteady.dynamics.basins.over.shares import BasinShares
+from rocksteady.dynamics.continuation.curves.bifurcation_curves import BifurcationCurves
 from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
+from rocksteady.dynamics.edges.edge_state import EdgeState
+from rocksteady.dynamics.edges.manifold import Manifold
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.overturning.kicks import FatalKicks
@@ -19,12 +24,17 @@ from rocksteady.dynamics.steady.states import SteadyOrbit
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import IntegratedRecord
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
-from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
-from rocksteady.show.plots.bifurcations import plot_bifurcations
+from rocksteady.show.plots.branches.bifurcations import plot_bifurcations
+from rocksteady.show.plots.branches.curves import plot_bifurcation_curves
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.overturning import plot_overturning
 from rocksteady.show.plots.overturning_scales import plot_fatal_kicks, plot_overturning_scales
+from rocksteady.show.plots.portraits.basins import plot_basins, plot_erosion, plot_safe_basin
+from rocksteady.show.plots.portraits.edges import plot_edge_state
+from rocksteady.show.plots.portraits.fate_basins import plot_fate_basins
+from rocksteady.show.plots.portraits.manifolds import plot_manifolds
+from rocksteady.show.plots.portraits.shares import plot_basin_shares
 from rocksteady.show.plots.records import (
     Quantity,
     plot_husid,
@@ -229,6 +239,32 @@ def basins_figure(basins: Basins, title: str = "", page: Page = SCREEN) -> "Figu
     return figure
 
 
+def edge_figure(
+    edge: EdgeState, manifolds: Sequence[Manifold] = (), title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of an edge state, and of the manifolds of its saddle where given."""
+    with page.figure(7.0, 5.2, title) as figure:
+        axes = figure.add_subplot()
+        if manifolds:
+            plot_manifolds(manifolds, axes, legend="none")
+        plot_edge_state(edge, axes, legend=page.legend)
+    return figure
+
+
+def shares_figure(found: BasinShares, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of the shares of basins over a parameter."""
+    with page.figure(7.6, 4.4, title) as figure:
+        plot_basin_shares(found, figure.add_subplot(), legend=page.legend)
+    return figure
+
+
+def fate_basins_figure(fates: FateBasins, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of the fates over a window of initial states."""
+    with page.figure(7.6, 4.8, title) as figure:
+        plot_fate_basins(fates, figure.add_subplot(), legend=page.legend)
+    return figure
+
+
 def erosion_figure(
     erosion: Erosion, drops: Sequence[IntegrityDrop] = (), title: str = "", page: Page = SCREEN
 ) -> "Figure":
@@ -293,6 +329,16 @@ def bifurcation_figure(
             parameter = diagram.parameter
             axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
             axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
+    return figure
+
+
+def curves_figure(curves: BifurcationCurves, *, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of the bifurcation curves of a plane."""
+    with page.figure(8.0, 5.4, title or curves.describe().headline) as figure:
+        axes = figure.add_subplot()
+        plot_bifurcation_curves(curves, axes, legend=page.legend)
+        if not curves.curves:
+            axes.text(0.5, 0.5, "no bifurcation found", transform=axes.transAxes, ha="center")
     return figure
 
 

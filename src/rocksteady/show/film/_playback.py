@@ -12,8 +12,8 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ def speed_unit(trajectory: Trajectory) -> float:
     """Return the pivot time that passes in a second of the film at speed 1."""
     if isinstance(trajectory.block, Block):
         return trajectory.block.p
-    if isinstance(trajectory.motion, Harmonic):
+    if isinstance(trajectory.motion, PeriodicMotion):
         return 2.0 * math.pi / trajectory.motion.frequency_ratio
     return 1.0
 
@@ -68,7 +68,10 @@ def shortest_period(trajectory: Trajectory, start: float, end: float) -> float:
     starts = segment_starts(table)
     ends = np.append(starts[1:], math.inf)
     within = (starts < end) & (ends > start)
-    quickest = float(table[within, columns.FREQUENCY].max(initial=1.0))
+    frequency = table[:, columns.FREQUENCY]
+    if table.shape[1] > columns.ORDERS:
+        frequency = frequency * np.maximum(table[:, columns.ORDERS], 1.0)
+    quickest = float(frequency[within].max(initial=1.0))
     motion = trajectory.motion
     if isinstance(motion, Pulse) and start < motion.duration:
         quickest = max(quickest, motion.frequency_ratio)  # which straight lines do not say
@@ -143,7 +146,7 @@ def _usual_speed(trajectory: Trajectory, fastest: float) -> float:
     unit = speed_unit(trajectory)
     if not isinstance(trajectory.block, Block):
         # One period a second; slow shaking is not played faster than a block falls or rocks.
-        forced = isinstance(trajectory.motion, Harmonic)
+        forced = isinstance(trajectory.motion, PeriodicMotion)
         return min(1.0 if forced else FREE_SPEED, FREE_SPEED / unit, fastest / unit)
     # Real time, or slow motion by a round factor.
     speed, factors = 1.0, [0.5, 0.4, 0.5]
@@ -157,6 +160,6 @@ def speed_text(trajectory: Trajectory, speed: float) -> str:
     """Return a speed as the caption of a film says it."""
     if isinstance(trajectory.block, Block):
         return "real time" if abs(speed - 1.0) < 1e-9 else f"{speed:.3g} × real time"
-    if isinstance(trajectory.motion, Harmonic):
+    if isinstance(trajectory.motion, PeriodicMotion):
         return f"{speed:.3g} period{'' if abs(speed - 1.0) < 1e-9 else 's'} a second"
     return f"pt = {speed:.3g} a second"

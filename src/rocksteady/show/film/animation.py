@@ -9,9 +9,10 @@ from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Nonlinear
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
-from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.model.motions.segments import Still
 from rocksteady.show.film._playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.plots.motion import plot_trajectory, time_axis
@@ -162,7 +163,7 @@ def title(scene: BlockScene) -> str:
         name = literal(shortened(motion.name or f"Record of {motion.duration_s:.4g} s"))
         upwards = scene.trajectory.vertical is not None
         return f"{name}, with vertical motion, not drawn" if upwards else name
-    if isinstance(motion, Harmonic):
+    if isinstance(motion, PeriodicMotion):
         parts = [f"A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"]
     elif isinstance(motion, Still):
         parts = ["Free rocking"]

@@ -1,22 +1,27 @@
 """Classes of the cells of maps and basins, and the fill of each class."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from enum import IntEnum
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.maps.cell_classes import (
+    CellClass,
+    Classes,
+    classes_of,
+    counts_of,
+    flags_of_cells,
+)
 from rocksteady.errors import InputError
-from rocksteady.outcomes import NO_START_LABEL, AttractorKind, Status
+from rocksteady.outcomes import AttractorKind
 from rocksteady.show.style import palette
 
 if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-Classes = NDArray[np.int8]
 
 FILLS = {
     AttractorKind.OVERTURNED: palette.OVERTURNED,
@@ -26,23 +31,6 @@ FILLS = {
     AttractorKind.APERIODIC: palette.APERIODIC,
     AttractorKind.UNDECIDED: palette.UNDECIDED,
 }
-BLANK = -128
-"""Kind or fate of a cell that has not been computed, in a map that is not finished."""
-
-
-class CellClass(IntEnum):
-    """What a cell of a map is, in the order of a legend."""
-
-    REST = 0
-    SYMMETRIC = 1
-    UNSYMMETRIC = 2
-    SUBHARMONIC = 3
-    APERIODIC = 4
-    ROCKING = 5
-    OVERTURNED = 6
-    UNDECIDED = 7
-    NO_START = 8
-    NOT_COMPUTED = 9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,19 +94,6 @@ DARK_DOTS = {
     for one, look in LOOKS.items()
 }
 """Colours of orbits in a diagram on dark paper, on which the fills stand out."""
-MEANINGS = {
-    AttractorKind.REST.value: CellClass.REST,
-    AttractorKind.SYMMETRIC.value: CellClass.SYMMETRIC,
-    AttractorKind.UNSYMMETRIC.value: CellClass.UNSYMMETRIC,
-    AttractorKind.APERIODIC.value: CellClass.APERIODIC,
-    AttractorKind.OVERTURNED.value: CellClass.OVERTURNED,
-    AttractorKind.UNDECIDED.value: CellClass.UNDECIDED,
-    NO_START_LABEL: CellClass.NO_START,
-    Status.ROCKING.label: CellClass.ROCKING,
-    Status.AT_REST.label: CellClass.REST,
-    Status.OVERTURNED.label: CellClass.OVERTURNED,
-}
-"""The class of each of a map's ``flag_meanings``; subharmonic ones are told by their period."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -135,16 +110,23 @@ class MapCells:
         A `CellClass` for each cell, shape of the axes.
     fixed
         What all cells have in common: names and values.
+    reached
+        A quantity of each cell, shape of the axes, nan where there is none; None without one.
     """
 
     names: tuple[str, ...]
     values: tuple[Floats, ...]
     classes: Classes
     fixed: tuple[tuple[str, float], ...]
+    reached: Floats | None = None
+
+    def having(self, reached: Floats) -> "MapCells":
+        """Return the same cells with a quantity of each."""
+        return replace(self, reached=reached)
 
     def shares(self) -> dict[CellClass, float]:
-        """Return the part of the cells that each class has; only those that occur."""
-        counts = {one: int(np.count_nonzero(self.classes == one)) for one in CellClass}
+        """Return the share of all cells in each class that occurs."""
+        counts = counts_of(self.classes)
         return {one: count / self.classes.size for one, count in counts.items() if count}
 
     def turned(self, names: Sequence[str]) -> "MapCells":
@@ -155,6 +137,7 @@ class MapCells:
             values=tuple(self.values[axis] for axis in order),
             classes=self.classes.transpose(order),
             fixed=self.fixed,
+            reached=None if self.reached is None else self.reached.transpose(order),
         )
 
     def parts(self, name: str) -> "list[MapCells]":
@@ -166,8 +149,11 @@ class MapCells:
                 values=turned.values[1:],
                 classes=classes,
                 fixed=((name, float(value)),),
+                reached=None if turned.reached is None else turned.reached[place],
             )
-            for value, classes in zip(turned.values[0], turned.classes, strict=True)
+            for place, (value, classes) in enumerate(
+                zip(turned.values[0], turned.classes, strict=True)
+            )
         ]
 
 
@@ -199,9 +185,8 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     variables = validated_map(found, read)
     kind = variables[read[0]]
     names = tuple(str(name) for name in kind.dims)
-    classes = _classes(kind.values, _flags_of(kind))
-    for name in read[1:]:
-        _mark_subharmonic(classes, variables[name].transpose(*names).values)
+    period = variables["period"].transpose(*names).values if len(read) > 1 else None
+    classes = classes_of(kind.values, period, flags_of_cells(kind))
     values = []
     for axis, name in enumerate(names):
         points = variables[name].values.astype(np.float64)
@@ -267,42 +252,3 @@ def share_text(share: float) -> str:
     ('12.3 %', '< 0.1 %')
     """
     return f"{100.0 * share:.1f} %" if share >= 5e-4 else "< 0.1 %"
-
-
-def _flags_of(kind: "xarray.DataArray") -> dict[int, CellClass]:
-    """Return the class of each value that the kinds of a map may have."""
-    words = str(kind.attrs.get("flag_meanings", "")).split()
-    unknown = [word for word in words if word not in MEANINGS]
-    if unknown or not words:
-        raise InputError(
-            "found",
-            unknown[0] if unknown else "kind without flag_meanings",
-            f"the kinds of a map are {', '.join(MEANINGS)}",
-            "give what the map returned, attributes included",
-        )
-    codes = np.ravel(kind.attrs.get("flag_values", range(len(words)))).tolist()
-    return {int(code): MEANINGS[word] for code, word in zip(codes, words, strict=True)}
-
-
-def _classes(kind: NDArray[Any], flags: dict[int, CellClass]) -> Classes:
-    """Return the class of each cell; a large map holds no more than bytes and truth values."""
-    classes = np.full(kind.shape, CellClass.NOT_COMPUTED, dtype=np.int8)
-    for code, one in flags.items():
-        classes[kind == code] = one
-    left = kind[classes == CellClass.NOT_COMPUTED]
-    strange = left[(left != BLANK) & ~np.isnan(left)]
-    if strange.size:
-        raise InputError(
-            "found",
-            strange[0].item(),
-            f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
-            "give what the map returned, unchanged",
-        )
-    return classes
-
-
-def _mark_subharmonic(classes: Classes, period: NDArray[Any]) -> None:
-    """Tell orbits of several forcing periods from the others."""
-    again = period > 1
-    again &= (classes == CellClass.SYMMETRIC) | (classes == CellClass.UNSYMMETRIC)
-    classes[again] = CellClass.SUBHARMONIC

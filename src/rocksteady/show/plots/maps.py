@@ -1,35 +1,50 @@
 """Plots of attractor and fate maps: filled cells over two axes, a diagram over one."""
 
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.map_classes import (
     DARK_DOTS,
     LOOKS,
-    CellClass,
+    Look,
     MapCells,
     has_fates,
     map_cells,
     share_text,
     validated_map,
 )
+from rocksteady.show.plots.map_quantities import (
+    Colouring,
+    Shade,
+    checked_colouring,
+    shade_of,
+    values_of,
+    with_values,
+)
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of, text_size
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colorbar import Colorbar
+    from matplotlib.figure import Figure
 
 Floats = NDArray[np.float64]
 
+EXTREMES = ("highest", "lowest")
 FREQUENCIES = ("frequency_ratio", "frequency_hz")
 MOST_DRAWN = 2400
 """Cells along a side that are drawn of evenly spaced ones: more than a picture has pixels."""
@@ -48,19 +63,28 @@ SWATCHES: dict[str, Any] = {
     "labelspacing": 0.5,
 }
 """Legend entries tall enough for a pattern."""
+BAR_ROOM = 66.0
+"""Between axes and a legend to the right of their colour bar [points]."""
+LINE_WIDTH = 0.9
+"""Of the line at a value of a quantity [points]."""
 STRIP = 0.035
 """Height of the strip of a diagram, in parts of the axes."""
 
 
 @checked
 def plot_map(
-    found: "xarray.Dataset", ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    found: "xarray.Dataset",
+    ax: "Axes | None" = None,
+    *,
+    by: Colouring = "class",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw an attractor or fate map: filled cells over two axes, a diagram over one.
 
-    Over two axes each cell has the fill of its class; the frequency is to the right and the other
-    axis upwards, whatever their order in the map (else the first upwards, the second to the right;
-    angle and velocity as in `plot_basins`).  Each cell reaches half way to its neighbours.
+    Over two axes each cell has the fill of its class, or of a quantity with a colour bar; the
+    frequency is to the right and the other axis upwards, whatever their order in the map (else the
+    first upwards, the second to the right; angle and velocity as in `plot_basins`).  Each cell
+    reaches half way to its neighbours.
     Patterns stand where there is no answer: undecided, no such start, not computed (kind -128).
 
     Over one axis there are two dots for each orbit, its highest and its lowest theta/alpha, as in a
@@ -70,7 +94,7 @@ def plot_map(
 
     An axis is logarithmic where its values are spaced by ratio, as `numpy.geomspace` does.  Axes
     with a single value, and values that were selected, stand in the title.  The legend has the
-    share of each class among the cells, all of them counted.
+    share of each class among all cells, as `describe` has it.
 
     Parameters
     ----------
@@ -78,9 +102,13 @@ def plot_map(
         From `rocksteady.map_attractors` or `rocksteady.map_fates`; its arrays are read once.
     ax
         Axes to draw on; those of a new figure without.
+    by
+        Of attractors "class" (default), "period" of the orbit, the longest in one colour,
+        "lyapunov" exponent per forcing period about 0, or "peak" |theta|/alpha with a line at 1; of
+        fates "class" or number of "impacts".  Cells without a value keep the fill of their class.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
-        right, or below narrow ones.
+        right, or below narrow ones, and below beside a colour bar.
 
     Returns
     -------
@@ -90,7 +118,8 @@ def plot_map(
     Raises
     ------
     InputError
-        If it is no map, or has three axes or more, or none, with several values.
+        If there is no such quantity, it is no map, or has three axes or more, or none, with several
+        values.
 
     Notes
     -----
@@ -98,6 +127,8 @@ def plot_map(
     evenly picked: each is the class of the cell in its middle.  What is thinner than a picked cell,
     as the islands of a fractal border are, may vanish or look thicker than it is, so that such a
     picture tells no areas; the shares in the legend do.  Select a part of the map to see all of it.
+    The colours of Lyapunov exponents reach 98 in 100 of their sizes; what lies beyond has the
+    colour of the end.
 
     Examples
     --------
@@ -121,22 +152,79 @@ def plot_map(
             "one or two axes with several values can be drawn on one pair of axes",
             "select a value with .sel, or draw panels with rocksteady map --plot",
         )
-    return draw_map(axes_or_new(ax), cells, found, legend)
+    cells, shade = coloured(cells, found, by)
+    return draw_map(axes_or_new(ax), cells, found, shade, legend)
+
+
+def coloured(
+    cells: MapCells, found: "xarray.Dataset", by: Colouring
+) -> tuple[MapCells, Shade | None]:
+    """Return cells with the quantity that colours them, and its colours; None of classes.
+
+    Raises
+    ------
+    InputError
+        If the map does not have it.
+    """
+    checked_colouring(by, fates=has_fates(found))
+    if by == "class":
+        return cells, None
+    valued = with_values(cells, found, by)
+    return valued, shade_of(valued, by)
 
 
 def draw_map(
-    axes: "Axes", cells: MapCells, found: "xarray.Dataset", legend: LegendPlace | None = None
+    axes: "Axes",
+    cells: MapCells,
+    found: "xarray.Dataset",
+    shade: Shade | None = None,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the cells of a map of one or two axes, with title and legend."""
+    """Draw the cells of a map of one or two axes, with title, colour bar and legend."""
+    bar = None
     if len(cells.names) == 1:
-        draw_diagram(axes, cells, found)
+        draw_diagram(axes, cells, found, shade)
     else:
-        draw_cells(axes, cells)
+        drawn = draw_cells(axes, cells, shade)
+        bar = draw_bar([axes], drawn, shade)
     if cells.fixed:
         axes.set_title(fixed_text(cells), loc="left")
-    place = place_of(axes, legend, "right")
-    draw_legend(axes, place, handles=legend_handles(cells), **SWATCHES)
+    place = place_of(axes, legend, "right" if bar is None else "below")
+    handles = legend_handles(cells, shade if len(cells.names) > 1 else None)
+    beside = bar is not None and figure_of(axes).get_layout_engine() is None
+    gap = BAR_ROOM if beside else GAP  # a layout puts the bar beyond the legend
+    within = bar is not None
+    draw_legend(axes, place, handles=handles, gap=gap, within=within, **SWATCHES)
     return axes
+
+
+def draw_bar(
+    panels: "Sequence[Axes]", drawn: "ScalarMappable", shade: Shade | None
+) -> "Colorbar | None":
+    """Draw the colour bar of a quantity to the right of panels; none of classes and periods."""
+    if shade is None or not shade.label:
+        return None
+    inks = inks_of(panels[0])
+    figure = figure_of(panels[0])
+    size = text_size(panels[0], 8.0)
+    bar = figure.colorbar(
+        drawn, ax=list(panels), extend=shade.extend, pad=0.02, fraction=0.06, aspect=24
+    )
+    bar.set_label(shade.label, size=size, color=inks.ink)
+    bar.ax.tick_params(labelsize=size - 0.5, colors=inks.ink)
+    bar.ax.grid(visible=False)
+    bar.outline.set_edgecolor(inks.ink)
+    low, high = shade.ends
+    if shade.line is not None and low < shade.line < high:
+        bar.ax.axhline(shade.line, color=palette.INK, lw=LINE_WIDTH)
+    return bar
+
+
+def figure_of(axes: "Axes") -> "Figure":
+    """Return the figure of axes."""
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    return figure
 
 
 def fixed_text(cells: MapCells) -> str:
@@ -144,10 +232,15 @@ def fixed_text(cells: MapCells) -> str:
     return ", ".join(palette.axis_value(name, value) for name, value in cells.fixed)
 
 
-def legend_handles(cells: MapCells) -> "list[Artist]":
-    """Return a legend entry for each class that occurs, with its share."""
+def legend_handles(cells: MapCells, shade: Shade | None = None) -> "list[Artist]":
+    """Return a legend entry for each class that occurs, with its share.
+
+    Where a quantity colours cells, the classes are those of cells without a value.
+    """
     from matplotlib.patches import Patch
 
+    if shade is not None:
+        return shade.legend(cells)
     return [
         Patch(
             facecolor=LOOKS[one].fill,
@@ -168,8 +261,8 @@ def upright(cells: MapCells) -> MapCells:
     return cells
 
 
-def draw_cells(axes: "Axes", given: MapCells) -> None:
-    """Fill the cells of a map of two axes."""
+def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "ScalarMappable":
+    """Fill the cells of a map of two axes, and return what their colours tell."""
     from matplotlib.colors import ListedColormap
 
     cells = upright(given)
@@ -179,16 +272,20 @@ def draw_cells(axes: "Axes", given: MapCells) -> None:
     rows, columns = (picked(one.edges, MOST_DRAWN if even else MOST_MESHED) for one in (up, right))
     drawn = cells.classes[np.ix_(rows[0], columns[0])]
     y, x = rows[1], columns[1]
+    looks = [LOOKS[one] if shade is None else shade.look(one) for one in CellClass]
     colours: dict[str, Any] = {
-        "cmap": ListedColormap([LOOKS[one].fill for one in CellClass]),
+        "cmap": ListedColormap([look.fill for look in looks]),
         "vmin": -0.5,
         "vmax": len(CellClass) - 0.5,
     }
     prepare_axis(axes, "x", cells.names[1], cells.values[1], right)
     prepare_axis(axes, "y", cells.names[0], cells.values[0], up)
-    if even:  # an image is even in its own coordinates: the logarithms, on a logarithmic axis
-        axes.imshow(
-            drawn,
+
+    def filled(cells: NDArray[Any], **colours: Any) -> "ScalarMappable":
+        if not even:
+            return axes.pcolormesh(x, y, cells, rasterized=True, **colours)
+        return axes.imshow(  # even in its own coordinates: the logarithms, on a logarithmic axis
+            cells,
             extent=(*right.ends, *up.ends),
             transform=axes.transLimits + axes.transAxes,
             origin="lower",
@@ -196,35 +293,51 @@ def draw_cells(axes: "Axes", given: MapCells) -> None:
             interpolation="nearest",
             **colours,
         )
-    else:
-        axes.pcolormesh(x, y, drawn, rasterized=True, **colours)
-    for one in cells.shares():
-        if LOOKS[one].hatch:
-            _draw_pattern(axes, x, y, drawn == one, one)
+
+    mappable = filled(drawn, **colours)
+    there = np.ones(drawn.shape, dtype=np.bool_)
+    if shade is not None:
+        values = values_of(cells)[np.ix_(rows[0], columns[0])]
+        there = np.isnan(values)
+        if shade.extend != "neither":  # of what is infinite an image shows nothing
+            low, high = shade.ends
+            values = np.clip(values, low - 1.0, high + 1.0)
+        mappable = filled(np.ma.masked_array(values, there), cmap=shade.colours, norm=shade.norm)
+        if shade.line is not None:
+            _draw_line(axes, x, y, values, shade.line)
+    for one, look in zip(CellClass, looks, strict=True):
+        where = there & (drawn == one)
+        if look.hatch and where.any():
+            _draw_pattern(axes, x, y, where, look)
     axes.grid(visible=False)
+    return mappable
 
 
-def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None:
-    """Draw a map of one axis: what its orbits reach, or how many impacts there were, as dots, and
-    the class of each cell above them.
-    """  # noqa: D205 -- one sentence
+def draw_diagram(
+    axes: "Axes", cells: MapCells, found: "xarray.Dataset", shade: Shade | None = None
+) -> None:
+    """Draw a map of one axis: a quantity as dots, and the class of each cell above them.
+
+    Without a quantity the dots are what its orbits reach, or how many impacts there were.
+    """
     from matplotlib.patches import Rectangle
+    from matplotlib.ticker import MaxNLocator
 
     (name,), (values,) = cells.names, cells.values
-    fates = has_fates(found)
-    which = ("impacts",) if fates else ("highest", "lowest")
-    drawn = validated_map(found, which)
-    order = np.argsort(drawn[name].values)
-    reached = np.array([drawn[one].values[order] for one in which], float)
-    reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
-    if fates:  # of a refined map the lowest integer, where a class is that of its neighbours
-        reached[reached < 0.0] = np.nan
+    by: Colouring = ("impacts" if has_fates(found) else "class") if shade is None else shade.by
+    if by == "class":
+        drawn = validated_map(found, EXTREMES)
+        order = np.argsort(drawn[name].values)
+        reached = np.array([drawn[one].values[order] for one in EXTREMES], float)
+        reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
+    else:
+        reached = values_of(with_values(cells, found, by))[np.newaxis]
     spacing, inks = spacing_of(values), inks_of(axes)
     prepare_axis(axes, "x", name, values, spacing)
     size = min(5.0, max(1.8, 1000.0 / len(values)))
     for one in cells.shares():
         chosen = cells.classes == one
-        x, y = np.tile(values[chosen], len(which)), reached[:, chosen].ravel()
+        x, y = np.tile(values[chosen], len(reached)), reached[:, chosen].ravel()
         if np.isfinite(y).any():
             dot = DARK_DOTS[one] if inks.dark else LOOKS[one].dot
             style: dict[str, Any] = {"color": dot, "ms": size, "mew": 0.0, "ls": "none"}
@@ -252,9 +365,34 @@ def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None
             zorder=5.0,
         )
     )
-    largest = float(np.nanmax(np.abs(reached), initial=0.0)) or 1.0
-    axes.set_ylim(-0.05 * largest if fates else -1.05 * largest, 1.12 * largest)
-    axes.set_ylabel(palette.LABELS["impacts" if fates else "orbit_extremes"])
+    finite = reached[np.isfinite(reached)]
+    largest = float(np.max(np.abs(finite), initial=0.0)) or 1.0
+    if by == "lyapunov":
+        low, high = (float(end) for end in (finite.min(initial=0.0), finite.max(initial=0.0)))
+        room = 0.05 * (high - low or 1.0)
+        axes.set_ylim(low - room, high + 3.0 * room)
+    else:
+        axes.set_ylim(-1.05 * largest if by == "class" else -0.05 * largest, 1.12 * largest)
+    level = {"lyapunov": 0.0, "peak": 1.0}.get(by, math.inf)
+    if axes.get_ylim()[0] < level < axes.get_ylim()[1]:
+        axes.axhline(level, color=inks.faint, lw=LINE_WIDTH, zorder=1.5)
+    if by in ("period", "impacts"):
+        axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    label = {"class": "orbit_extremes", "period": "orbit_period"}.get(by, by)
+    axes.set_ylabel(palette.LABELS[label])
+
+
+def _draw_line(axes: "Axes", right: Floats, up: Floats, values: Floats, level: float) -> None:
+    """Draw the line where a quantity passes a value."""
+    (rows, y), (columns, x) = (picked(edges, MOST_PATTERNED) for edges in (up, right))
+    shown = values[np.ix_(rows, columns)]
+    if min(shown.shape) < 2 or not np.nanmin(shown, initial=level) < level:
+        return
+    if not np.nanmax(shown, initial=level) > level:
+        return
+    middles = (0.5 * (edges[1:] + edges[:-1]) for edges in (x, y))
+    masked = np.ma.masked_invalid(shown)
+    axes.contour(*middles, masked, levels=[level], colors=palette.INK, linewidths=LINE_WIDTH)
 
 
 def _draw_pattern(
@@ -262,12 +400,11 @@ def _draw_pattern(
     right: Floats,
     up: Floats,
     where: NDArray[np.bool_],
-    one: CellClass,
+    look: Look,
 ) -> None:
     """Draw the pattern of a class over its cells, where there is room for one."""
     from scipy.ndimage import maximum_filter, minimum_filter
 
-    look = LOOKS[one]
     (rows, y), (columns, x) = (picked(edges, MOST_PATTERNED) for edges in (up, right))
     there = where[np.ix_(rows, columns)].astype(np.float32)
     # An opening: what is too narrow to show a pattern, or its outline, gets none.

@@ -10,7 +10,7 @@ from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
@@ -32,7 +32,7 @@ CROWD = 150
 
 def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     """Return by what pivot time is multiplied for the time axis, and the axis's label."""
-    if isinstance(trajectory.motion, Harmonic):
+    if isinstance(trajectory.motion, PeriodicMotion):
         return trajectory.motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
     if isinstance(trajectory.block, Block):
         return 1.0 / trajectory.block.p, palette.LABELS["seconds"]

@@ -23,8 +23,8 @@ LARGEST = 0.25
 """Side of a crowd, in parts of the axes; a larger one would hardly grow in an inset."""
 SIZE = (0.42, 0.4)
 """Width and height of an inset, in parts of the axes."""
-LEAST_ROOM = 150.0
-"""Width of axes [points] that have room for one."""
+LEAST_ROOM = (150.0, 90.0)
+"""Width and height of axes [points] that have room for one."""
 
 
 def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
@@ -45,7 +45,7 @@ def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
     from scipy.cluster.hierarchy import fcluster, linkage
 
     size = np.array(size_of(axes))
-    if size[0] < LEAST_ROOM or len(marks) < FEWEST:
+    if not room_for_inset(axes) or len(marks) < FEWEST:
         return None
     there = np.array(marks)
     places = axes.transAxes.inverted().transform(axes.transData.transform(there))
@@ -63,6 +63,11 @@ def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
             most = int(among.sum())
             best = (*there[among].min(axis=0).tolist(), *there[among].max(axis=0).tolist())
     return best
+
+
+def room_for_inset(axes: "Axes") -> bool:
+    """Return whether axes are wide and high enough for an inset."""
+    return all(side >= least for side, least in zip(size_of(axes), LEAST_ROOM, strict=True))
 
 
 def draw_inset(
@@ -92,7 +97,7 @@ def draw_inset(
     left, low = (24.0, 14.0) / np.array(size_of(axes))  # of the tick labels
     choices = [
         (x, y, x + wide, y + high)
-        for y in np.linspace(low + 0.05, 0.9 - high, 8).tolist()
+        for y in np.linspace(low + 0.05, 0.95 - high, 9).tolist()
         for x in np.linspace(left + 0.04, 0.97 - wide, 12).tolist()
     ]
     x0, y0, x1, y1 = min(

@@ -109,6 +109,7 @@ def draw_legend(
     columns: int = 1,
     title: str = "",
     gap: float = GAP,
+    within: bool = False,
     **style: Any,
 ) -> "Legend | None":
     """Draw the legend of axes at a place, and return it.
@@ -127,6 +128,8 @@ def draw_legend(
         Above the entries.
     gap
         Between the axes and a legend to their right [points].
+    within
+        Whether a legend below is no wider than the axes, to whose right something else stands.
     style
         Further settings of `matplotlib.axes.Axes.legend`.
     """
@@ -174,7 +177,7 @@ def draw_legend(
         legend.set_bbox_to_anchor((1.0, 1.0), axes.transAxes + across)
         legend.set_label(BESIDE)
     else:
-        legend = _below(axes, given)
+        legend = _below(axes, given, within=within)
     legend.get_title().set_color(inks.ink)
     if place in ("right", "below") and figure.get_layout_engine() is None:
         _make_room(axes, legend, figure)
@@ -209,13 +212,13 @@ def _shares_row(axes: "Axes") -> bool:
     return spec is not None and len(spec.colspan) < spec.get_gridspec().ncols
 
 
-def _below(axes: "Axes", given: dict[str, Any]) -> "Legend":
+def _below(axes: "Axes", given: dict[str, Any], *, within: bool = False) -> "Legend":
     """Draw a legend below axes, in as many columns as fit."""
     figure = axes.get_figure(root=True)
     assert figure is not None
     count = len(given["handles"])
     room = 0.94 * figure.bbox.width - axes.bbox.x0
-    room = axes.bbox.width if _shares_row(axes) else max(axes.bbox.width, room)
+    room = axes.bbox.width if within or _shares_row(axes) else max(axes.bbox.width, room)
     made: Any = axes.legend
     columns = min(count, 4)
     while True:

@@ -37,6 +37,8 @@ SUBHARMONIC_LINES = ("#186432", "#3ea682", "#40068d", "#63686e", "#462033")
 alike the first and the fifth line colour, beside which they stand."""
 SWEEPS = ("#f2b24a", "#d0605e")
 """Dots of the motions met by an upward and a downward sweep; lines are drawn over them."""
+MANIFOLDS_ON_FILLS = {"stable": "#d0605e", "unstable": "#8a3fc4"}
+"""Manifolds over pictures of basins, whose fills are the same on light and dark paper."""
 DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)), (0, (1, 1)), "-")
 IMPACT = "#b0531b"
 BASE = "#477f68"
@@ -56,6 +58,13 @@ DARK_IMPACT = "#f08a4b"
 DARK_BASE = "#6cc5a1"
 """The same on dark paper; the fills are those of light paper."""
 
+PERIODS = ("#a9d8f7", "#e08214", "#1b9e77", "#d9a0cf", "#1f4e9c", "#b2322d", "#f2e14c")
+"""Fills of cells by the period of their orbits, 1, 2, ...; the last is that of all longer ones."""
+SEQUENTIAL = ("#fff6dd", "#fdd490", "#f59a4c", "#d4572b", "#7c1d12")
+"""Ends and steps of a palette from nothing to most."""
+DIVERGING = ("#2470b3", "#6cadd6", "#c9e0ef", "#f7f7f7", "#f9d3bf", "#e8825f", "#ad1a2c")
+"""The same of a palette about zero."""
+
 REGION_FILLS = {1: "#d5edff", 2: "#ffffff", 3: "#f0e7b0", 4: "#e9e6dc", 5: "#dcc8e4"}
 
 LABELS = {
@@ -68,6 +77,8 @@ LABELS = {
     "negative_restitution": r"restitution, negative side  $\delta_-$",
     "angle": r"angle  $\theta/\alpha$",
     "velocity": r"velocity  d$(\theta/\alpha)$/d$(pt)$",
+    "lyapunov": r"Lyapunov exponent  $\chi$ [per forcing period]",
+    "orbit_period": "period of the orbit [forcing periods]",
     "peak": r"peak  $|\theta|_{\max}/\alpha$",
     "flight_peak": r"peak of each flight  $|\theta|_{\max}/\alpha$",
     "flight_extreme": r"extreme of each flight  $\theta/\alpha$",

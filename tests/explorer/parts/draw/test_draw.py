@@ -9,8 +9,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.explorer._palette import theme_colours
-from rocksteady.show.plots.map_classes import CellClass
 from tests.explorer.in_node import InNode
 
 ONCE = settings(

@@ -59,7 +59,8 @@ def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) 
         word, number, size, short = SWEEPS[way]
         colour = inks.sweeps[number]
         style: dict[str, Any] = {"marker": "o", "color": colour, "mew": 0.0, "ls": "none"}
-        handles[word] = Line2D([], [], ms=size, label=word, **style)
+        if any(len(extremes) for extremes in sweep.peaks):
+            handles[word] = Line2D([], [], ms=size, label=word, **style)
         low = 1.0 - (row + 1) * lane
         met = False
         for fate, usual in FATES.items():

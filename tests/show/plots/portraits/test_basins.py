@@ -28,7 +28,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import basins_figure, erosion_figure
-from rocksteady.show.plots.basins import fills_of, plot_safe_basin
+from rocksteady.show.plots.portraits.basins import fills_of, plot_safe_basin
 from rocksteady.show.style import palette
 
 WINDOW = np.linspace(-1.0, 1.0, 41)

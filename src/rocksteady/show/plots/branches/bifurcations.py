@@ -6,13 +6,17 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
-from rocksteady.dynamics.continuation.points import Branch, PointType
+from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.dynamics.continuation.resting.find_resting import RestingBranches
+from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-from rocksteady.show.plots._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
+from rocksteady.show.plots.branches._resting import draw_resting, low_rest
+from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.insets import crowd_of, draw_inset
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -26,6 +30,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Side = Literal["positive", "both"]
+Drawn = BifurcationDiagram | Branch | RestingBranch | RestingBranches | AttractorSweep
 
 STABLE: dict[str, Any] = {"ls": "-", "lw": 1.9, "zorder": 3.0}
 UNSTABLE: dict[str, Any] = {"ls": (0, (3.2, 1.6)), "lw": 0.9, "zorder": 2.6}
@@ -47,7 +52,7 @@ CROWDED = 8
 
 @checked
 def plot_bifurcations(
-    diagram: BifurcationDiagram | Branch | AttractorSweep | Iterable[Branch],
+    diagram: Drawn | Iterable[Branch | RestingBranch],
     sweeps: Iterable[AttractorSweep] = (),
     ax: "Axes | None" = None,
     *,
@@ -60,20 +65,22 @@ def plot_bifurcations(
 
     Every flight of an orbit is a line, the extreme u = theta/alpha that it reaches: solid where the
     motion is stable, dashed where it is unstable, dotted and faint where the solution is no motion.
-    Colours tell symmetric and unsymmetric motions and periods apart.  Bifurcations are marked at
-    the highest and at the lowest angle of their orbits.  The motions that a sweep meets are dots
-    beneath the lines, larger ones of an upward sweep than of a downward one, so that both show
-    where they agree; elsewhere there is hysteresis.  Bars along the upper edge, a row for each
-    sweep, say where its motion overturned or came to rest.  The axis of the parameter is
-    logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does, and where
-    nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a small part of the
-    picture are drawn again in an inset, large enough to be distinguished.
+    Colours tell symmetric and unsymmetric motions and periods apart, and orbits that come to rest,
+    which are stable, from all of these; a dot at the highest angle marks an end of these.
+    Bifurcations are marked at the highest and at the lowest angle of their orbits.  The motions
+    that a sweep meets are dots beneath the lines, larger ones of an upward sweep than of a downward
+    one, so that both show where they agree; elsewhere there is hysteresis.  Bars along the upper
+    edge, a row for each sweep, say where its motion overturned or came to rest.  The axis of the
+    parameter is logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does,
+    and where nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a
+    small part of the picture are drawn again in an inset, large enough to be distinguished; where
+    orbits that come to rest lie close to the axis, the inset shows these.
 
     Parameters
     ----------
     diagram
-        From `rocksteady.find_bifurcations`; or branches from `rocksteady.find_branches`, all over
-        one parameter, or a sweep alone.
+        From `rocksteady.find_bifurcations`; or branches from `rocksteady.find_branches` and
+        `rocksteady.find_resting_branches`, all over one parameter, or a sweep alone.
     sweeps
         From `rocksteady.sweep_attractor`, over the same parameter; those of a diagram are drawn.
     ax
@@ -116,9 +123,9 @@ def plot_bifurcations(
     period doubling
     """
     top = None if top is None else positive("top", top, hint="give where the axis ends")
-    listed, swept = _parts(diagram)
+    listed, resting, swept = _parts(diagram)
     swept += list(sweeps)
-    parameter = _parameter([*listed, *swept])
+    parameter = _parameter([*listed, *resting, *swept])
     axes = axes_or_new(ax)
     inks = inks_of(axes)
     place = place_of(axes, legend, "right" if key == "beside" else "inside", width=110.0)
@@ -126,10 +133,12 @@ def plot_bifurcations(
     marks = _bifurcations(listed, side)
     handles: list[Artist] = [
         *_drawn_branches(axes, listed, colours, side),
+        *draw_resting(axes, resting, sizes=side == "positive"),
         *_drawn_bifurcations(axes, marks),
         *draw_sweeps(axes, swept, sizes=side == "positive"),
     ]
-    values = [branch.values for branch in listed] + [sweep.values for sweep in swept]
+    values = [branch.values for branch in listed] + [branch.values for branch in resting]
+    values += [sweep.values for sweep in swept]
     ends = np.concatenate(values)
     marked = [x for places in marks.values() for x, _ in places]
     if any(spaced_by_ratio(sweep.values) for sweep in swept) or _lies_low(marked, ends):
@@ -139,6 +148,7 @@ def plot_bifurcations(
         axes.set_xlim(float(ends.min()), float(ends.max()))
     if top is None:  # above what is drawn there is room for the bars
         drawn = [branch.peaks.ravel() for branch in listed]
+        drawn += [branch.peaks.ravel() for branch in resting]
         drawn += [peaks for sweep in swept for peaks in sweep.peaks]
         highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
         top = (highest or 1.0) / (0.96 - lane_of(axes) * len(swept))
@@ -149,11 +159,12 @@ def plot_bifurcations(
     )
     if place != "inside":  # which needs the room
         spots = [spot for places in marks.values() for spot in places]
-        crowd = crowd_of(axes, spots)
+        crowd = low_rest(axes, resting, sizes=side == "positive") or crowd_of(axes, spots)
         if crowd is not None:
             drawn_at = [line.get_xydata() for line in axes.lines]
             inset = draw_inset(axes, crowd, [np.asarray(each) for each in drawn_at], spots)
             _drawn_branches(inset, listed, colours, side)
+            draw_resting(inset, resting, sizes=side == "positive")
             _drawn_bifurcations(inset, marks)
             draw_dots(inset, swept, sizes=side == "positive")
     gap = GAP + (NAMES_WIDTH if swept else 0.0)
@@ -162,14 +173,21 @@ def plot_bifurcations(
 
 
 def _parts(
-    diagram: BifurcationDiagram | Branch | AttractorSweep | Iterable[Branch],
-) -> tuple[list[Branch], list[AttractorSweep]]:
-    """Return the branches and the sweeps of what is drawn."""
+    diagram: Drawn | Iterable[Branch | RestingBranch],
+) -> tuple[list[Branch], list[RestingBranch], list[AttractorSweep]]:
+    """Return the branches, those of orbits with rest, and the sweeps of what is drawn."""
     if isinstance(diagram, BifurcationDiagram):
-        return list(diagram.branches), list(diagram.sweeps)
+        return list(diagram.branches), list(diagram.resting), list(diagram.sweeps)
     if isinstance(diagram, AttractorSweep):
-        return [], [diagram]
-    return [diagram] if isinstance(diagram, Branch) else list(diagram), []
+        return [], [], [diagram]
+    if isinstance(diagram, RestingBranches):
+        return [], list(diagram.branches), []
+    each = [diagram] if isinstance(diagram, Branch | RestingBranch) else list(diagram)
+    return (
+        [branch for branch in each if isinstance(branch, Branch)],
+        [branch for branch in each if isinstance(branch, RestingBranch)],
+        [],
+    )
 
 
 def _lies_low(marked: Sequence[float], ends: Floats) -> bool:
@@ -180,7 +198,7 @@ def _lies_low(marked: Sequence[float], ends: Floats) -> bool:
     return float(np.quantile(marked, 0.9)) < low + LOWEST_PART * (high - low)
 
 
-def _parameter(drawn: Sequence[Branch | AttractorSweep]) -> str:
+def _parameter(drawn: Sequence[Branch | RestingBranch | AttractorSweep]) -> str:
     """Return the parameter over which all that is drawn is.
 
     Raises
@@ -225,13 +243,16 @@ def _label(kind: tuple[int, bool], kinds: Iterable[tuple[int, bool]]) -> str:
     return f"{word}, period {period}"
 
 
-def _sided(peaks: Floats, side: Side, *, symmetric: bool) -> Floats:
+def _sided(peaks: Floats, side: Side, branch: Branch) -> Floats:
     """Return what is drawn of the extremes of flights, shape (points, lines)."""
+    symmetric = branch.symmetric
     # Of two impacts that merge the flight between them is none: its extreme is 0.
     peaks = np.nan_to_num(peaks, nan=0.0)
     if side == "positive":
         return np.abs(peaks[..., : peaks.shape[-1] // 2] if symmetric else peaks)
-    return peaks if symmetric else np.concatenate([peaks, -peaks], axis=-1)
+    # The mirror image of what leans; of a block whose sides differ it is no motion.
+    leans = not symmetric and branch.block.symmetric
+    return np.concatenate([peaks, -peaks], axis=-1) if leans else peaks
 
 
 def _drawn_branches(
@@ -246,7 +267,7 @@ def _drawn_branches(
     seen: set[str] = set()
     scale = line_scale(axes)
     for branch in branches:
-        lines = _sided(branch.peaks, side, symmetric=branch.symmetric)
+        lines = _sided(branch.peaks, side, branch)
         for stretch in branch.stretches:
             style, word = UNSTABLE, "unstable"
             if stretch.stable:
@@ -278,7 +299,7 @@ def _bifurcations(
             for value, peaks, point in zip(branch.values, branch.peaks, branch.points, strict=True):
                 if point.type is kind:
                     ends = np.array([max(np.nanmax(peaks), 0.0), min(np.nanmin(peaks), 0.0)])
-                    drawn = _sided(ends, side, symmetric=branch.symmetric)
+                    drawn = _sided(ends, side, branch)
                     # A point on two branches is marked once.
                     places |= {(round(float(value), 9), round(u, 6)) for u in drawn.tolist()}
         if places:

@@ -1,6 +1,7 @@
 """Plots of branches, sweeps and curves of bifurcations; each shows the numbers it was given."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 
@@ -19,16 +20,23 @@ from matplotlib.lines import Line2D
 
 from rocksteady import (
     AttractorSweep,
+    BifurcationCurve,
+    BifurcationCurves,
     BifurcationDiagram,
     Branch,
     BranchPoint,
     BranchSearch,
+    CodimensionTwo,
+    CurveSearch,
     DimensionlessBlock,
     Harmonic,
     InputError,
+    PointType,
+    Region,
     Steady,
     find_branches,
     find_orbits,
+    find_resting_branches,
     follow_bifurcation,
     follow_branch,
     plot_bifurcation_curves,
@@ -38,11 +46,14 @@ from rocksteady import (
     symmetry_breaking_amplitude,
 )
 from rocksteady.show.figures.single import bifurcation_figure
+from rocksteady.show.plots.branches._resting import NUMBER
 from rocksteady.show.style import palette
 
 BARE = DimensionlessBlock(restitution=0.8)
 PLANE = ("amplitude", "frequency_ratio")
 MARKS = {"s", "D", "^", "o"}
+REST = ("amplitude", (1.0, 1.07))
+RESTING_COLOUR = palette.LINES[NUMBER]
 
 
 @cache
@@ -348,6 +359,46 @@ def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
         assert line.get_linestyle() == "--"
 
 
+def test_the_names_of_curves_stand_on_their_lines() -> None:
+    axes = plot_bifurcation_curves(curves(), Figure().add_subplot())
+    names = {text.get_text(): text for text in axes.texts}
+    assert set(names) == {"fold", "symmetry breaking"}
+    w, amplitude = names["fold"].get_position()
+    assert amplitude == pytest.approx(float(region_boundaries(w, 0.8).existence), abs=0.03)
+    w, amplitude = names["symmetry breaking"].get_position()
+    assert amplitude == pytest.approx(float(symmetry_breaking_amplitude(w, 0.8)), abs=0.03)
+    none = plot_bifurcation_curves(curves(), Figure().add_subplot(), labels=False)
+    assert not none.texts
+
+
+def test_a_plane_marks_its_points_and_names_its_regions() -> None:
+    points = curves()[2]
+    special = replace(points[3], type=PointType.BREAKING_GRAZE)
+    curve = BifurcationCurve(
+        type=PointType.SYMMETRY_BREAKING, parameters=PLANE, points=(*points[:3], special)
+    )
+    found = BifurcationCurves(
+        block=BARE,
+        motion=Harmonic(amplitude=1.0, frequency_ratio=2.0),
+        parameters=PLANE,
+        within=((0.1, 6.0), (1.0, 4.0)),
+        search=CurveSearch(),
+        curves=(curve,),
+        points=(CodimensionTwo(point=special, curves=(1,)),),
+        regions=(Region(place=(1.0, 3.0), motions=("symmetric",), extent=(0, 0.5, 1.5)),),
+        complete=True,
+    )
+    axes = found.plot(Figure().add_subplot())
+    assert axes.get_xlabel() == palette.LABELS["amplitude"]
+    (mark,) = (line for line in axes.lines if line.get_marker() == "p")
+    x, y = data(mark)
+    assert (x[0], y[0]) == pytest.approx((special.amplitude, special.frequency_ratio), abs=1e-6)
+    words = [text.get_text() for text in axes.texts]
+    assert "breaking graze" in words
+    assert "stable:\nsymmetric" in words
+    assert legend_of(axes) == ["symmetry breaking", "breaking graze"]
+
+
 def test_curves_take_their_axes_in_any_order_and_refuse_other_names() -> None:
     axes = plot_bifurcation_curves(curves(), Figure().add_subplot(), parameters=PLANE)
     assert axes.get_xlabel() == palette.LABELS["amplitude"]
@@ -372,3 +423,41 @@ def test_values_spaced_by_ratio_get_a_logarithmic_axis() -> None:
         axes = plot_bifurcations((), [trail], Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (values[0], values[-1])
+
+
+def test_orbits_with_rest_that_hug_the_axis_are_shown_in_an_inset() -> None:
+    resting = find_resting_branches(BARE, Harmonic(amplitude=1.0, frequency_ratio=2.0), *REST)
+    (branch,) = resting.branches[:1]
+    high = [each for each in over_amplitude() if np.nanmax(each.peaks) > 0.3][:1]
+    axes = plot_bifurcations([*high, branch], ax=Figure(figsize=(6.0, 4.0)).add_subplot())
+    (inset,) = axes.child_axes
+    low, most = inset.get_ylim()
+    highest = float(np.nanmax(np.abs(branch.peaks)))
+    assert low == 0.0
+    assert highest < most < 2.0 * highest  # the line fills the inset
+    assert inset.get_xlim()[0] < branch.values.min() < branch.values.max() < inset.get_xlim()[1]
+    dots = [line for line in inset.lines if line.get_marker() == "o"]
+    ends = [line for line in dots if line.get_color() == RESTING_COLOUR]
+    assert {float(np.asarray(line.get_xdata())[0]) for line in ends} == {
+        branch.values[0],
+        branch.values[-1],
+    }
+
+
+def test_orbits_with_rest_that_are_seen_anyway_need_no_inset() -> None:
+    resting = find_resting_branches(BARE, Harmonic(amplitude=1.0, frequency_ratio=2.0), *REST)
+    axes = plot_bifurcations(resting, ax=Figure(figsize=(6.0, 4.0)).add_subplot())
+    assert not axes.child_axes
+    flat = Figure(figsize=(6.0, 1.2)).add_subplot()
+    high = [each for each in over_amplitude() if np.nanmax(each.peaks) > 0.3][:1]
+    assert not plot_bifurcations([*high, *resting.branches], ax=flat).child_axes
+
+
+def test_the_colour_of_rest_is_like_no_other_of_the_first_kinds() -> None:
+    assert RESTING_COLOUR not in palette.SUBHARMONIC_LINES[:2]
+    others = [palette.LINES[0], palette.LINES[4], *palette.SUBHARMONIC_LINES[:2], *palette.SWEEPS]
+    distances = [
+        float(np.linalg.norm(np.subtract(to_rgba(RESTING_COLOUR), to_rgba(other))))
+        for other in others
+    ]
+    assert min(distances) > 0.3

@@ -1,0 +1,1 @@
+"""Branches of periodic motions and curves of their bifurcations, drawn over parameters."""

@@ -1,0 +1,110 @@
+"""Plot of a cascade of period doublings: how the distances between them shrink."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.dynamics.continuation.cascade import DoublingCascade
+from rocksteady.dynamics.parameters import SYMBOLS
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+FEIGENBAUM = 4.669201609102990
+"""Limit of the ratios of distances between period doublings."""
+
+
+@checked
+def plot_cascade(
+    cascade: DoublingCascade, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
+    """Draw the distances between period doublings, with the ratio of each to the next.
+
+    The distances in the parameter stand on a logarithmic axis over the periods that double; a
+    dashed line through the last has the slope to which a cascade tends, Feigenbaum's 4.6692.
+
+    Parameters
+    ----------
+    cascade
+        From `rocksteady.find_cascade`, or of a diagram; of two doublings or more.
+    ax
+        Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes (default), to their "right", "below" them or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    InputError
+        If the cascade has one doubling, and no distance.
+
+    References
+    ----------
+    M. J. Feigenbaum, Quantitative universality for a class of nonlinear transformations, Journal of
+    Statistical Physics 19, 25-52 (1978).
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_cascade, find_orbits
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
+    >>> found = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)
+    >>> axes = plot_cascade(found, Figure().add_subplot())
+    >>> print(axes.get_yscale(), [text.get_text() for text in axes.texts])
+    log ['6.107']
+    """
+    sizes = np.abs(cascade.distances)
+    if not sizes.size:
+        raise InputError(
+            "cascade",
+            Words("has one doubling"),
+            "a picture of distances needs two or more",
+            "look for more with find_cascade(..., doublings=6)",
+        )
+    axes = axes_or_new(ax)
+    inks, places = inks_of(axes), np.arange(len(sizes))
+    expected = sizes[-1] * FEIGENBAUM ** (places[-1] - places)
+    axes.plot(
+        places,
+        expected,
+        ls=(0, (4, 2)),
+        lw=1.0,
+        color=inks.faint,
+        label="ratio 4.6692 (Feigenbaum)",
+        zorder=2.0,
+    )
+    axes.plot(
+        places, sizes, "o-", ms=4.5, lw=1.2, color=inks.lines[0], label="distance", zorder=3.0
+    )
+    axes.set_yscale("log")
+    size = text_size(axes, 8.0)
+    for place, ratio in enumerate(np.atleast_1d(cascade.ratios)[: len(sizes) - 1]):
+        middle = float(np.sqrt(sizes[place] * sizes[place + 1]))
+        axes.annotate(
+            f"{ratio:.3f}",
+            (place + 0.5, middle),
+            (5.0, 4.0),
+            textcoords="offset points",
+            fontsize=size,
+            color=inks.number,
+        )
+    periods = [point.period for point in cascade.points]
+    axes.set_xticks(places, [f"{period} → {2 * period}" for period in periods[:-1]])
+    axes.set_xlim(-0.3, len(sizes) - 0.5)
+    symbol = SYMBOLS[cascade.parameter]
+    axes.set(
+        xlabel="period doubling [forcing periods]",
+        ylabel=f"distance to the next doubling, |Δ{symbol}|",
+    )
+    draw_legend(axes, place_of(axes, legend, "inside"), corner="lower left")
+    return axes

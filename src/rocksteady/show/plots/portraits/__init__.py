@@ -1,0 +1,1 @@
+"""Sets of states, drawn in the plane of angle and velocity."""

@@ -1,0 +1,106 @@
+"""Plots of edge states and of the motions tracked to them."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.dynamics.edges.edge_state import EdgeState
+from rocksteady.dynamics.edges.hilltop import HilltopSaddle
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.portraits.manifolds import saddle_at
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@checked
+def plot_edge_state(
+    edge: EdgeState | HilltopSaddle,
+    ax: "Axes | None" = None,
+    *,
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw an edge state over angle and velocity, with the motion tracked to it.
+
+    The line is the course of the saddle over its period, the cross where it is at the phase of the
+    shaking.  Dots are the tracked motion at that phase, joined in their order; filled marks are
+    the states between which the border was sought.
+
+    Parameters
+    ----------
+    edge
+        From `rocksteady.find_edge_state` or `rocksteady.find_hilltop_saddles`.
+    ax
+        Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default below.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_edge_state
+    >>> motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
+    >>> edge = find_edge_state(DimensionlessBlock(restitution=0.9), motion)
+    >>> axes = plot_edge_state(edge, Figure().add_subplot())
+    >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
+    ['hilltop saddle', 'tracked, period by period']
+    """
+    given = ax is not None and ax.has_data()
+    axes = axes_or_new(ax)
+    inks = inks_of(axes)
+    limits = axes.get_xlim(), axes.get_ylim()
+    saddle = edge if isinstance(edge, HilltopSaddle) else edge.saddle
+    if saddle is not None:
+        words = "hilltop saddle"
+        if not isinstance(saddle, HilltopSaddle):
+            words = f"unstable orbit, period {saddle.period}"
+        axes.plot(*saddle.trajectory().phase_path(), color=inks.lines[2], lw=1.6, label=words)
+        points = saddle_at(saddle, edge.motion.phase)
+        for colour, width in ((inks.paper, 3.4), (inks.ink, 1.5)):
+            axes.plot(*points.T, "x", ms=6.5, mew=width, color=colour, ls="none", zorder=4.0)
+    if isinstance(edge, EdgeState):
+        axes.plot(
+            edge.angle,
+            edge.velocity,
+            "o-",
+            ms=3.2,
+            lw=0.6,
+            color=inks.faint,
+            mfc=inks.lines[3],
+            mec=inks.lines[3],
+            zorder=3.0,
+            label="tracked, period by period",
+        )
+        ends = zip((edge.start, edge.other), edge.outcomes, "os", strict=True)
+        for state, outcome, mark in ends:
+            axes.plot(
+                state.angle,
+                state.velocity,
+                mark,
+                ms=5.5,
+                mfc=inks.ink,
+                mec=inks.paper,
+                ls="none",
+                zorder=3.5,
+                label=outcome,
+            )
+    if given:
+        axes.set(xlim=limits[0], ylim=limits[1])
+    else:
+        axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+        axes.margins(0.08)
+        if isinstance(edge, EdgeState) and len(np.unique(edge.angle)) == 1:
+            axes.set(xlim=(edge.angle[0] - 1.0, edge.angle[0] + 1.0))
+    place = place_of(axes, legend, "below")
+    if place != "none":
+        draw_legend(axes, place)
+    return axes

@@ -1,0 +1,215 @@
+"""Plot of the shares of basins of attraction over a parameter."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.basins.over.families import BasinFamily
+from rocksteady.dynamics.basins.over.shares import BasinShares
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.outcomes import AttractorKind
+from rocksteady.show.plots.portraits.basins import fills_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.line_colours import DARKEST_PAPER, inks_of, luminance
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+UPWARDS = (
+    AttractorKind.REST,
+    AttractorKind.SYMMETRIC,
+    AttractorKind.UNSYMMETRIC,
+    AttractorKind.APERIODIC,
+    AttractorKind.UNDECIDED,
+    AttractorKind.OVERTURNED,
+)
+"""Order of the bands; orbits stand in the order of their labels."""
+PLACES = 241
+"""Abscissas at which a label may stand."""
+LETTER, LINE = 0.62, 1.35
+"""Width of a letter and height of a line, in parts of the size of the text."""
+
+
+@checked
+def plot_basin_shares(
+    shares: BasinShares,
+    ax: "Axes | None" = None,
+    *,
+    top: float | None = None,
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw the shares of basins over a parameter as bands that add up to 100 %.
+
+    Rest is at the bottom, then come orbits, and what overturns is at the top; fills are those of
+    `plot_basins`.  Between two values a band is drawn straight.  A band has its name where there is
+    room for it, else in the legend.  Bands thinner than a point everywhere are counted there.  The
+    axis is logarithmic where the values are spaced by ratio.
+
+    Parameters
+    ----------
+    shares
+        From `rocksteady.compute_basin_shares`, of two values or more.
+    ax
+        Axes to draw on; those of a new figure without.
+    top
+        Upper end of the axis of shares, in (0, 1]; by default 1, or above all that does not
+        overturn where this stays below one half.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default to their right, or
+        below narrow ones.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the parameter, and the share of the window in per cent.
+
+    Raises
+    ------
+    InputError
+        If there is one value alone, or `top` is outside its range.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import BasinSampling, DimensionlessBlock, Harmonic, compute_basin_shares
+    >>> axis = np.linspace(-1.0, 1.0, 20)
+    >>> shares = compute_basin_shares(
+    ...     DimensionlessBlock(restitution=0.9),
+    ...     Harmonic(amplitude=1.0, frequency_ratio=4.0),
+    ...     "amplitude",
+    ...     [0.5, 0.8, 1.1],
+    ...     sampling=BasinSampling(angles=axis, velocities=axis),
+    ... )
+    >>> axes = plot_basin_shares(shares, Figure().add_subplot())
+    >>> sorted(text.get_text() for text in axes.texts)[:2]
+    ['overturned', 'rest']
+    """
+    from matplotlib.patches import Patch
+
+    if len(shares.values) < 2:
+        hint = "give more values to compute_basin_shares"
+        raise InputError("shares", shares, "a picture needs two values or more", hint)
+    upper = _top(shares) if top is None else in_range("top", top, 0.0, 1.0, hint="give 0.3")
+    axes = axes_or_new(ax)
+    inks = inks_of(axes)
+    order = np.argsort(shares.values)
+    values = shares.values[order]
+    families = sorted(shares.families, key=_place)
+    # The largest basins have tints of their own, those of a kind as long as these last.
+    largest = sorted(shares.families, key=lambda one: -float(shares.share[one.label].sum()))
+    labels_by_size = [one.label for one in largest]
+    tints = dict(zip(labels_by_size, fills_of([one.typical for one in largest]), strict=True))
+    fills = [tints[one.label] for one in families]
+    edges = np.vstack(
+        [
+            np.zeros(len(values)),
+            np.cumsum([100.0 * shares.share[one.label][order] for one in families], axis=0),
+        ]
+    )
+    for low, high, fill in zip(edges[:-1], edges[1:], fills, strict=True):
+        # The rim keeps a light band from the paper and two dark ones apart.
+        axes.fill_between(values, low, high, fc=fill, ec=inks.paper, lw=0.5, zorder=1.0)
+    logarithmic = spaced_by_ratio(values)
+    if logarithmic:
+        axes.set_xscale("log")
+        plain_ticks(axes)
+    axes.set(
+        xlabel=palette.axis_label(shares.parameter),
+        ylabel="share of the window [%]",
+        xlim=(float(values[0]), float(values[-1])),
+        ylim=(0.0, 100.0 * upper),
+    )
+    axes.grid(visible=False)
+    along = np.log(values) if logarithmic else values
+    point = 100.0 * upper / size_of(axes)[1]
+    listed: list[tuple[str, str]] = []
+    thin = 0
+    for one, fill, low, high in zip(families, fills, edges[:-1], edges[1:], strict=True):
+        if float((high - low).max()) < point:
+            thin += 1
+        elif not _named(axes, one.name, fill, (along, low, high)):
+            listed.append((one.name, fill))
+    handles = [Patch(fc=fill, ec=inks.faint, lw=0.6) for _, fill in listed]
+    labels = [name for name, _ in listed]
+    if thin:
+        handles.append(Patch(fc="none", ec="none"))
+        labels.append(f"and {thin} below {_percent(point)} %")
+    draw_legend(
+        axes,
+        place_of(axes, legend, "right"),
+        handles=handles,
+        labels=labels,
+        handlelength=1.2,
+        handletextpad=0.6,
+    )
+    return axes
+
+
+def _top(shares: BasinShares) -> float:
+    """Return the upper end of the axis of shares by default."""
+    falls = [one.label for one in shares.families if one.typical.kind is AttractorKind.OVERTURNED]
+    stands = float(1.0 - shares.share[falls].sum(axis=0).min())
+    if not falls or stands >= 0.5:
+        return 1.0
+    return max(0.05, 0.05 * math.ceil(22.0 * stands + 1e-9))
+
+
+def _percent(share: float) -> str:
+    """Return a small share in per cent, rounded up to one digit."""
+    digits = -math.floor(math.log10(share))
+    return f"{math.ceil(share * 10.0**digits - 1e-9) / 10.0**digits:g}"
+
+
+def _place(family: BasinFamily) -> tuple[int, int]:
+    """Return where the band of a family stands."""
+    kind = family.typical.kind
+    orbits = UPWARDS.index(AttractorKind.SYMMETRIC)
+    return (orbits if family.typical.orbit is not None else UPWARDS.index(kind)), family.label
+
+
+def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Floats]) -> bool:
+    """Write a name into its band where that is widest; return whether there is room for it."""
+    along, low, high = band
+    wide, tall = size_of(axes)
+    size = text_size(axes, 8.0)
+    half = 0.5 * LETTER * size * (len(name) + 1) / wide
+    if half >= 0.5:
+        return False
+    reach = (along - along[0]) / (along[-1] - along[0])
+    top = axes.get_ylim()[1]
+    fine = np.union1d(np.linspace(0.0, 1.0, PLACES), reach)
+    floor, ceiling = (np.minimum(np.interp(fine, reach, edge), top) for edge in (low, high))
+    rooms = []
+    for middle in np.linspace(half, 1.0 - half, PLACES):
+        under = (fine >= middle - half) & (fine <= middle + half)
+        below, above = float(floor[under].max()), float(ceiling[under].min())
+        rooms.append((above - below, float(middle), 0.5 * (below + above)))
+    line = LINE * size / tall * top
+    best = max(rooms)[0]
+    if best < line:
+        return False
+    # Where there is room enough, near the middle.
+    enough = [room for room in rooms if room[0] >= min(best, 2.5 * line)]
+    where = min(enough, key=lambda room: abs(room[1] - 0.5))
+    colour = "white" if luminance(fill) < DARKEST_PAPER else palette.INK
+    axes.text(
+        where[1],
+        where[2] / top,
+        name,
+        transform=axes.transAxes,
+        ha="center",
+        va="center",
+        fontsize=size,
+        color=colour,
+        zorder=3.0,
+    )
+    return True

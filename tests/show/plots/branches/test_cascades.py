@@ -1,0 +1,53 @@
+"""Plot of a cascade: distances, ratios, and the slope to which they tend."""
+
+import dataclasses
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    DimensionlessBlock,
+    DoublingCascade,
+    Harmonic,
+    InputError,
+    find_cascade,
+    find_orbits,
+    plot_cascade,
+)
+
+
+@pytest.fixture(scope="module", name="cascade")
+def _cascade() -> DoublingCascade:
+    motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
+    return find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
+
+
+def test_distances_ratios_and_slope_are_drawn(cascade: DoublingCascade) -> None:
+    axes = cascade.plot(Figure().add_subplot())
+    line, dots = axes.lines
+    assert dots.get_ydata() == pytest.approx(np.abs(np.diff(cascade.values)))
+    expected = np.asarray(line.get_ydata())
+    assert expected[:-1] / expected[1:] == pytest.approx(4.669201609)
+    assert expected[-1] == pytest.approx(abs(cascade.distances[-1]))
+    assert [text.get_text() for text in axes.texts] == [f"{r:.3f}" for r in cascade.ratios]
+    assert [t.get_text() for t in axes.get_xticklabels()] == ["1 → 2", "2 → 4", "4 → 8"]
+    assert "Ω" in axes.get_ylabel()
+
+
+def test_one_doubling_has_no_distance(cascade: DoublingCascade) -> None:
+    one = dataclasses.replace(cascade, points=cascade.points[:1])
+    with pytest.raises(InputError, match="has one doubling"):
+        plot_cascade(one, Figure().add_subplot())
+    two = dataclasses.replace(cascade, points=cascade.points[:2])
+    assert not plot_cascade(two, Figure().add_subplot()).texts
+
+
+def test_a_point_is_plotted_as_its_orbit(cascade: DoublingCascade) -> None:
+    axes = cascade.points[0].plot(Figure().add_subplot())
+    assert "phase" in axes.get_xlabel()

@@ -1,0 +1,108 @@
+"""Pictures of manifolds: what is drawn, where, and what does not go together."""
+
+import math
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    Manifold,
+    ModelError,
+    Orbit,
+    compute_basins,
+    compute_manifold,
+    find_edge_state,
+    find_hilltop_saddles,
+    find_orbits,
+    plot_basins,
+    plot_manifolds,
+    plot_section,
+)
+
+BARE = DimensionlessBlock(restitution=0.9)
+MOTION = Harmonic(amplitude=0.2, frequency_ratio=2.0)
+SADDLE = find_hilltop_saddles(BARE, MOTION)[0]
+
+
+def test_every_point_is_drawn_and_stable_and_unstable_differ() -> None:
+    found = [
+        compute_manifold(SADDLE, kind, length=2.0, spacing=0.05) for kind in ("stable", "unstable")
+    ]
+    axes = plot_manifolds(found, Figure().add_subplot())
+    lines = [line for line in axes.lines if line.get_linestyle() in ("-", "--")]
+    drawn = sum(len(np.asarray(line.get_xdata())) for line in lines)
+    assert drawn == sum(each.points for each in found)
+    looks = {(line.get_color(), line.get_linestyle()) for line in lines}
+    assert len(looks) == 2
+    crosses = [line for line in axes.lines if line.get_marker() == "x"]
+    place = np.ravel([crosses[-1].get_xdata(), crosses[-1].get_ydata()])
+    assert place == pytest.approx([1.0, -0.08])
+
+
+def test_over_basins_the_window_and_the_legend_stay() -> None:
+    axis = np.linspace(-1.0, 1.0, 12)
+    axes = plot_basins(
+        compute_basins(BARE, MOTION, angles=axis, velocities=axis), Figure().add_subplot()
+    )
+    limits, legend = (axes.get_xlim(), axes.get_ylim()), axes.get_legend()
+    plot_manifolds(compute_manifold(SADDLE, "stable", length=2.0), axes)
+    assert (axes.get_xlim(), axes.get_ylim()) == limits
+    assert axes.get_legend() is legend
+
+
+def test_over_impacts_no_line_runs_across_where_the_phase_begins_anew() -> None:
+    shaken = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaken, max_period=1, seeds=8)
+    axes = plot_section(orbits, Figure().add_subplot())
+    before = len(axes.lines)
+    found = compute_manifold(orbits[0], "stable", over="impacts", length=4.0, spacing=0.05)
+    plot_manifolds(found, axes)
+    for line in axes.lines[before:]:
+        x = np.asarray(line.get_xdata(), dtype=np.float64)
+        if line.get_linestyle() == "-":
+            assert (np.abs(np.diff(x)) < math.pi).all()
+
+
+def test_what_does_not_go_into_one_picture_is_refused() -> None:
+    one = compute_manifold(SADDLE, "stable", length=0.5)
+    other = compute_manifold(SADDLE, "stable", phase=1.0, length=0.5)
+    over = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
+    cases: tuple[tuple[list[Manifold], str], ...] = (
+        ([one, other], "2 phases"),
+        ([one, over], "impacts and phase"),
+        ([], "are none"),
+    )
+    for several, said in cases:
+        with pytest.raises(ModelError, match=said):
+            plot_manifolds(several)
+
+
+def test_results_draw_themselves() -> None:
+    edge = find_edge_state(BARE, MOTION)
+    axes = edge.plot(Figure().add_subplot())
+    tracked = next(line for line in axes.lines if line.get_label() == "tracked, period by period")
+    assert np.array_equal(tracked.get_xdata(), edge.angle)
+    assert not isinstance(edge.saddle, Orbit)
+    assert edge.saddle is not None
+    course = edge.saddle.plot(Figure().add_subplot()).lines[0]
+    assert np.asarray(course.get_xdata()).max() == pytest.approx(1.04, abs=1e-3)
+    found = compute_manifold(SADDLE, "unstable", length=1.0)
+    assert found.plot(Figure().add_subplot()).get_xlabel() == axes.get_xlabel()
+
+
+def test_axes_of_another_section_are_refused() -> None:
+    shaken = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaken, max_period=1, seeds=8)
+    section = plot_section(orbits, Figure().add_subplot())
+    with pytest.raises(ModelError, match="axes over impacts"):
+        plot_manifolds(compute_manifold(SADDLE, "stable", length=0.5), section)
+    window = np.linspace(-1.2, 1.2, 9)
+    states = plot_basins(
+        compute_basins(BARE, MOTION, angles=window, velocities=window), Figure().add_subplot()
+    )
+    over = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
+    with pytest.raises(ModelError, match="axes over states at a phase"):
+        plot_manifolds(over, states)
