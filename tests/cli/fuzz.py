@@ -145,7 +145,9 @@ USUAL = {
     "attractor": [SHAKING, ASYMMETRIC, NONLINEAR],
     "orbits": [[*SHAKING, "--max-period", "1", "--max-impacts", "2", "--seeds", "10"]],
     "bifurcate": [["-A", "2", "-W", "3:3.2:3", "-r", "0.8", "--no-sweeps", "--max-branches", "2"]],
+    "curves": [["-A", "1:2:2", "-W", "3:4:2", "-r", "0.8", "--max-impacts", "2"]],
     "basins": [[*SHAKING, "--angles=-1:1:4", "--velocities=-0.3:0.3:4", "--cycles", "50"]],
+    "edge": [["-A", "0.2", "-W", "2", "-r", "0.9", "--cycles", "50"]],
     "map": [
         ["-A", "2:3:2", "-W", "4", "-r", "0.8"],
         ["-A", "2", "-W", "2:4:2", *BLOCK],

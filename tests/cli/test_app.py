@@ -13,14 +13,23 @@ import pytest
 
 from rocksteady import __version__
 from rocksteady.cli import app
-from rocksteady.cli.commands import attractor, basins, bifurcate, maps, orbits, simulate, steady
+from rocksteady.cli.commands import (
+    attractor,
+    bifurcate,
+    curves,
+    maps,
+    orbits,
+    simulate,
+    steady,
+)
+from rocksteady.cli.commands.windows import basins
 from rocksteady.cli.console import terminal
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
-COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", "map")
+COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "curves", "basins", "map")
 """Those that take shaking and a block."""
 ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
@@ -28,6 +37,7 @@ commands = pytest.mark.parametrize("command", COMMANDS)
 SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
     "basins": "basins -A 2 -W 4 --angles=-1:1:30 --velocities=-1:1:30",  # short of its progress
     "bifurcate": "bifurcate -A 2 -W 3:5:9",
+    "curves": "curves -A 0.2:2:2 -W 3:5:2 --max-impacts 2",
     "map": "map -A 2:3:2 -W 4",
 }
 """A command with its shaking."""
@@ -74,6 +84,13 @@ def test_a_bad_order_is_one_line_with_the_value(
     line = refused(f"{SHAKEN[command]} -r 0.8 -n {order}")
     for needle in needles:
         assert needle in line, line
+
+
+def test_what_typer_refuses_names_the_command_and_no_value_that_is_none_of_its_business() -> None:
+    assert "see rocksteady basins --help" in refused("basins -A 1 -W 2 -r 0.8 --entropy")
+    told = refused("bifurcate -A 1:2:3 -W 4 -r 0.8 -n 1 -n x")
+    assert "--order" in told
+    assert "given: '1'" not in told
 
 
 def test_an_unknown_command_is_one_line() -> None:
@@ -210,6 +227,7 @@ def examples_of(command: str) -> list[str]:
         "orbits": orbits,
         "basins": basins,
         "bifurcate": bifurcate,
+        "curves": curves,
         "map": maps,
     }
     found = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
@@ -262,6 +280,7 @@ def test_version() -> None:
         ["orbits", "-h"],
         ["basins", "--help"],
         ["bifurcate", "--help"],
+        ["curves", "--help"],
         ["record", "--help"],
         ["--version"],
     ],
@@ -410,6 +429,17 @@ def test_an_internal_error_says_so_and_ends_with_101(
     last = ran.err.splitlines()[-1]
     assert last.startswith("rocksteady: internal error: ZeroDivisionError: by nought")
     assert "report" in last
+
+
+def test_an_interruption_inside_compiled_code_ends_with_130(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def stopped(_: object) -> None:
+        raise SystemError("returned a result with an exception set") from KeyboardInterrupt()
+
+    monkeypatch.setattr("rocksteady.cli.flags.block_and_shaking.BlockFlags.described", stopped)
+    ran = rocksteady("edge -A 0.2 -W 2 -r 0.8")
+    assert (ran.code, ran.out, ran.err) == (130, "", "rocksteady: interrupted\n")
 
 
 @commands

@@ -26,11 +26,11 @@ def test_the_json_keeps_the_contract(flags: str, cycles: int) -> None:
     fate = map_fates(BLOCK, axes=GRID, start=START, cycles=cycles).fate
     words = ("rocking", "at-rest", "overturned", "undecided", "no-start")
     counts = [int((fate == code).sum()) for code in (0, 1, 2, 4, -1)]
-    assert values["counts"] == dict(zip(words, counts, strict=True))
+    assert values["counts"] == dict(zip(words, counts, strict=True)) | {"not-computed": 0}
     assert values["cells"] == values["computed"] == sum(counts) == 63
     assert 0.0 < values["seconds"] < 60.0
     assert (values["store"], values["cycles"], values["fate"]) == (None, cycles, True)
-    assert "subharmonic" not in values
+    assert "subharmonic" not in values["counts"]
 
 
 def test_without_the_flag_it_says_so() -> None:

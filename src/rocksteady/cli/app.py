@@ -17,8 +17,8 @@ from typer.exceptions import TyperException
 from rocksteady import __version__
 from rocksteady.cli.commands import (
     attractor,
-    basins,
     bifurcate,
+    curves,
     doctor,
     maps,
     orbits,
@@ -31,6 +31,7 @@ from rocksteady.cli.commands import (
 from rocksteady.cli.commands.documents import explore, paper, study
 from rocksteady.cli.commands.observations import back_analyse, calibrate, predict, restitution
 from rocksteady.cli.commands.risk import assess, facade, fragility, screens
+from rocksteady.cli.commands.windows import basins, edge
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
@@ -66,7 +67,9 @@ COMMANDS = (
     attractor,
     orbits,
     bifurcate,
+    curves,
     basins,
+    edge,
     maps,
     overturn,
     record,
@@ -145,12 +148,7 @@ def run(arguments: list[str]) -> int:
     except (OSError, MemoryError, UnicodeError) as error:
         return _surroundings_error(error)
     except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
-        traceback.print_exc()
-        terminal.say(
-            f"internal error: {type(error).__name__}: {error}; "
-            "this is a bug: please report it with the command and the lines above",
-        )
-        return INTERNAL
+        return _internal_error(error)
     terminal.say_notes()
     return _interrupted() if code == INTERRUPTED else _code(code)
 
@@ -174,6 +172,25 @@ def _interrupted() -> int:
     by_hand = number == signal.SIGINT
     terminal.say("interrupted" if by_hand else f"interrupted by {number.name}")
     return 128 + number
+
+
+def _internal_error(error: Exception) -> int:
+    """Report an error that is a bug, unless Ctrl-C has made it of compiled code."""
+    if _is_interruption(error):
+        return _interrupted()
+    traceback.print_exception(error)
+    terminal.say(
+        f"internal error: {type(error).__name__}: {error}; "
+        "this is a bug: please report it with the command and the lines above",
+    )
+    return INTERNAL
+
+
+def _is_interruption(error: BaseException | None) -> bool:
+    """Return whether an error comes from Ctrl-C: compiled code that it met leaves a SystemError."""
+    while isinstance(error, SystemError):
+        error = error.__cause__ or error.__context__
+    return isinstance(error, KeyboardInterrupt)
 
 
 def _surroundings_error(error: OSError | MemoryError | UnicodeError) -> int:
@@ -206,10 +223,11 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
     if not error.format_message():  # help was asked for and has been shown
         return 0
     context = getattr(error, "ctx", None)
-    path = context.command_path if context is not None else "rocksteady"
+    path = context.command_path if context is not None else _command_of(arguments)
     message = " ".join(error.format_message().split()).rstrip(".")
     flags = getattr(getattr(error, "param", None), "opts", [])
-    given = _given(flags, arguments)
+    values = _given(flags, arguments)
+    given = values[0] if len(values) == 1 else None
     if given is not None and NO_NUMBER in message:
         return _complain(str(no_number("/".join(flags), given)))
     if given is not None:
@@ -219,15 +237,23 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
     return _complain(f"{message}; see {path} --help")
 
 
-def _given(options: list[str], arguments: list[str]) -> str | None:
-    """Return the value that followed one of the options, which typer's messages leave out."""
+def _command_of(arguments: list[str]) -> str:
+    """Return the command that arguments call, where the error does not say it."""
+    known = getattr(_program(), "commands", {})
+    words = ["rocksteady", *(each for each in arguments[:1] if each in known)]
+    return " ".join(words)
+
+
+def _given(options: list[str], arguments: list[str]) -> list[str]:
+    """Return the values that followed one of the options, which typer's messages leave out."""
+    found = []
     for position, argument in enumerate(arguments):
         option, equals, value = argument.partition("=")
         if option in options and equals:
-            return value
-        if option in options and position + 1 < len(arguments):
-            return arguments[position + 1]
-    return None
+            found.append(value)
+        elif option in options and position + 1 < len(arguments):
+            found.append(arguments[position + 1])
+    return found
 
 
 def _warn(

@@ -6,7 +6,15 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, find_attractor
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    FourierSeries,
+    Harmonic,
+    Steady,
+    find_attractor,
+    simulate,
+)
 from tests.cli.program import refused, rocksteady
 
 POINT = "attractor -A 2 -W 1.9 -r 0.8 --start steady --side -"
@@ -241,3 +249,33 @@ def test_every_kind_of_attractor_can_be_drawn(command: str, tmp_path: Path) -> N
     assert ran.json["schema"] == "rocksteady/attractor/1"
     assert file.read_bytes().startswith(b"\x89PNG")
     assert [path.name for path in tmp_path.iterdir()] == ["attractor.png"]
+
+
+def test_harmonics_are_those_of_a_fourier_series() -> None:
+    point = "-A 1.05 -W 0.6 -r 0.4 --harmonic 2,0.3,0.5 --harmonic 1,0.8,0"
+    motion = FourierSeries(
+        amplitude=1.05, frequency_ratio=0.6, harmonics=((1, 0.8, 0.0), (2, 0.3, 0.5))
+    )
+    values = rocksteady(f"attractor {point} --json").json
+    found = find_attractor(DimensionlessBlock(restitution=0.4), motion)
+    assert values["harmonics"] == [[1, 0.8, 0.0], [2, 0.3, 0.5]]
+    assert values["kind"] == found.kind.value
+    assert values["peaks"] == list(found.peaks or ())
+    run = rocksteady(f"simulate {point} --cycles 5 --json").json
+    assert run["harmonics"] == values["harmonics"]
+    assert run["peak"] == simulate(found.block, motion, cycles=5).peak
+    for wrong, words in (
+        ("2,0.5", "three numbers"),
+        ("1.5,1,0", "whole number"),
+        ("65,1,0", "from 1 to 64"),
+        ("2,x,0", "--harmonic"),
+        ("inf,1,0", "'inf,1,0' is not valid: its order must be a whole number"),
+        ("nan,1,0", "its order must be a whole number"),
+        ("65,1,0", "--harmonic = '65,1,0' is not valid: it must be a whole number from 1 to 64"),
+        ("2,inf,0", "--harmonic = '2,inf,0'"),
+    ):
+        assert words in refused(f"attractor -A 1 -W 2 -r 0.8 --harmonic {wrong}")
+    assert "endless shaking alone" in refused(
+        "simulate -A 1 -W 2 -r 0.8 --pulse one-sine --harmonic 2,1,0"
+    )
+    assert "single sinusoid" in refused("map -A 1:2:2 -W 2 -r 0.8 --start steady --harmonic 2,1,0")

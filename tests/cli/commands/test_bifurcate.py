@@ -78,7 +78,7 @@ def test_the_json_keeps_the_contract() -> None:
     assert (values["parameter"], values["within"]) == ("frequency_ratio", [1.6, 2.4])
     assert (values["amplitude"], values["restitution"]) == (2.0, 0.8)
     assert values["frequency_ratio"] is None
-    assert (values["order"], values["max_period"], values["max_impacts"]) == (1, 4, 12)
+    assert (values["orders"], values["max_period"], values["max_impacts"]) == ([1], 4, 12)
     assert values["complete"] is True
     assert "cascade" not in values
     for point in values["points"]:
@@ -446,7 +446,7 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
     assert [path.name for path in tmp_path.iterdir()] == [file.name]
 
 
-# ------------------------------------------------------------------------------ bad input
+# ----------------------------------------------------- the nonlinear model, sides that differ
 
 
 @pytest.mark.parametrize(
@@ -485,6 +485,9 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
         ("-A 0.1:3:5 -W 2 -r 0.8 --start steady", "--start = 'steady'"),
         ("--accel-g 0.1:0.5:5 -W 2 -r 0.8", "--accel-g = '0.1:0.5:5'"),
         ("--block tso-wong-1989 -A 2 --freq-hz -1:2:5", "--freq-hz = -1.0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --model nonlinear", "--model = 'nonlinear'"),
+        ("-A 2 -W 1:2:5 -r 0.8 --model cubic", "--model = 'cubic'"),
+        ("-A 2 -W 1:2:5 -r 0.8 --one-sided", "--one-sided makes a block that rocks to one side"),
     ],
 )
 def test_bad_input_is_one_line_and_leaves_no_file(flags: str, needle: str, tmp_path: Path) -> None:

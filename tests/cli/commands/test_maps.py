@@ -40,10 +40,11 @@ def test_the_json_keeps_the_contract() -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/map/1"
     found = map_attractors(BLOCK, axes=GRID, max_cycles=300)
-    words = found.kind.attrs["flag_meanings"].split()
-    counts = np.bincount(found.kind.values.ravel(), minlength=len(words)).tolist()
-    assert values["counts"] == dict(zip(words, counts, strict=True))
-    assert values["subharmonic"] == int((found.period > 1).sum())
+    flags = enumerate(found.kind.attrs["flag_meanings"].split()[:-1])
+    counts = {word: int(((found.kind == k) & (found.period < 2)).sum()) for k, word in flags}
+    longer = {"subharmonic": int((found.period > 1).sum())}
+    assert values["counts"] == counts | longer | {"no-start": 0, "not-computed": 0}
+    assert values["shares"] == pytest.approx({k: n / 63 for k, n in values["counts"].items()})
     assert values["cells"] == values["computed"] == 63
     assert 0.0 < values["seconds"] < 60.0
     assert values["store"] is None
@@ -66,7 +67,7 @@ def test_the_text_says_what_there_is() -> None:
 def test_the_table_has_the_shares_of_the_legend(tmp_path: Path) -> None:
     flags = "map -A 0.5:6:12 -W 0.5:8:12 -r 0.8"
     values = rocksteady(f"{flags} --json").json
-    assert values["subharmonic"] == sum(values["subharmonic_counts"].values()) > 0
+    assert values["counts"]["subharmonic"] == sum(values["subharmonic_counts"].values()) > 0
     nc = tmp_path / "a.nc"
     out = rocksteady(f"{flags} --netcdf", nc).out
     with xr.open_dataset(nc) as found:
@@ -443,3 +444,24 @@ def test_an_interrupted_map_says_how_it_goes_on_and_does(tmp_path: Path) -> None
     ran = rocksteady("", *told[1:], "--json")
     assert ran.json["computed"] == 6400 - cells
     assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("flags", "why"),
+    [
+        ("--by period", "without --plot it has no meaning"),
+        ("--by colour --plot {}", "coloured by class, period, lyapunov, peak"),
+        ("--fate --by period --plot {}", "coloured by class, impacts"),
+    ],
+)
+def test_a_colouring_that_has_no_meaning_is_refused(flags: str, why: str, tmp_path: Path) -> None:
+    picture = tmp_path / "a.png"
+    assert why in refused(f"{MAP} {flags.format(picture)}")
+    assert not picture.exists()
+
+
+def test_a_picture_is_coloured_by_what_is_asked_for(tmp_path: Path) -> None:
+    files = {by: tmp_path / f"{by}.png" for by in ("class", "period", "peak")}
+    for by, file in files.items():
+        assert rocksteady(f"{MAP} --by {by} --plot", file).code == 0
+    assert len({file.read_bytes() for file in files.values()}) == 3

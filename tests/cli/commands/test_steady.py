@@ -300,3 +300,16 @@ def test_axes_too_long_together_are_refused_before_anything_is_computed() -> Non
     assert (ran.code, ran.out) == (2, "")
     assert "200000 amplitudes x 1000000 frequencies" in ran.err
     assert len(ran.err.splitlines()) == 1
+
+
+def test_several_orders_are_several_points(tmp_path: Path) -> None:
+    points = rocksteady("steady -A 4 -W 8 -r 0.8 -n 3 -n 1 -n 3 --json").json["points"]
+    assert [point["order"] for point in points] == [3, 1]
+    for point in points:
+        alone = rocksteady(f"steady -A 4 -W 8 -r 0.8 -n {point['order']} --json").json
+        assert point == {key: alone[key] for key in point}
+    assert "n = 1" not in refused("steady -A 4 -W 8 -r 0.8 -n 1 -n 2")
+    picture = tmp_path / "a.png"
+    why = refused("steady -A 4 -W 8 -r 0.8 -n 1 -n 3 --plot", picture)
+    assert "a point is drawn for one order" in why
+    assert rocksteady("steady -A 4 -W 6:9:5 -r 0.8 -n 1 -n 3 --plot", picture).code == 0

@@ -50,7 +50,7 @@ def test_a_name_that_no_system_takes_is_refused_by_its_flag(
 
 
 def test_no_value_of_a_flag_is_dropped_or_taken_for_another(tmp_path: Path) -> None:
-    line = refused("bifurcate -A 2 -W 3:5:9 -r 0.8 -n 1 -n 3")
+    line = refused("attractor -A 2 -W 4 -r 0.8 --start steady -n 1 -n 3")
     assert "--order/-n is given more than once ('1', '3')" in line
     assert "('2', '3')" in refused("steady -A2 --amplitude=3 -W 4 -r 0.8")
     assert rocksteady("steady -A 2 -A 3 --help").code == 0

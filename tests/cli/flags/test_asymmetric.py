@@ -131,7 +131,6 @@ def test_maps_and_basins_of_it(tmp_path: Path) -> None:
     [
         (f"steady {FLAGS} -A 2 -W 4", "rocksteady orbits"),
         ("steady -r 0.8,0.9 -A 2 -W 4", "rocksteady orbits"),
-        (f"bifurcate {FLAGS} -A 2 -W 2:4:9", "rocksteady map"),
         (f"simulate {FLAGS} -A 2 -W 4 --start steady", "`find_orbits`"),
         (f"map {FLAGS} -A 2 -W 2:4:9 --start steady", "`find_orbits`"),
         ("map --left-m 0.15 --right-m 0.25 --height-m 1:2:3 -A 2 -W 4", "sides of this block"),

@@ -20,6 +20,7 @@ COMMANDS = (
     "steady -A 1:3:3 -W 1:8:50 -r 0.8",
     "orbits -A 2 -W 4 -r 0.8",
     "bifurcate -A 1.5:2.5:11 -W 2 -r 0.8 --no-sweeps",
+    "curves -A 0.2:2:2 -W 3:5:2 -r 0.8 --max-impacts 2",
     "basins -A 2 -W 4 -r 0.8 --angles -1:1:21 --velocities=-1:1:21",
     "basins -A 0:1:4 -W 4 -r 0.8 --angles -1:1:21 --velocities=-1:1:21 --cycles 10",
     "map -A 0.5:3:8 -W 1:8:8 -r 0.8",

@@ -85,6 +85,7 @@ def test_tables_pictures_and_films_are_written(tmp_path: Path) -> None:
         ("simulate --width-m 3 --height-m 1 -r 0 -A 2 -W 4", "(0, 1]"),
         (f"steady {FLAGS} -A 2 -W 4", "--one-sided makes a block that rocks to one side alone"),
         (f"bifurcate {FLAGS} -A 2 -W 2:4:10", "--one-sided makes a block"),
+        (f"curves {FLAGS} -A 1:2:2 -W 2:4:2", "--one-sided makes a block"),
         ("bifurcate --one-sided -r 0:0.5:3 -A 2 -W 4", "--one-sided makes a block"),
     ],
 )

@@ -4,7 +4,7 @@ from rocksteady.cli.flags import options
 from tests.cli.program import rocksteady
 
 EVERY_COMMAND = (
-    *("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", "map"),
+    *("steady", "simulate", "attractor", "orbits", "bifurcate", "curves", "basins", "edge", "map"),
     *("overturn", "record", "paper", "fragility", "assess", "facade", "screens", "explore"),
 )
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady
+from rocksteady import DimensionlessBlock, Linear, ModelError, Rest, State, Steady
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.sweep_start import SweepStart
@@ -23,9 +23,9 @@ SPAN = Range(
     ("flags", "expected"),
     [
         ({}, Steady()),
-        ({"order": 3, "side": "-"}, Steady(order=3, side=-1)),
+        ({"order": [3, 1], "side": "-"}, Steady(order=3, side=-1)),
         ({"phase": 1.0}, Rest()),
-        ({"start": "rest", "order": 3}, Rest()),
+        ({"start": "rest", "order": [3]}, Rest()),
         ({"start": "0.2,0.1"}, State(angle=0.2, velocity=0.1)),
         ({"start": "0.2,tau=0.5"}, State(angle=0.2, velocity=2.0)),
     ],
@@ -33,16 +33,16 @@ SPAN = Range(
 def test_a_sweep_begins_as_typed_or_on_a_steady_state(
     flags: dict[str, Any], expected: object
 ) -> None:
-    assert SweepStart(**flags).chosen(SPAN) == expected
+    assert SweepStart(**flags).chosen(SPAN, Linear()) == expected
 
 
 def test_a_steady_state_that_is_typed_must_exist_at_both_ends() -> None:
     with pytest.raises(FlagError, match=r"'steady' is not accepted: .* there is none"):
-        SweepStart(start="steady").chosen(SPAN)  # at 0.1 there is none
+        SweepStart(start="steady").chosen(SPAN, Linear())  # at 0.1 there is none
     with pytest.raises(ModelError):
-        SweepStart(start="steady:2").chosen(SPAN)
+        SweepStart(start="steady:2").chosen(SPAN, Linear())
     there = replace(SPAN, values=(1.0, 2.0), amplitude=1.0)
-    assert SweepStart(start="steady:1", kick=1e-3).chosen(there) == Steady(kick=1e-3)
+    assert SweepStart(start="steady:1", kick=1e-3).chosen(there, Linear()) == Steady(kick=1e-3)
 
 
 def test_the_start_of_each_sweep_is_written_as_it_was_typed() -> None:
@@ -56,4 +56,9 @@ def test_the_start_of_each_sweep_is_written_as_it_was_typed() -> None:
 def test_without_sweeps_what_only_they_have_is_refused(flags: dict[str, Any]) -> None:
     with pytest.raises(FlagError, match="without sweeps, it has no meaning; leave it out"):
         SweepStart(**flags).refuse("without sweeps")
-    SweepStart(order=3, side="-").refuse("without sweeps")
+    SweepStart(order=[3], side="-").refuse("without sweeps")
+
+
+def test_the_orders_of_branches_are_all_that_are_typed() -> None:
+    assert SweepStart().orders == (1,)
+    assert SweepStart(order=[3, 1]).orders == (3, 1)

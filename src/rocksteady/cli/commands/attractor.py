@@ -15,6 +15,7 @@ from rocksteady.cli.console.outputs import (
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.results.rendering import print_description
 
@@ -53,6 +54,7 @@ CyclesFlag = Annotated[
 @grouped
 def attractor(
     shaking: ShakingFlags,
+    series: SeriesFlags,
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
@@ -63,7 +65,7 @@ def attractor(
     output.check()
     body = block.described()
     equations = equations_for(model, body)
-    motion = shaking.at(body, phase=start.first_phase)
+    motion = series.of(shaking.at(body, phase=start.first_phase))
     start.check(shaken=True)
 
     announce_compilation("settle.settle")

@@ -17,9 +17,9 @@ from rocksteady.cli.console.outputs import (
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.range import Range, range_of
+from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
 from rocksteady.results.rendering import print_description
@@ -32,15 +32,19 @@ HELP = (
     "Periodic motions followed over a parameter, stable and unstable, with their bifurcations.\n\n"
     "Exactly one of -A, -W and -r is an axis start:stop:count; the others are numbers. Branches "
     "are followed around their folds, and every branch that begins at a bifurcation is followed "
-    "too. They start from the symmetric motions of order -n in closed form, and from what two "
-    "sweeps, upwards and downwards through the values of the axis, settle to. Exit code 3 where "
-    "--max-branches ended the work."
+    "too. They start from the symmetric motions of each order -n in closed form (with --model "
+    "nonlinear from those to which they lead; of a block whose sides differ from motions with two "
+    "impacts, by a search, as under --harmonic), and from what two sweeps, upwards and downwards "
+    "through the values of the axis, settle to. Exit code 3 where --max-branches ended the work."
 )
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady bifurcate -A 2 -W 1.6:2.4:400 -r 0.8 --cascade --plot diagram.png\n\n"
     "rocksteady bifurcate -A 0.1:3:600 -W 2 -r 0.8 --csv branches.csv\n\n"
-    "rocksteady bifurcate --block tso-wong-1989 -A 2 --freq-hz 3.9:5:400 -n 3 --json"
+    "rocksteady bifurcate -A 2 -W 1.6:2.4:400 -r 0.8 --harmonic 1,1,0 --harmonic 2,0.3,0\n\n"
+    "rocksteady bifurcate --block tso-wong-1989 -A 2 --freq-hz 3.9:5:400 -n 1 -n 3 --json\n\n"
+    "rocksteady bifurcate --alpha-rad 0.25 --radius-m 1 -r 0.85 -A 2 -W 1.4:2.6:200 --model "
+    "nonlinear"
 )
 
 MaxPeriodFlag = Annotated[
@@ -49,7 +53,7 @@ MaxPeriodFlag = Annotated[
         "--max-period",
         metavar="N",
         help="Longest motions that are branched off to, in periods of the shaking; default 4 times "
-        "the order -n.",
+        "the largest order -n.",
         rich_help_panel=BRANCHES,
     ),
 ]
@@ -131,6 +135,7 @@ DOUBLINGS = 6
 @grouped
 def bifurcate(
     shaking: ShakingFlags,
+    series: SeriesFlags,
     block: BlockFlags,
     output: OutputFlags,
     start: SweepStart,
@@ -143,16 +148,18 @@ def bifurcate(
     cascade: CascadeFlag = False,
     doublings: DoublingsFlag = None,
     top: TopFlag = None,
+    model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
     output.check()
     span = range_of(shaking, block)
-    if not span.body.symmetric:
+    if span.body.one_sided:
         raise block.refuse_sides(
-            valid="branches are followed of symmetric blocks alone",
+            valid="branches are followed of blocks that rock on both sides",
             hint="draw a diagram of what it settles to with `rocksteady map`, and one axis",
         )
-    start.check(shaken=True)
+    equations = equations_for(model, span.body)
+    start.check()
     if doublings is not None and not cascade:
         raise FlagError(
             "doublings",
@@ -168,27 +175,28 @@ def bifurcate(
 
     announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.branches import BranchSearch
-    from rocksteady.dynamics.continuation.diagram import find_bifurcations
+    from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
 
     asked = BranchSearch(
-        order=start.order,
+        orders=start.orders,
         max_period=max_period,
         max_impacts=max_impacts,
         max_branches=max_branches,
         everywhere=search,
         doublings=many if cascade else 0,
+        max_cycles=cycles,
     )
-    begin = start.chosen(span) if sweeping else None
+    begin = start.chosen(span, equations, series) if sweeping else None
     with progress("following", 1, lines=False) as done:
         diagram = find_bifurcations(
             span.body,
-            replace(span.motion, phase=start.first_phase),
+            series.of(replace(span.motion, phase=start.first_phase)),
             span.parameter,
             within=(span.values[0], span.values[-1]),
             values=span.values if sweeping else 0,
             start=begin,
             search=asked,
-            max_cycles=cycles,
+            model=equations,
         )
         done("branches")
     if not diagram.complete:

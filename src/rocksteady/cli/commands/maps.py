@@ -1,7 +1,7 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
 from dataclasses import replace
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -20,9 +20,13 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
+from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.sweep import SWEEP, SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.show.plots.map_quantities import Colouring
 
 HELP = (
     "What the block settles to in every cell of a grid.\n\n"
@@ -35,6 +39,7 @@ HELP = (
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"
+    "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot periods.png --by period\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --out map.zarr --resume\n\n"
     "rocksteady map -A 1:6:1000 -W 1:12:1000 -r 0.8 --start 0,0.3 --fate --plot fates.png\n\n"
     "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
@@ -75,10 +80,23 @@ RefineFlag = Annotated[
 ]
 
 
+ByFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--by",
+        metavar="NAME",
+        help="Colour the cells of --plot by class (default), period, lyapunov (exponent per "
+        "forcing period) or peak (of the angle over alpha); with --fate by class or impacts.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+
+
 @grouped
 def maps(
     context: typer.Context,
     shaking: ShakingFlags,
+    series: SeriesFlags,
     block: BlockFlags,
     start: MapStartFlags,
     sweep: SweepFlags,
@@ -86,12 +104,14 @@ def maps(
     fate: FateFlag = False,
     cycles: MapCycles = None,
     refine: RefineFlag = None,
+    by: ByFlag = None,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)
     case = map_case(shaking, block, start)
     equations = equations_for(model, case.body)
+    colouring = _colouring(by, output, fates=fate)
     if output.plot is not None:
         _check_drawable(case)
     if sweep.out is not None and refine is not None:
@@ -117,6 +137,7 @@ def maps(
     ):
         found = what(
             case.body,
+            series.of(case.motion) if series.given else None,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.motion.frequency_ratio),
             refine=refine,
@@ -134,7 +155,7 @@ def maps(
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        write_figure(output.plot, map_figure(found, description.headline, output.page))
+        write_figure(output.plot, map_figure(found, description.headline, output.page, colouring))
     if output.as_json:
         print_json("map", values)
     else:
@@ -148,6 +169,28 @@ def _speed(computed: int, meter: Meter) -> str:
     """Return how many cells were computed, and how fast."""
     rate = computed / meter.seconds if meter.seconds else 0.0
     return f"{computed:,} cells computed in {meter.seconds:.2f} s, {rate:,.0f} a second"
+
+
+def _colouring(by: str | None, output: OutputFlags, *, fates: bool) -> "Colouring":
+    """Return what colours the cells of a picture.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity, or no picture.
+    """
+    if by is None:
+        return "class"
+    if output.plot is None:
+        raise FlagError(
+            "--by",
+            by,
+            "without --plot it has no meaning",
+            "add --plot map.png, or leave it out",
+        )
+    from rocksteady.show.plots.map_quantities import checked_colouring
+
+    return checked_colouring(by, fates=fates)
 
 
 def _check_drawable(case: MapCase) -> None:

@@ -9,6 +9,7 @@ from rocksteady.cli.console.outputs import announce_compilation, print_json, wri
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.results.rendering import print_description
 
 SEARCH = "Search"
@@ -60,6 +61,7 @@ SeedsFlag = Annotated[
 @grouped
 def orbits(
     shaking: ShakingFlags,
+    series: SeriesFlags,
     block: BlockFlags,
     output: OutputFlags,
     max_period: MaxPeriodFlag = 3,
@@ -71,7 +73,7 @@ def orbits(
     output.check()
     body = block.described()
     equations = equations_for(model, body)
-    motion = shaking.at(body)
+    motion = series.of(shaking.at(body))
 
     announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits

@@ -25,13 +25,15 @@ from rocksteady.cli.flags.block_and_shaking import (
     refuse_of_linear,
 )
 from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped
-from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.cli.flags.range import SeriesFlags
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_beside_record
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.segments import Harmonic, Motion, Still
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.rendering import print_description
@@ -88,6 +90,7 @@ SamplesFlag = Annotated[
 @grouped
 def simulate(
     shaking: ShakingFlags,
+    series: SeriesFlags,
     pulse: PulseFlags,
     recorded: RecordFlags,
     reading: ReadingFlags,
@@ -106,6 +109,13 @@ def simulate(
     of_record = recorded.given(reading, pulse=pulse.given)
     body = recorded.block(block) if of_record else block.described()
     motion: Motion | Record = Still()
+    if series.given and (of_record or pulse.given or not shaking.given):
+        raise FlagError(
+            "harmonics",
+            ", ".join(series.harmonic or ()),
+            "it goes with endless shaking alone",
+            "give -A and -W, and neither a pulse nor a record",
+        )
     beside = None
     notes: dict[str, list[str]] = {}
     if of_record:
@@ -123,7 +133,7 @@ def simulate(
         motion = pulse.of(shaking.at(body), phase=start.phase, reverse=recorded.reverse)
         refuse_cycles(cycles, "a pulse")
     elif shaking.given:
-        motion = shaking.at(body, phase=start.first_phase)
+        motion = series.of(shaking.at(body, phase=start.first_phase))
     start.check(shaken=not isinstance(motion, Still))
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
@@ -133,7 +143,7 @@ def simulate(
     announce_compilation("march.march")
     from rocksteady.dynamics.history.simulate import simulate as run
 
-    begin = start.of(motion.frequency_ratio if isinstance(motion, Harmonic) else None)
+    begin = start.of(motion.frequency_ratio if isinstance(motion, PeriodicMotion) else None)
     with start.as_typed():
         trajectory = run(
             body,
@@ -166,7 +176,9 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
 
     found = trajectory.describe()
     facts, remarks = [*found.facts], [*found.notes]
-    if isinstance(trajectory.block, Block) and not isinstance(trajectory.motion, Harmonic | Still):
+    if isinstance(trajectory.block, Block) and not isinstance(
+        trajectory.motion, PeriodicMotion | Still
+    ):
         neighbours = check_neighbours(trajectory)
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
@@ -235,33 +247,6 @@ def refuse_cycles(cycles: float | None, thing: str) -> None:
         )
 
 
-def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: float | None) -> None:
-    """Refuse another base motion beside a recorded one.
-
-    Raises
-    ------
-    InputError
-        If there is one.
-    """
-    others = {
-        "--pulse": pulse.pulse if pulse.given else None,
-        "--amplitude/-A": shaking.amplitude,
-        "--frequency-ratio/-W": shaking.frequency_ratio,
-        "--accel-g": shaking.accel_g,
-        "--accel-m-s2": shaking.accel_m_s2,
-        "--freq-hz": shaking.freq_hz,
-        "--phase": phase,
-    }
-    for flag, value in others.items():
-        if value is not None:
-            raise FlagError(
-                flag,
-                value,
-                "--record says how the base moves",
-                "leave one of the two out; --scale makes a record stronger",
-            )
-
-
 def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":
     """Return the film of a whole run.
 
@@ -278,7 +263,7 @@ def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Fil
         if error.name != "span":
             raise
         # The command has no part of a run to offer, but the run can be made shorter.
-        shaken = isinstance(trajectory.motion, Harmonic)
+        shaken = isinstance(trajectory.motion, PeriodicMotion)
         raise InputError(
             "--animate",
             flags_of_film.animate,

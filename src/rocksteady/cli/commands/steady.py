@@ -1,5 +1,6 @@
 """`rocksteady steady`: symmetric steady states in closed form, at a point or along axes."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
@@ -21,8 +22,8 @@ HELP = (
     "Symmetric steady states under harmonic shaking, both branches, in closed form.\n\n"
     "At a point: the region, its boundaries, and for each solution phase, velocity, peak, "
     "admissibility, multipliers of the half cycle and stability (Tso and Wong 1989, eqs 12 to 25). "
-    "-A and -W may also be axes start:stop:count, both ends included (log: before it for "
-    "logarithmic spacing); --plot then draws response curves."
+    "-n may be repeated. -A and -W may also be axes start:stop:count, both ends included (log: "
+    "before it for logarithmic spacing); --plot then draws response curves."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -34,7 +35,7 @@ EXAMPLES = (
 
 @grouped
 def steady(
-    shaking: ShakingFlags, block: BlockFlags, output: OutputFlags, order: options.Order = 1
+    shaking: ShakingFlags, block: BlockFlags, output: OutputFlags, order: options.Orders = None
 ) -> None:
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()
@@ -45,6 +46,13 @@ def steady(
             hint="ask for its periodic motions with `rocksteady orbits`",
         )
     amplitudes, ratios = shaking.of(body)
+    if output.plot is not None and len(set(order or (1,))) > 1 and len(ratios) == 1:
+        raise FlagError(
+            "--plot",
+            output.plot,
+            "a point is drawn for one order, and there are several",
+            "give -n once, or -W as an axis start:stop:count",
+        )
     if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
         raise FlagError(
             "--plot",
@@ -57,9 +65,10 @@ def steady(
 
     from rocksteady.dynamics.steady.states import find_steady_states
 
-    states = find_steady_states(
-        np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution, order=order
-    ).for_block(body)
+    orders = tuple(dict.fromkeys(order or (1,)))
+    plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution
+    each = orders[0] if len(orders) == 1 else np.array(orders)[:, np.newaxis, np.newaxis]
+    states = find_steady_states(*plane, order=each).for_block(body)
     if output.csv is not None:
         rows = states.rows()
         header = list(rows[0]) if rows else ["amplitude", "frequency_ratio"]
@@ -68,7 +77,7 @@ def steady(
         if states.region.size == 1:
             write_figure(output.plot, point_figure(states, output.page))
         else:
-            write_figure(output.plot, curves_figure(body, amplitudes, ratios, order, output.page))
+            write_figure(output.plot, curves_figure(body, amplitudes, ratios, orders, output.page))
     if output.as_json:
         print_json("steady", states.to_dict())
     else:
@@ -113,15 +122,18 @@ def curves_figure(
     body: Block | DimensionlessBlock,
     amplitudes: list[float],
     ratios: list[float],
-    order: int,
+    orders: Sequence[int],
     page: "Page",
 ) -> Any:
-    """Return the figure of response curves, one for each amplitude."""
+    """Return the figure of response curves, one for each order and amplitude."""
     from rocksteady.dynamics.steady.response import compute_response_curve
     from rocksteady.show.figures.single import response_figure
 
     curves = [
-        compute_response_curve(body, a, frequency_ratio=ratios, order=order) for a in amplitudes
+        compute_response_curve(body, a, frequency_ratio=ratios, order=order)
+        for order in orders
+        for a in amplitudes
     ]
-    title = f"Symmetric steady states: restitution {body.restitution:g}, n = {order}, branch 1"
+    listed = ", ".join(map(str, orders))
+    title = f"Symmetric steady states: restitution {body.restitution:g}, n = {listed}, branch 1"
     return response_figure(curves, hertz=isinstance(body, Block), title=title, page=page)

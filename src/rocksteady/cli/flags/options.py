@@ -23,6 +23,7 @@ FLAG_OF_ARGUMENT = {
     "radius": "--radius-m",
     "p": "--p-rad-s",
     "gravity": "--gravity-m-s2",
+    "time_pt": "--at-pt",
     "left": "--left-m",
     "right": "--right-m",
     "gyration": "--gyration-m",
@@ -35,6 +36,7 @@ FLAG_OF_ARGUMENT = {
     "frequency_hz": "--freq-hz",
     "phase": "--phase",
     "shape": "--pulse",
+    "harmonics": "--harmonic",
     "oscillations": "--oscillations",
     "cycles": "--cycles",
     "max_cycles": "--cycles",
@@ -46,12 +48,17 @@ FLAG_OF_ARGUMENT = {
     "max_period": "--max-period",
     "max_impacts": "--max-impacts",
     "max_branches": "--max-branches",
+    "max_curves": "--max-curves",
+    "length": "--length",
+    "other": "--other",
     "doublings": "--doublings",
     "top": "--top",
     "seeds": "--seeds",
     "seed": "--seed",
     "angles": "--angles",
     "velocities": "--velocities",
+    "box": "--entropy",
+    "sizes": "--exponent",
     "amplitudes": "--amplitude/-A",
     "frequency_ratios": "--frequency-ratio/-W",
     "resolution": "--resolution",
@@ -91,6 +98,7 @@ FLAG_OF_ARGUMENT = {
     "sa_v_per_sa_h": "--vertical-per-horizontal",
     "vertical_g": "--vertical-g",
     "vertical": "--vertical",
+    "by": "--by",
     "legend": "--legend",
     "width_mm": "--width",
 }
@@ -140,6 +148,16 @@ FreqHz = Annotated[
         "--freq-hz",
         metavar="F",
         help="Set the frequency of the shaking in Hz, instead of -W; needs a block.",
+        rich_help_panel=MOTION,
+    ),
+]
+HarmonicWaves = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--harmonic",
+        metavar="K,SIZE,PHASE",
+        help="A harmonic of periodic shaking: order K, size relative to -A, phase [rad]. Once for "
+        "each of them; -W is then that of the period. Without any, a single sinusoid.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -218,6 +236,17 @@ Order = Annotated[
         rich_help_panel=MOTION,
     ),
 ]
+Orders = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--order",
+        "-n",
+        metavar="N",
+        help="Set the half periods of the shaking in one half cycle, odd: 1 harmonic (default), 3 "
+        "the 1/3 subharmonic; may be repeated.",
+        rich_help_panel=MOTION,
+    ),
+]
 Start = Annotated[
     str,
     typer.Option(
@@ -234,8 +263,9 @@ SweepStart = Annotated[
         "--start",
         metavar="START",
         help="Where a sweep begins, and begins again after a fall: auto (steady where its first "
-        "value has that, else rest), rest, steady or steady:2 (on branch 1 or 2 of order -n), U,DU "
-        "(u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from rest.",
+        "value has that, else rest), rest, steady or steady:2 (branch 1 or 2 of the first -n), "
+        "U,DU (u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from "
+        "rest.",
         rich_help_panel=START,
     ),
 ]

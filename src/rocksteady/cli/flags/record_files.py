@@ -10,7 +10,7 @@ import typer
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing
-from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, MOTION
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
@@ -471,3 +471,30 @@ def remark_on_scale(factor: float, what: str) -> None:
     """Print a remark beside the result where a record is made more than ten times as strong."""
     if factor > MOST_USUAL_SCALE:
         terminal.note(f"{what} by {factor:.3g}: is its unit right (--units)?")
+
+
+def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: float | None) -> None:
+    """Refuse another base motion beside a recorded one.
+
+    Raises
+    ------
+    InputError
+        If there is one.
+    """
+    others = {
+        "--pulse": pulse.pulse if pulse.given else None,
+        "--amplitude/-A": shaking.amplitude,
+        "--frequency-ratio/-W": shaking.frequency_ratio,
+        "--accel-g": shaking.accel_g,
+        "--accel-m-s2": shaking.accel_m_s2,
+        "--freq-hz": shaking.freq_hz,
+        "--phase": phase,
+    }
+    for flag, value in others.items():
+        if value is not None:
+            raise FlagError(
+                flag,
+                value,
+                "--record says how the base moves",
+                "leave one of the two out; --scale makes a record stronger",
+            )

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 STEADY = ("steady", "steady:1", "steady:2")
 TAU = "tau="
+STATE_HINT = "write U,V (V = du/d(pt)) or U,tau=DU (du/d(omega t)), as 0.4,0"
 HINT = "write rest, steady, steady:2, U,V (V = du/d(pt)) or U,tau=DU (du/d(omega t)), as 0.4,0"
 
 
@@ -145,8 +146,8 @@ def refuse_without_shaking(flag: str, value: object) -> None:
         )
 
 
-def state_from(text: str, frequency_ratio: float | None) -> "State":
-    """Return the state that ``U,V`` or ``U,tau=DU`` names.
+def state_from(text: str, frequency_ratio: float | None, name: str = "start") -> "State":
+    """Return the state that ``U,V`` or ``U,tau=DU`` names; `name` is the flag for errors.
 
     Raises
     ------
@@ -155,18 +156,19 @@ def state_from(text: str, frequency_ratio: float | None) -> "State":
     """
     from rocksteady.dynamics.history.start import State
 
+    what, hint = ("known start", HINT) if name == "start" else ("state", STATE_HINT)
     first, comma, second = text.partition(",")
     per_tau = second.startswith(TAU)
     try:
         angle, velocity = decimal(first), decimal(second.removeprefix(TAU))
     except ValueError:
-        valid = "it is no known start" if not comma else "it is not two numbers"
-        raise InputError("start", text, valid, HINT) from None
+        valid = f"it is no {what}" if not comma else "it is not two numbers"
+        raise InputError(name, text, valid, hint) from None
     if not (math.isfinite(angle) and math.isfinite(velocity)):
-        raise InputError("start", text, "its numbers must be finite", HINT)
+        raise InputError(name, text, "its numbers must be finite", hint)
     if not per_tau:
         return State(angle=angle, velocity=velocity)
     if frequency_ratio is None:
         valid = "du/d(omega t) needs harmonic shaking"
-        raise InputError("start", text, valid, "give du/d(pt) as U,V")
+        raise InputError(name, text, valid, "give du/d(pt) as U,V")
     return State.per_tau(angle=angle, velocity_tau=velocity, frequency_ratio=frequency_ratio)

@@ -5,20 +5,51 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.range import Range
+from rocksteady.cli.flags.range import Range, SeriesFlags
 from rocksteady.cli.flags.start import STEADY, StartFlags
+from rocksteady.model.equations import Linear, Model
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start
 
 AUTO = "auto"
+SINUSOID = SeriesFlags()
+"""Shaking without harmonics of its own."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class SweepStart(StartFlags):
-    """Where each sweep begins."""
+class SweepStart:
+    """Where each sweep begins; of several orders, the first is that of a steady state."""
 
     start: options.SweepStart = AUTO
+    order: options.Orders = None
+    phase: options.Phase = None
+    side: options.Side = "+"
+    kick: options.Kick = None
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """The orders in which branches start."""
+        return tuple(self.order or (1,))
+
+    @property
+    def first_phase(self) -> float:
+        """Phase of the shaking at the start, 0 where none is given."""
+        return 0.0 if self.phase is None else self.phase
+
+    @property
+    def _plain(self) -> StartFlags:
+        return StartFlags(
+            start=self.start,
+            order=self.orders[0],
+            phase=self.phase,
+            side=self.side,
+            kick=self.kick,
+        )
+
+    def check(self) -> None:
+        """Refuse flags that are none or contradict each other, as `StartFlags.check` does."""
+        self._plain.check(shaken=True)
 
     def refuse(self, why: str) -> None:
         """Refuse flags that only sweeps give a meaning.
@@ -32,10 +63,19 @@ class SweepStart(StartFlags):
             if value not in (None, AUTO):
                 raise FlagError(name, value, f"{why}, it has no meaning", "leave it out")
 
-    def chosen(self, span: Range) -> "Start":
+    def chosen(self, span: Range, model: Model, series: SeriesFlags = SINUSOID) -> "Start":
         """Return the start of the sweeps along an axis.
 
         Without --start it is a steady state: the library begins at rest where there is none.
+
+        Parameters
+        ----------
+        span
+            The axis.
+        model
+            Which equations of motion hold.
+        series
+            The harmonics of the shaking; by default it is a sinusoid.
 
         Raises
         ------
@@ -43,19 +83,21 @@ class SweepStart(StartFlags):
             If it is no start, or a steady state that was typed does not exist at either end.
         """
         if self.start == AUTO and self.phase is None:
-            return replace(self, start="steady").of(span.motion.frequency_ratio)
+            return replace(self._plain, start="steady").of(span.motion.frequency_ratio)
         typed = "rest" if self.start == AUTO else self.start
         kick = None if self.start == AUTO else self.kick
-        order = self.order if typed in STEADY else 1  # else it is that of the branches alone
-        plain = StartFlags(start=typed, order=order, phase=self.phase, side=self.side, kick=kick)
+        order = self.orders[0] if typed in STEADY else 1  # else it is that of the branches alone
+        plain = replace(self._plain, start=typed, order=order, kick=kick)
         begin = plain.of(span.motion.frequency_ratio)
         if typed in STEADY:
+            from rocksteady.dynamics.history.nonlinear_tables import sides_of
             from rocksteady.dynamics.history.start import initial_march
 
-            with self.as_typed():
+            with self._plain.as_typed():
                 for value in (span.values[0], span.values[-1]):
                     body, motion = span.at(value)
-                    initial_march(begin, body.dimensionless(), motion)
+                    sides = None if isinstance(model, Linear) else sides_of(body, model)
+                    initial_march(begin, body.dimensionless(), series.of(motion), sides)
         return begin
 
     def as_given(self, values: dict[str, Any]) -> dict[str, Any]:

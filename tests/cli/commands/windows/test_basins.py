@@ -7,7 +7,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, compute_basins, compute_erosion
+from rocksteady import (
+    BasinSampling,
+    DimensionlessBlock,
+    Harmonic,
+    Pulse,
+    compute_basin_shares,
+    compute_basins,
+    compute_erosion,
+    compute_fate_basins,
+)
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
 from rocksteady.kernels.machine_code import compilation
@@ -169,11 +178,73 @@ def test_files_hold_the_erosion(tmp_path: Path) -> None:
     assert "<svg" in picture.read_text(encoding="utf-8")
 
 
+def test_an_axis_of_frequencies_is_shares(tmp_path: Path) -> None:
+    table, picture = tmp_path / "s.csv", tmp_path / "s.png"
+    command = f"basins -A 0.5 -W 1.9:2.1:3 -r 0.95 {WINDOW} --seed 3 --entropy 10"
+    ran = rocksteady(command, "--csv", table, "--plot", picture, "--json")
+    assert ran.err == f"wrote {table}\nwrote {picture}\n"
+    found = compute_basin_shares(
+        DimensionlessBlock(restitution=0.95),
+        Harmonic(amplitude=0.5, frequency_ratio=2.0),
+        "frequency_ratio",
+        axis("", "1.9:2.1:3"),
+        sampling=BasinSampling(**AXES, seed=3),
+    )
+    values = ran.json
+    assert (values["erosion"], values["fractions"]) == (None, None)
+    assert values["values"] == found.values.tolist()
+    entropies = found.entropies(10)
+    assert [row["entropy"] for row in values["entropies"]] == entropies.entropy.tolist()
+    for value, place in zip(found.values.tolist(), range(3), strict=True):
+        rows = [row for row in values["shares"] if row["frequency_ratio"] == value]
+        assert [row["share"] for row in rows] == found.share[:, place][
+            [family.present[place] for family in found.families]
+        ].tolist()
+    with table.open(encoding="utf-8", newline="") as stream:
+        assert len(list(csv.DictReader(stream))) == len(values["shares"])
+    text = rocksteady(command).out
+    assert "S_bb" in text
+    assert max(map(len, text.splitlines())) <= 80
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("flags", ["-A 0.4:0.6:2 -W 2 -r 0.95 --shares", "-A 0.5 -W 2 -r 0.9:1:2"])
+def test_shares_over_other_axes(flags: str) -> None:
+    ran = rocksteady(f"basins {flags} {WINDOW} --cycles 20 --json")
+    assert ran.json["parameter"] == ("amplitude" if "--shares" in flags else "restitution")
+    assert ran.code == 3  # without loss, or for so few periods, not every motion settles
+
+
+def test_measures_of_one_window() -> None:
+    command = "basins -A 0.5 -W 2 -r 0.95 --angles=-1:1:80 --velocities=-1:1:80"
+    values = rocksteady(f"{command} --entropy 20 --exponent --json").json
+    found = compute_basins(
+        DimensionlessBlock(restitution=0.95),
+        Harmonic(amplitude=0.5, frequency_ratio=2.0),
+        angles=axis("", "-1:1:80"),
+        velocities=axis("", "-1:1:80"),
+    )
+    assert values["entropy"]["entropy"] == found.entropy(20).entropy
+    assert [one["by"] for one in values["exponents"]] == ["states", "boxes"]
+    assert values["exponents"][0]["exponent"] == found.uncertainty_exponent().exponent
+    plain = rocksteady(f"{command} --json").json
+    assert (plain["entropy"], plain["exponents"], plain["shares"]) == (None, None, None)
+
+
 @pytest.mark.parametrize(
     ("command", "flag", "says"),
     [
         ("basins -W 2 -r 0.8", "--amplitude/-A", "exactly one"),
-        ("basins -A 1 -W 1:2:3 -r 0.8", "--frequency-ratio/-W", "one value"),
+        ("basins -A 1:2:2 -W 1:2:3 -r 0.8", "-A, -W, -r and --phase", "at most one"),
+        ("basins -A 1 -W 2:2:3 -r 0.8", "--frequency-ratio/-W", "must differ"),
+        ("basins -A 1 -W 2 -r 0.8 --shares", "--shares", "over an axis"),
+        ("basins -A 0:1:3 -W 2 -r 0.8 --entropy 20", "--entropy", "--shares"),
+        ("basins -A 1 -W 2:3:3 -r 0.8 --exponent", "--exponent", "one window"),
+        ("basins -A 1 -W 2 -r 0.8 --entropy 30", "--entropy", "4, 5, 8, 10, 20"),
+        ("basins -A 1 -W 2:3:3 -r 0.8 --entropy 0", "--entropy", "whole number"),
+        ("basins -A 1 -W 2 -r 0.8 --exponent --angles=-1:1:9 --velocities=-1:1:9", "--exp", "more"),
+        ("basins -A 1 -W 2 -r 0.8 --phase 0:x:2", "--phase", "must be a number"),
+        ("basins -A 1 -W 2 -r 0.5:1.5:3", "--restitution/-r", "inside"),
         ("basins -A 1 -W 2 -r 0.8 --angles 1", "--angles", "evenly spaced"),
         ("basins -A 1 -W 2 -r 0.8 --angles log:1:2:5", "--angles", "evenly spaced"),
         ("basins -A 1 -W 2 -r 0.8 --velocities 0:x:5", "--velocities", "must be a number"),
@@ -233,3 +304,60 @@ def test_what_an_erosion_compiles_first_is_what_it_calls(
     assert rocksteady(f"basins -A 0.5:1:2 -W 2 {window} {shape}").code == 0
     assert asked == [kernel]
     assert set(called) == {kernel.partition(".")[2]}
+
+
+FATES = "basins --pulse one-sine -A 2 -W 4 -r 0.9 --angles=-1.3:1.3:12 --velocities=-1.2:1.2:9"
+
+
+def test_a_pulse_has_fates(tmp_path: Path) -> None:
+    files = {name: tmp_path / f"fates.{name}" for name in ("csv", "png", "nc", "zarr")}
+    written = f"--csv {files['csv']} --plot {files['png']} --netcdf {files['nc']}"
+    ran = rocksteady(f"{FATES} --at-pt 0.3 --json {written} --out {files['zarr']}")
+    assert ran.code == 0
+    found = compute_fate_basins(
+        DimensionlessBlock(restitution=0.9),
+        Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0),
+        angles=axis("", "-1.3:1.3:12"),
+        velocities=axis("", "-1.2:1.2:9"),
+        time_pt=0.3,
+    )
+    expected = found.to_dict()
+    assert {name: ran.json[name] for name in expected} == expected
+    assert len(files["csv"].read_text(encoding="utf-8").splitlines()) == 1 + found.fate.size
+    assert all(file.exists() for file in files.values())
+    assert rocksteady(f"{FATES} --at-pt 0.3 --json --out {files['zarr']} --resume").code == 0
+
+
+def test_a_record_has_fates_from_a_moment_in_seconds(tmp_path: Path) -> None:
+    file = tmp_path / "made.csv"
+    rows = "".join(f"{0.1 * k:.1f},{3.0 * np.sin(0.6 * k)}\n" for k in range(40))
+    file.write_text("t (s),acc (m/s2)\n" + rows, encoding="utf-8")
+    command = f"basins --width-m 0.8 --height-m 3 --record {file} --scale 0.5 {WINDOW} --json"
+    values = rocksteady(f"{command} --at-s 1.5").json
+    assert values["model"] == "nonlinear"
+    assert values["time_s"] == pytest.approx(1.5)
+    assert values["record"] == "made"
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--seed 3", "--seed"),
+        ("--cycles 3", "--cycles"),
+        ("--at-s 1", "block of known size"),
+        ("--at-pt -1", "--at-pt"),
+        ("--at-pt 1 --at-s 1", "--at-s"),
+        ("--vertical nothing.at2", "--vertical"),
+    ],
+)
+def test_flags_of_another_motion_are_refused(flags: str, words: str) -> None:
+    ran = rocksteady(f"{FATES} {flags}")
+    assert (ran.code, ran.out) == (2, "")
+    assert words in ran.err
+    assert len(ran.err.splitlines()) == 1
+
+
+def test_endless_shaking_has_a_phase_and_no_moment() -> None:
+    ran = rocksteady(f"{POINT} --at-pt 1")
+    assert ran.code == 2
+    assert "--phase" in ran.err

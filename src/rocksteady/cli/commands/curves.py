@@ -1,0 +1,156 @@
+"""`rocksteady curves`: bifurcation curves in the plane of two parameters."""
+
+import sys
+from typing import Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.progress import progress
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.range import plane_of
+from rocksteady.results.rendering import print_description
+
+CURVES = "Curves"
+
+HELP = (
+    "Bifurcation curves in the plane of two parameters, with their points of codimension two.\n\n"
+    "Exactly two of -A, -W and -r are axes start:stop:count; the third is a number. At count "
+    "values of each axis branches of periodic motions are followed across the plane, from the "
+    "symmetric motions of order -n in closed form (with --model nonlinear, those to which they "
+    "lead; of a block whose sides differ, motions with two impacts that a search finds); every "
+    "bifurcation on them is then followed in "
+    "both parameters, and so are the curves that meet at a point of codimension two. Exit code 3 "
+    "where --max-curves or --max-branches ended the work."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --plot curves.png\n\n"
+    "rocksteady curves -W 1:4:3 -A 0.2:5:3 -r 0.8 --max-impacts 4 --csv curves.csv\n\n"
+    "rocksteady curves -r 0.6:0.95:2 -A 1:5:2 -W 5 -n 3 --max-impacts 2 --json\n\n"
+    "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --alpha-rad 0.3 --radius-m 1 "
+    "--model nonlinear --json"
+)
+
+OrdersFlag = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--order",
+        "-n",
+        metavar="N",
+        help="Set the half periods of the shaking in one half cycle of the symmetric motions to "
+        "start from, odd; default 1; may be repeated.",
+        rich_help_panel=options.MOTION,
+    ),
+]
+MaxPeriodFlag = Annotated[
+    int | None,
+    typer.Option(
+        "--max-period",
+        metavar="N",
+        help="Set the longest period of the motions whose bifurcations are followed, in periods of "
+        "the shaking; default twice the largest order -n.",
+        rich_help_panel=CURVES,
+    ),
+]
+MaxImpactsFlag = Annotated[
+    int,
+    typer.Option(
+        "--max-impacts",
+        metavar="N",
+        help="Set the most impacts in a period of the motions whose bifurcations are followed.",
+        rich_help_panel=CURVES,
+    ),
+]
+MaxBranchesFlag = Annotated[
+    int,
+    typer.Option(
+        "--max-branches",
+        metavar="N",
+        help="Stop after so many branches on each line across the plane.",
+        rich_help_panel=CURVES,
+    ),
+]
+MaxCurvesFlag = Annotated[
+    int,
+    typer.Option(
+        "--max-curves",
+        metavar="N",
+        help="Stop after so many curves.",
+        rich_help_panel=CURVES,
+    ),
+]
+
+
+@grouped
+def curves(
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    output: OutputFlags,
+    order: OrdersFlag = None,
+    max_period: MaxPeriodFlag = None,
+    max_impacts: MaxImpactsFlag = 6,
+    max_branches: MaxBranchesFlag = 20,
+    max_curves: MaxCurvesFlag = 40,
+    model: options.Model = "linear",
+) -> None:
+    """Run `rocksteady curves`; `HELP` is what its users read."""
+    output.check()
+    plane = plane_of(shaking, block)
+    if plane.body.one_sided:
+        raise block.refuse_sides(
+            valid="bifurcation curves are followed of blocks that rock on both sides",
+            hint="draw a map of what it settles to with `rocksteady map`",
+        )
+    equations = equations_for(model, plane.body)
+    from rocksteady.dynamics.continuation.curves.bifurcation_curves import CurveSearch
+
+    search = CurveSearch(
+        orders=tuple(order or (1,)),
+        lines=plane.lines,
+        max_period=max_period,
+        max_impacts=max_impacts,
+        max_branches=max_branches,
+        max_curves=max_curves,
+    )
+    announce_compilation("chains.fill_chain")
+    from rocksteady.dynamics.continuation.curves.search_plane import find_bifurcation_curves
+
+    with progress("following", 1, lines=False) as done:
+        found = find_bifurcation_curves(
+            plane.body,
+            plane.motion,
+            plane.parameters,
+            within=plane.within,
+            search=search,
+            model=equations,
+        )
+        done("curves")
+    if not found.complete:
+        print(
+            f"stopped at {max_curves} curves, or at {max_branches} branches of a line: there may "
+            "be more; raise --max-curves or --max-branches, or lower --max-impacts",
+            file=sys.stderr,
+        )
+    if output.csv is not None:
+        rows = ([row[name] for name in found.columns] for row in found.rows())
+        write_csv(output.csv, found.columns, rows)
+    if output.plot is not None:
+        from rocksteady.show.figures.single import curves_figure
+
+        write_figure(output.plot, curves_figure(found, page=output.page))
+    if output.as_json:
+        print_json("curves", found.to_dict())
+    else:
+        print_description(found.describe(), terminal.console())
+    if not found.complete:
+        raise typer.Exit(INCOMPLETE)

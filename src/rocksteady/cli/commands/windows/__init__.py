@@ -1,0 +1,1 @@
+"""Commands over windows of initial states: basins, fates and their edges."""

@@ -1,0 +1,134 @@
+"""Fates of the states of a window under a record or a pulse, as `rocksteady basins` has them."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+    write_netcdf,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    PulseFlags,
+    ShakingFlags,
+    equations_for,
+    refuse_of_linear,
+)
+from rocksteady.cli.flags.groups import OutputFlags
+from rocksteady.cli.flags.parsing import axis, single
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_beside_record
+from rocksteady.cli.flags.sweep import SweepFlags
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.basins.fate_basins import FateBasins
+    from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+
+FEW = 1e-3
+"""Share of undecided states that is no failure: a window may meet states that balance for ever."""
+
+
+def refuse_others(flags: dict[str, object], valid: str, hint: str) -> None:
+    """Refuse flags of the other kind of motion."""
+    for flag, value in flags.items():
+        if value is not None:
+            raise FlagError(flag, value, valid, hint)
+
+
+def shaken_by(
+    shaking: ShakingFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+    phase: str,
+    model: str | None,
+) -> "tuple[Block | DimensionlessBlock, BaseMotion]":
+    """Return the block, and the record or the pulse that shakes it."""
+    begin = single("--phase", axis("--phase", phase))
+    if not recorded.given(reading, pulse=pulse.given):
+        body = block.described()
+        size = shaking.at(body)
+        return body, BaseMotion(pulse.of(size, phase=begin or None, reverse=recorded.reverse))
+    refuse_beside_record(pulse=pulse, shaking=shaking, phase=begin or None)
+    refuse_of_linear(model, "--vertical", recorded.vertical)
+    across = recorded.recording(reading)
+    lifting = recorded.vertical_recording(reading, across)
+    upwards = None if lifting is None else recorded.scaled(lifting.record)
+    return recorded.block(block), BaseMotion(across.record, upwards)
+
+
+def moment_of(
+    body: "Block | DimensionlessBlock", time_pt: float | None, time_s: float | None
+) -> float:
+    """Return the pivot time of --at-pt or --at-s."""
+    if time_s is None:
+        return 0.0 if time_pt is None else time_pt
+    if time_pt is not None:
+        raise both("--at-pt", "--at-s", valid="they are one moment")
+    if not isinstance(body, Block):
+        raise FlagError(
+            "--at-s",
+            time_s,
+            "seconds need a block of known size",
+            "describe a block, or give --at-pt",
+        )
+    return time_s * body.p
+
+
+def leave_fates(
+    body: "Block | DimensionlessBlock",
+    motion: BaseMotion,
+    window: dict[str, str | None],
+    time_pt: float,
+    model: str | None,
+    sweep: SweepFlags,
+    output: OutputFlags,
+) -> None:
+    """Compute the fates under a motion that ends, and leave behind what was asked for of them."""
+    chosen: dict[str, Any] = {
+        name: axis(name, text) for name, text in window.items() if text is not None
+    }
+    equations = equations_for(model, body, motion)
+    announce_compilation("march.march")
+    from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
+    from rocksteady.dynamics.basins.window import POINTS
+
+    states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
+    how = sweep.run(force=output.force)
+    with sweeping("following states", states) as meter:
+        found: FateBasins = compute_fate_basins(
+            body,
+            motion,
+            **chosen,
+            time_pt=time_pt,
+            model=equations,
+            run=replace(how, progress=meter),
+        )
+    description = found.describe()
+    if output.csv is not None:
+        frame = found.to_dataframe()
+        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.to_dataset())
+    if output.plot is not None:
+        from rocksteady.show.figures.single import fate_basins_figure
+
+        write_figure(output.plot, fate_basins_figure(found, description.headline, output.page))
+    if output.as_json:
+        print_json("basins", description.to_dict())
+    else:
+        print_description(description, terminal.console(wrap=True))
+    if found.undecided > FEW:
+        raise typer.Exit(INCOMPLETE)

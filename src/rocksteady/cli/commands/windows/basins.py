@@ -1,0 +1,429 @@
+"""`rocksteady basins`: basins of attraction, their shares over a parameter, and erosion."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from rocksteady.cli.commands.windows._finite_window import (
+    FEW,
+    leave_fates,
+    moment_of,
+    refuse_others,
+    shaken_by,
+)
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+    write_netcdf,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    PulseFlags,
+    ShakingFlags,
+    equations_for,
+)
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.parsing import axis
+from rocksteady.cli.flags.range import SeriesFlags, refuse_flat
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.cli.flags.sweep import SweepFlags
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.basins.basins import Basins
+    from rocksteady.dynamics.basins.erosion import Erosion
+    from rocksteady.dynamics.basins.over.shares import BasinShares
+    from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+
+HELP = (
+    "Where the block goes from each state of a window: basins of attraction and their shares.\n\n"
+    "With an axis of frequencies, restitutions or phases (-W 1.5:3:31) it computes the shares over "
+    "it, with labels that stay with their orbits. With an axis of amplitudes (-A 0:1:21) it "
+    "computes how the safe basin, the states from which the block does not overturn, erodes as the "
+    "amplitude grows; --shares gives the shares there too. Under a recorded motion (--record) or a "
+    "pulse (--pulse) it computes which states come to rest and which overturn, to which side, and "
+    "at what peak. Exit code 3 where more than 1 state in 1000 is undecided."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady basins -A 0.5 -W 2 -r 0.95 --plot basins.png\n\n"
+    "rocksteady basins -A 1.5 -W 4 -r 0.9 --angles=-1:1:400 --velocities=-1.2:1.2:400 --json\n\n"
+    "rocksteady basins -A 0.5 -W 2 -r 0.95 --entropy 20 --exponent\n\n"
+    "rocksteady basins -A 0.5 -W 1.5:3:31 -r 0.95 --seed 1 --plot shares.png\n\n"
+    "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png\n\n"
+    "rocksteady basins --width-m 0.8 --height-m 3 --record RSN77_PUL164.AT2 --scale 0.5 --plot "
+    "fates.png\n\n"
+    "rocksteady basins --alpha-rad 0.3 --radius-m 1 -r 0.9 -A 1.5 -W 4 --model nonlinear "
+    "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
+)
+
+WINDOW = "Window"
+MEASURES = "Measures"
+PROBES: tuple[Literal["states", "boxes"], ...] = ("states", "boxes")
+"""By what --exponent counts."""
+
+PhaseFlag = Annotated[
+    str,
+    typer.Option(
+        "--phase",
+        metavar="RAD",
+        help="Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
+        rich_help_panel=WINDOW,
+    ),
+]
+AnglesFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--angles",
+        metavar="AXIS",
+        help="u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
+        "1 + A/sqrt(1 + W^2) on either side, beyond which a block falls at once; of an erosion up "
+        "to 1.5.  With --one-sided from 0 on.",
+        rich_help_panel=WINDOW,
+    ),
+]
+VelocitiesFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--velocities",
+        metavar="AXIS",
+        help="du/d(pt), start:stop:count; by default as many up to the same bound.",
+        rich_help_panel=WINDOW,
+    ),
+]
+CyclesFlag = Annotated[
+    int | None,
+    typer.Option(
+        "--cycles",
+        metavar="N",
+        help="Periods of the shaking for which a state is followed, default 500; for an erosion "
+        "the periods without overturning that make a state safe, default 100.",
+        rich_help_panel=options.START,
+    ),
+]
+SeedFlag = Annotated[
+    int | None,
+    typer.Option(
+        "--seed",
+        metavar="N",
+        help="Draw a random state in each cell of the window with this seed; default: its middle.",
+        rich_help_panel=WINDOW,
+    ),
+]
+SharesFlag = Annotated[
+    bool,
+    typer.Option(
+        "--shares",
+        help="Compute the shares of the basins, not the erosion, over an axis of amplitudes.",
+        rich_help_panel=MEASURES,
+    ),
+]
+EntropyFlag = Annotated[
+    int | None,
+    typer.Option(
+        "--entropy",
+        metavar="CELLS",
+        help="Compute the basin entropy and the boundary basin entropy, with boxes of this many "
+        "states a side, as 20, which must divide the counts of --angles and --velocities.",
+        rich_help_panel=MEASURES,
+    ),
+]
+ExponentFlag = Annotated[
+    bool,
+    typer.Option(
+        "--exponent",
+        help="Compute the uncertainty exponent and the dimension of the boundary, by states and by "
+        "boxes; 40 states or more along each axis.",
+        rich_help_panel=MEASURES,
+    ),
+]
+TimePtFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--at-pt",
+        metavar="PT",
+        help="Pivot time p t of the record or the pulse at which the states are taken; default 0.",
+        rich_help_panel=WINDOW,
+    ),
+]
+TimeSFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--at-s",
+        metavar="T",
+        help="The same in seconds, for a block of known size.",
+        rich_help_panel=WINDOW,
+    ),
+]
+
+
+@grouped
+def basins(
+    context: typer.Context,
+    shaking: ShakingFlags,
+    series: SeriesFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    phase: PhaseFlag = "0",
+    angles: AnglesFlag = None,
+    velocities: VelocitiesFlag = None,
+    seed: SeedFlag = None,
+    cycles: CyclesFlag = None,
+    shares: SharesFlag = False,
+    entropy: EntropyFlag = None,
+    exponent: ExponentFlag = False,
+    time_pt: TimePtFlag = None,
+    time_s: TimeSFlag = None,
+    model: options.Model = None,
+) -> None:
+    """Run `rocksteady basins`; `HELP` is what its users read."""
+    sweep.check(output)
+    output.refuse_read(recorded.files)
+    if recorded.given(reading, pulse=pulse.given) or pulse.given:
+        refuse_others(
+            {
+                "--seed": seed,
+                "--cycles": cycles,
+                "--shares": shares or None,
+                "--entropy": entropy,
+                "--exponent": exponent or None,
+                "--harmonic": series.harmonic,
+            },
+            "it applies to harmonic shaking alone, which does not end",
+            "leave it out, or leave out --record and --pulse",
+        )
+        shaken, finite = shaken_by(shaking, pulse, recorded, reading, block, phase, model)
+        ends = {"angles": angles, "velocities": velocities}
+        moment = moment_of(shaken, time_pt, time_s)
+        with sweep.resumable(context.find_root().obj):
+            leave_fates(shaken, finite, ends, moment, model, sweep, output)
+        return
+    refuse_others(
+        {"--at-pt": time_pt, "--at-s": time_s},
+        "it is a time since the start of a record or a pulse",
+        "give --phase for harmonic shaking, or add --record or --pulse",
+    )
+    body, scale, moving = _case(shaking, block, phase)
+    motion = series.of(scale)
+    equations = equations_for(model, body)
+    eroding = moving is not None and moving[0] == "amplitude" and not shares
+    _refuse(moving, eroding=eroding, seed=seed, shares=shares, entropy=entropy, exponent=exponent)
+    window: dict[str, Any] = {
+        name: axis(name, text)
+        for name, text in (("angles", angles), ("velocities", velocities))
+        if text is not None
+    }
+    if cycles is not None:
+        window["cycles" if eroding else "max_cycles"] = cycles
+    kernel = "driver.lane_fates" if body.symmetric else "harmonic.fates_of_sides"
+    if equations.name == "nonlinear":
+        kernel = "loop.nonlinear_lane_fates"
+    announce_compilation(kernel if eroding else "attractors.settle_cells")
+    from rocksteady.dynamics.basins.basins import compute_basins
+    from rocksteady.dynamics.basins.erosion import compute_erosion
+    from rocksteady.dynamics.basins.measures.entropy import box_sides
+    from rocksteady.dynamics.basins.measures.uncertainty import probe_sizes
+    from rocksteady.dynamics.basins.over import shares as over
+    from rocksteady.dynamics.basins.window import POINTS
+
+    points = POINTS if moving is None or eroding else over.POINTS
+    shape = tuple(len(window.get(name, range(points))) for name in ("velocities", "angles"))
+    if entropy is not None:
+        box_sides(entropy, shape)
+    for by in PROBES if exponent else ():
+        probe_sizes(None, shape, by)
+    states = shape[0] * shape[1]
+    if moving is not None:
+        states *= len(moving[1]) + (eroding and moving[1][0] != 0.0)
+    run = sweep.run(force=output.force)
+    with (
+        sweep.resumable(context.find_root().obj),
+        sweeping("following states", states) as meter,
+    ):
+        how: dict[str, Any] = {"model": equations, "run": replace(run, progress=meter)}
+        if moving is None:
+            found = compute_basins(body, motion, **window, seed=seed, **how)
+        elif eroding:
+            _leave_erosion(compute_erosion(body, motion, moving[1], **window, **how), output, sweep)
+            return
+        else:
+            sampling = over.BasinSampling(**window, seed=seed)
+            counted = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
+            _leave_shares(counted, output, entropy, sweep)
+            return
+    _leave_basins(found, output, entropy, sweep, exponent=exponent)
+
+
+def _case(
+    shaking: ShakingFlags, block: BlockFlags, phase: str
+) -> "tuple[Block | DimensionlessBlock, Harmonic, tuple[str, list[float]] | None]":
+    """Return block, shaking and the parameter that is an axis with its values, if there is one.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a value is missing, given twice or outside its range, or two of them are axes.
+    """
+    restitutions = block.restitutions
+    if restitutions:
+        block = replace(block, restitution=repr(restitutions[0]))
+    body = block.described()
+    amplitudes, ratios = shaking.of(body)
+    phases = axis("--phase", phase)
+    axes = {
+        "amplitude": amplitudes,
+        "frequency_ratio": ratios,
+        "restitution": restitutions,
+        "phase": phases,
+    }
+    moving = [(name, values) for name, values in axes.items() if len(values) > 1]
+    if len(moving) > 1:
+        raise FlagError(
+            finding=f"{len(moving)} of -A, -W, -r and --phase are axes",
+            valid="at most one of them is an axis",
+            hint="give the others as numbers",
+        )
+    for name, values in moving:
+        refuse_flat(name, values, "1.6:2.4:41")
+    motion = Harmonic(amplitude=amplitudes[0], frequency_ratio=ratios[0], phase=phases[0])
+    return body, motion, moving[0] if moving else None
+
+
+def _refuse(
+    moving: tuple[str, list[float]] | None,
+    *,
+    eroding: bool,
+    seed: int | None,
+    shares: bool,
+    entropy: int | None,
+    exponent: bool,
+) -> None:
+    """Refuse flags that have no meaning beside others.
+
+    Raises
+    ------
+    FlagError
+        If there are such.
+    """
+    if shares and moving is None:
+        raise FlagError(
+            finding="--shares is given, and none of -A, -W, -r and --phase is an axis",
+            valid="shares are computed over an axis",
+            hint="give one as start:stop:count, as -A 0.5:1.5:21, or leave it out",
+        )
+    if eroding and seed is not None:
+        raise FlagError(
+            "seed",
+            seed,
+            "safe basins are computed at the points of a grid",
+            "leave it out, or give one amplitude or --shares",
+        )
+    if eroding and entropy is not None:
+        raise FlagError(
+            "--entropy",
+            entropy,
+            "an erosion has none",
+            "add --shares, or give one amplitude",
+        )
+    if moving is not None and exponent:
+        raise FlagError(
+            finding="--exponent is given with an axis",
+            valid="it is computed for one window",
+            hint="give numbers for -A, -W, -r and --phase",
+        )
+
+
+def _leave_basins(
+    found: "Basins",
+    output: OutputFlags,
+    entropy: int | None,
+    sweep: SweepFlags,
+    *,
+    exponent: bool,
+) -> None:
+    """Leave behind what was asked for of basins."""
+    description = found.describe()
+    entropies = None if entropy is None else found.entropy(entropy)
+    exponents = [found.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.to_dataset())
+    if output.csv is not None:
+        frame = found.to_dataframe()
+        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
+    if output.plot is not None:
+        from rocksteady.show.figures.single import basins_figure
+
+        write_figure(output.plot, basins_figure(found, description.headline, output.page))
+    if output.as_json:
+        values = description.to_dict()
+        values["entropy"] = None if entropies is None else entropies.to_dict()
+        values["exponents"] = [each.to_dict() for each in exponents] or None
+        print_json("basins", values)
+    else:
+        console = terminal.console(wrap=True)
+        for part in (found, entropies, *exponents):
+            if part is not None:
+                print_description(part.describe(), console)
+    if found.undecided > FEW:
+        raise typer.Exit(INCOMPLETE)
+
+
+def _leave_shares(
+    found: "BasinShares", output: OutputFlags, entropy: int | None, sweep: SweepFlags
+) -> None:
+    """Leave behind what was asked for of shares over a parameter."""
+    description = found.describe()
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.to_dataset())
+    entropies = None if entropy is None else found.entropies(entropy)
+    if output.csv is not None:
+        table = description.tables[0]
+        write_csv(output.csv, table.header, table.records())
+    if output.plot is not None:
+        from rocksteady.show.figures.single import shares_figure
+
+        write_figure(output.plot, shares_figure(found, description.headline, output.page))
+    if output.as_json:
+        values = description.to_dict()
+        values["entropies"] = None if entropies is None else entropies.to_dict()["entropies"]
+        print_json("basins", values)
+    else:
+        console = terminal.console(wrap=True)
+        print_description(description, console)
+        if entropies is not None:
+            print_description(entropies.describe(), console)
+    if found.undecided > FEW:
+        raise typer.Exit(INCOMPLETE)
+
+
+def _leave_erosion(found: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
+    """Leave behind what was asked for of an erosion."""
+    description = found.describe()
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.to_dataset())
+    if output.csv is not None:
+        table = description.tables[0]
+        write_csv(output.csv, table.header, table.records())
+    if output.plot is not None:
+        from rocksteady.show.figures.single import erosion_figure
+
+        drops = [drop for drop in found.drops.values() if drop is not None]
+        write_figure(output.plot, erosion_figure(found, drops, description.headline, output.page))
+    if output.as_json:
+        print_json("basins", description.to_dict())
+    else:
+        print_description(description, terminal.console(wrap=True))

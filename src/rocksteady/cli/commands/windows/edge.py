@@ -1,0 +1,176 @@
+"""`rocksteady edge`: what parts two basins, and the least fatal kick."""
+
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.start import StartFlags, state_from
+from rocksteady.errors import InputError
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.edges.edge_state import EdgeState
+    from rocksteady.dynamics.edges.manifold import Manifold
+
+HELP = (
+    "The edge of two basins: the unstable motion on it, and the least fatal kick from a state.\n\n"
+    "A motion is kept on the edge by bisection and polished by Newton's method.  Without --other "
+    "the edge is sought among kicks, sudden changes of the base velocity.  With --manifolds the "
+    "curves along which motions approach the edge motion and leave it are computed too; the first "
+    "separate the basins.  Exit code 3 "
+    "where the motion on the edge does not repeat."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady edge -A 0.2 -W 2 -r 0.9 --manifolds --plot edge.png\n\n"
+    "rocksteady edge -A 2 -W 1.9 -r 0.8 --start steady --side - --direction - --json\n\n"
+    "rocksteady edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --manifolds --csv manifolds.csv"
+)
+EDGE = "Edge"
+
+OtherFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--other",
+        metavar="STATE",
+        help="Give a second state, U,V or U,tau=DU, that ends otherwise than --start; default: one "
+        "that a kick leads to.",
+        rich_help_panel=EDGE,
+    ),
+]
+DirectionFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--direction",
+        metavar="[+|-]",
+        help="Choose the sign of the kick; not with --other. Default +.",
+        rich_help_panel=EDGE,
+    ),
+]
+ManifoldsFlag = Annotated[
+    bool,
+    typer.Option(
+        "--manifolds",
+        help="Compute the stable and the unstable manifold of the motion on the edge, at the phase "
+        "of the start.",
+        rich_help_panel=EDGE,
+    ),
+]
+LengthFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--length",
+        metavar="X",
+        help="Set the length of each branch of --manifolds, in half widths of the window; default "
+        "10.",
+        rich_help_panel=EDGE,
+    ),
+]
+CyclesFlag = Annotated[
+    int,
+    typer.Option(
+        "--cycles",
+        metavar="N",
+        help="Set the periods of the shaking after which a motion is taken to stand.",
+        rich_help_panel=options.START,
+    ),
+]
+
+
+@grouped
+def edge(
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    output: OutputFlags,
+    start: StartFlags,
+    other: OtherFlag = None,
+    direction: DirectionFlag = None,
+    manifolds: ManifoldsFlag = False,
+    length: LengthFlag = None,
+    cycles: CyclesFlag = 500,
+    model: options.Model = "linear",
+) -> None:
+    """Run `rocksteady edge`; `HELP` is what its users read."""
+    output.check()
+    if direction not in (None, "+", "-"):
+        raise InputError("--direction", direction, "it must be + or -", "give + or -")
+    if other is not None and direction is not None:
+        raise both("--other", "--direction", valid="a second state takes the place of the kick")
+    if length is not None and not manifolds:
+        raise FlagError(
+            "--length",
+            length,
+            "it is the length of the branches of manifolds",
+            "add --manifolds, or leave it out",
+        )
+    body = block.described()
+    equations = equations_for(model, body)
+    motion = shaking.at(body, phase=start.first_phase)
+    start.check(shaken=True)
+
+    announce_compilation("march.march")
+    from rocksteady.dynamics.edges.growing import LENGTH, compute_manifold
+    from rocksteady.dynamics.edges.tracking import find_edge_state
+
+    with start.as_typed():
+        found = find_edge_state(
+            body,
+            motion,
+            start=start.of(motion.frequency_ratio),
+            other=None if other is None else state_from(other, motion.frequency_ratio, "other"),
+            kick=-1 if direction == "-" else 1,
+            max_cycles=cycles,
+            model=equations,
+        )
+    curves: list[Manifold] = []
+    if manifolds and found.saddle is not None:
+        long = LENGTH if length is None else length
+        curves = [
+            compute_manifold(found.saddle, kind, phase=found.motion.phase, length=long)
+            for kind in ("stable", "unstable")
+        ]
+    if output.csv is not None:
+        _leave_csv(found, curves, output)
+    if output.plot is not None:
+        from rocksteady.show.figures.single import edge_figure
+
+        title = found.describe().headline
+        write_figure(output.plot, edge_figure(found, curves, title, output.page))
+    if output.as_json:
+        given = {
+            **start.values(found.motion.phase),
+            "cycles": cycles,
+            "direction": direction or "+",
+        }
+        values: dict[str, Any] = {**found.to_dict(), **given}
+        if manifolds:
+            values["manifolds"] = [curve.to_dict() for curve in curves]
+        print_json("edge", values)
+    else:
+        for result in (found, *curves):
+            print_description(result.describe(), terminal.console())
+    if found.saddle is None:
+        raise typer.Exit(INCOMPLETE)
+
+
+def _leave_csv(found: "EdgeState", curves: "list[Manifold]", output: OutputFlags) -> None:
+    """Write the points of the manifolds, or without these the tracked states."""
+    import pandas as pd
+
+    assert output.csv is not None
+    frame = found.to_dataframe()
+    if curves:
+        frame = pd.concat([curve.to_dataframe().assign(kind=curve.kind) for curve in curves])
+    write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))

@@ -1,0 +1,105 @@
+"""`rocksteady curves`: its contract, its text and its files."""
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rocksteady import region_boundaries, symmetry_breaking_amplitude
+from tests.cli.program import ran_once, refused, rocksteady
+
+AROUND = "curves -W 4.4:5.4:2 -A 2.5:4:2 -r 0.87 -n 3 --max-impacts 4"
+SIMPLE = "curves -A 0.2:4:2 -W 1.5:3:2 -r 0.8 --max-impacts 2 --max-period 1"
+
+
+def values_of(command: str) -> dict[str, Any]:
+    ran = ran_once(f"{command} --json")
+    assert (ran.code, ran.err) == (0, "")
+    return ran.json
+
+
+def test_the_json_keeps_the_contract() -> None:
+    values = values_of(AROUND)
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/curves/1"
+    assert values["parameters"] == ["frequency_ratio", "amplitude"]
+    assert values["within"] == [[4.4, 5.4], [2.5, 4.0]]
+    assert (values["amplitude"], values["restitution"], values["complete"]) == (None, 0.87, True)
+    assert {"curve", "type", "period", "impacts", "begin", "end"} <= set(values["curves"][0])
+    graze = next(each for each in values["points"] if each["type"] == "doubling-graze")
+    assert graze["frequency_ratio"] == pytest.approx(5.1327913632, abs=1e-9)
+    assert graze["amplitude"] == pytest.approx(3.7520927284, abs=1e-9)
+    assert len(graze["curves"]) == 3
+    assert all(each["stable"] for each in values["regions"])
+
+
+def test_the_text_says_what_was_found() -> None:
+    ran = ran_once(AROUND)
+    assert ran.code == 0
+    (line,) = (each for each in ran.out.splitlines() if "5.13279136" in each)
+    assert line.split()[:4] == ["doubling", "graze", "5.13279136", "3.75209273"]
+    assert "points of codimension two" in ran.out
+
+
+def test_the_csv_has_every_point_on_its_closed_form(tmp_path: Path) -> None:
+    file = tmp_path / "curves.csv"
+    assert rocksteady(f"{SIMPLE} --csv", file).code == 0
+    with file.open() as opened:
+        rows = list(csv.DictReader(opened))
+    kinds = {row["bifurcation"] for row in rows}
+    assert {"fold", "symmetry-breaking"} <= kinds
+    for row in rows:
+        if row["impacts"] != "2" or row["symmetric"] != "True":
+            continue
+        ratio, amplitude = float(row["frequency_ratio"]), float(row["amplitude"])
+        if row["bifurcation"] == "fold":
+            exact = float(region_boundaries(ratio, 0.8).existence)
+        elif row["bifurcation"] == "symmetry-breaking":
+            exact = float(symmetry_breaking_amplitude(ratio, 0.8))
+        else:
+            continue
+        assert amplitude == pytest.approx(exact, rel=1e-10)
+
+
+NARROW = "curves -W 5.05:5.15:2 -A 2.9:3.85:2 -n 3 --max-impacts 2 --max-period 3 --max-branches 3"
+
+
+def test_the_nonlinear_model_is_said_with_the_slenderness_that_it_knows() -> None:
+    block = "--alpha-rad 0.1 --p-rad-s 3 -r 0.87"
+    values = values_of(f"{NARROW} {block} --model nonlinear")
+    assert (values["model"], values["block"]["alpha_rad"]) == ("nonlinear", 0.1)
+    (graze,) = (each for each in values["points"] if each["type"] == "doubling-graze")
+    # As solved by shooting: tests/dynamics/continuation/curves/test_search_plane.py.
+    assert graze["frequency_ratio"] == pytest.approx(5.11137269802, abs=1e-9)
+    assert graze["amplitude"] == pytest.approx(3.76310721944, abs=1e-9)
+    assert "slenderness" in refused(f"{NARROW} -r 0.87 --model nonlinear")
+
+
+def test_a_block_whose_sides_differ_has_curves_of_unsymmetric_motions() -> None:
+    sides = "--left-m 0.15 --right-m 0.2 --height-m 1.2 -r 0.85,0.8"
+    values = values_of(f"curves {sides} -A 1.6:3:2 -W 1.5:2.6:2 --max-impacts 2 --max-period 1")
+    assert {each["type"] for each in values["curves"]} >= {"period-doubling"}
+    assert not any(each["symmetric"] for each in values["curves"])
+    assert values["block"]["negative"]["restitution"] == 0.8
+
+
+def test_a_budget_that_ends_the_work_is_said(tmp_path: Path) -> None:
+    ran = rocksteady(f"{SIMPLE} --max-curves 1 --plot", tmp_path / "curves.png")
+    assert ran.code == 3
+    assert "raise --max-curves" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("given", "needle"),
+    [
+        ("-A 2 -W 4 -r 0.8", "none of -A, -W and -r is an axis"),
+        ("-A 2 -W 3:5:2 -r 0.8", "one of -A, -W and -r is an axis"),
+        ("-A 1:2:2 -W 3:5:2 -r 0.7:0.9:2", "all three of -A, -W and -r are axes"),
+        ("-A 2:2:2 -W 3:5:2 -r 0.8", "at both ends"),
+        ("-A 1:2:2 -W 3:5:2 -r 0.8 -n 2", "order"),
+        ("-A 1:2:2 -W 3:5:2 -r 0.8 --max-curves 0", "max"),
+    ],
+)
+def test_what_is_no_plane_is_refused(given: str, needle: str) -> None:
+    assert needle in refused(f"curves {given}")

@@ -1,0 +1,61 @@
+"""`rocksteady edge`: its contract, its files and what it refuses."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from rocksteady import DimensionlessBlock, Harmonic, find_edge_state
+from tests.cli.program import refused, rocksteady
+
+POINT = "edge -A 0.2 -W 2 -r 0.9"
+
+
+def test_the_json_is_that_of_the_function_with_the_start() -> None:
+    ran = rocksteady(f"{POINT} --direction - --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["schema"] == "rocksteady/edge/1"
+    motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
+    found = find_edge_state(DimensionlessBlock(restitution=0.9), motion, kick=-1)
+    assert values["kind"] == "hilltop"
+    assert values["hilltop_side"] == -1
+    assert values["least_kick"] == found.kick == pytest.approx(-1.08, abs=1e-9)
+    assert values["outcomes"] == ["rest", "overturned to the negative side"]
+    assert (values["start"], values["direction"], values["cycles"]) == ("rest", "-", 500)
+
+
+def test_manifolds_go_to_the_csv_and_into_the_picture(tmp_path: Path) -> None:
+    plot, table = tmp_path / "edge.png", tmp_path / "edge.csv"
+    ran = rocksteady(f"{POINT} --manifolds --length 2 --plot {plot} --csv {table}")
+    assert ran.code == 0
+    assert "Stable manifold of a hilltop saddle" in ran.out
+    assert plot.stat().st_size > 5000
+    with table.open() as lines:
+        rows = list(csv.DictReader(lines))
+    assert {row["kind"] for row in rows} == {"stable", "unstable"}
+    # The least kick from rest is where the stable manifold crosses the axis of velocities.
+    on_axis = [row for row in rows if row["kind"] == "stable" and abs(float(row["angle"])) < 0.02]
+    assert any(abs(float(row["velocity"]) - 0.92) < 0.04 for row in on_axis)
+
+
+def test_without_manifolds_the_csv_is_the_tracked_motion(tmp_path: Path) -> None:
+    table = tmp_path / "edge.csv"
+    assert rocksteady(f"{POINT} --csv {table}").code == 0
+    assert table.read_text().splitlines()[0] == "period,angle,velocity"
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        ("--direction up", "--direction"),
+        ("--other 0,0.01", "ends as start does"),
+        ("--other left", "--other = 'left' is not valid: it is no state; write U,V"),
+        ("--other 0.2,0.3 --direction -", "--other and --direction are both given"),
+        ("--length 4", "add --manifolds"),
+        ("--manifolds --length nan", "--length = nan is not valid: it must lie in (0, 10000]"),
+        ("--start 2,1", "least fatal kick"),
+    ],
+)
+def test_what_it_refuses(flags: str, said: str) -> None:
+    assert said in refused(f"{POINT} {flags}")
