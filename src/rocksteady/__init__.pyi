@@ -3,12 +3,29 @@
 from .dynamics.basins.basins import BasinFraction as BasinFraction
 from .dynamics.basins.basins import Basins as Basins
 from .dynamics.basins.basins import compute_basins as compute_basins
+from .dynamics.basins.measures.boundary import BoundaryTest as BoundaryTest
+from .dynamics.basins.measures.boundary import check_boundary as check_boundary
+from .dynamics.basins.measures.entropy import BasinEntropies as BasinEntropies
+from .dynamics.basins.measures.entropy import BasinEntropy as BasinEntropy
+from .dynamics.basins.measures.entropy import compute_basin_entropy as compute_basin_entropy
 from .dynamics.basins.erosion import Erosion as Erosion
 from .dynamics.basins.erosion import IntegrityDrop as IntegrityDrop
 from .dynamics.basins.erosion import compute_erosion as compute_erosion
+from .dynamics.basins.fate_basins import FateBasins as FateBasins
+from .dynamics.basins.fate_basins import FateFraction as FateFraction
+from .dynamics.basins.fate_basins import compute_fate_basins as compute_fate_basins
 from .dynamics.batch.attractors import Attractors as Attractors
 from .dynamics.batch.find_attractors import find_attractors as find_attractors
+from .dynamics.basins.over.families import BasinFamily as BasinFamily
 from .dynamics.basins.labels import BasinAttractor as BasinAttractor
+from .dynamics.basins.over.matching import BasinMatching as BasinMatching
+from .dynamics.basins.over.shares import BasinSampling as BasinSampling
+from .dynamics.basins.over.shares import BasinShares as BasinShares
+from .dynamics.basins.over.shares import compute_basin_shares as compute_basin_shares
+from .dynamics.basins.measures.uncertainty import UncertaintyExponent as UncertaintyExponent
+from .dynamics.basins.measures.uncertainty import (
+    compute_uncertainty_exponent as compute_uncertainty_exponent,
+)
 from .dynamics.continuation.branch import follow_branch as follow_branch
 from .dynamics.continuation.branches import BranchSearch as BranchSearch
 from .dynamics.continuation.branches import find_branches as find_branches
@@ -16,12 +33,41 @@ from .dynamics.continuation.cascade import DoublingCascade as DoublingCascade
 from .dynamics.continuation.cascade import find_cascade as find_cascade
 from .dynamics.continuation.diagram import Bifurcation as Bifurcation
 from .dynamics.continuation.diagram import BifurcationDiagram as BifurcationDiagram
-from .dynamics.continuation.diagram import find_bifurcations as find_bifurcations
-from .dynamics.continuation.loci import follow_bifurcation as follow_bifurcation
+from .dynamics.continuation.find_bifurcations import find_bifurcations as find_bifurcations
+from .dynamics.continuation.curves.bifurcation_curves import BifurcationCurve as BifurcationCurve
+from .dynamics.continuation.curves.bifurcation_curves import BifurcationCurves as BifurcationCurves
+from .dynamics.continuation.curves.bifurcation_curves import CodimensionTwo as CodimensionTwo
+from .dynamics.continuation.curves.bifurcation_curves import CurveSearch as CurveSearch
+from .dynamics.continuation.curves.bifurcation_curves import Region as Region
+from .dynamics.continuation.curves.loci import follow_bifurcation as follow_bifurcation
+from .dynamics.continuation.curves.search_plane import (
+    find_bifurcation_curves as find_bifurcation_curves,
+)
 from .dynamics.continuation.points import Branch as Branch
 from .dynamics.continuation.points import BranchPoint as BranchPoint
-from .dynamics.continuation.points import PointType as PointType
+from .dynamics.continuation.chains.point_types import PointType as PointType
 from .dynamics.continuation.points import Stretch as Stretch
+from .dynamics.edges.edge_state import EdgeState as EdgeState
+from .dynamics.edges.growing import compute_manifold as compute_manifold
+from .dynamics.edges.hilltop import HilltopSaddle as HilltopSaddle
+from .dynamics.edges.hilltop import find_hilltop_saddles as find_hilltop_saddles
+from .dynamics.edges.manifold import Manifold as Manifold
+from .dynamics.edges.manifold import ManifoldBranch as ManifoldBranch
+
+from .dynamics.edges.tracking import find_edge_state as find_edge_state
+from .dynamics.continuation.resting.find_resting import RestingBranches as RestingBranches
+from .dynamics.continuation.resting.find_resting import RestingGap as RestingGap
+from .dynamics.continuation.resting.find_resting import (
+    find_resting_branches as find_resting_branches,
+)
+from .dynamics.continuation.resting.find_resting import (
+    follow_resting_orbit as follow_resting_orbit,
+)
+from .dynamics.continuation.resting.resting_branch import Excursion as Excursion
+from .dynamics.continuation.resting.resting_branch import RestingBranch as RestingBranch
+from .dynamics.continuation.resting.resting_branch import RestingPoint as RestingPoint
+from .dynamics.continuation.resting.resting_types import NoRest as NoRest
+from .dynamics.continuation.resting.resting_types import RestingPointType as RestingPointType
 from .dynamics.history.samples import Flights as Flights
 from .dynamics.history.samples import Impacts as Impacts
 from .dynamics.history.samples import Samples as Samples
@@ -36,6 +82,8 @@ from .dynamics.history.start import Steady as Steady
 from .dynamics.history.trajectory import Trajectory as Trajectory
 from .dynamics.maps.attractor_map import map_attractors as map_attractors
 from .dynamics.maps.fate_map import map_fates as map_fates
+from .dynamics.maps.noise_fates import NoiseFates as NoiseFates
+from .dynamics.maps.noise_fates import compute_noise_fates as compute_noise_fates
 from .dynamics.orbits.attractor import Attractor as Attractor
 from .dynamics.orbits.attractor import find_attractor as find_attractor
 from .dynamics.orbits.attractor_sweep import AttractorSweep as AttractorSweep
@@ -88,11 +136,15 @@ from .model.blocks.sides import housner_restitution as housner_restitution
 from .model.blocks.sides import impact_restitution as impact_restitution
 from .model.equations import Linear as Linear
 from .model.equations import Nonlinear as Nonlinear
+from .model.motions.band_noise import BandNoise as BandNoise
+from .model.motions.band_noise import add_noise as add_noise
 from .model.motions.base_motion import BaseMotion as BaseMotion
 from .model.motions.combine import add_motions as add_motions
+from .model.motions.combine import cut_motion as cut_motion
 from .model.motions.combine import delay_motion as delay_motion
 from .model.motions.combine import join_motions as join_motions
 from .model.motions.combine import scale_motion as scale_motion
+from .model.motions.fourier import FourierSeries as FourierSeries
 from .model.motions.impulses import Impulses as Impulses
 from .model.motions.pulses import Pulse as Pulse
 from .model.motions.record import Record as Record
@@ -245,11 +297,16 @@ from .show.export.tests_folder import write_tests as write_tests
 from .show.facade.facade_folder import write_facade_folder as write_facade_folder
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as plot_block
-from .show.plots.basins import plot_basins as plot_basins
-from .show.plots.basins import plot_erosion as plot_erosion
-from .show.plots.basins import plot_safe_basin as plot_safe_basin
-from .show.plots.bifurcations import plot_bifurcations as plot_bifurcations
-from .show.plots.curves import plot_bifurcation_curves as plot_bifurcation_curves
+from .show.plots.portraits.basins import plot_basins as plot_basins
+from .show.plots.portraits.basins import plot_erosion as plot_erosion
+from .show.plots.portraits.basins import plot_safe_basin as plot_safe_basin
+from .show.plots.portraits.edges import plot_edge_state as plot_edge_state
+from .show.plots.portraits.manifolds import plot_manifolds as plot_manifolds
+from .show.plots.portraits.shares import plot_basin_shares as plot_basin_shares
+from .show.plots.portraits.fate_basins import plot_fate_basins as plot_fate_basins
+from .show.plots.branches.bifurcations import plot_bifurcations as plot_bifurcations
+from .show.plots.branches.curves import plot_bifurcation_curves as plot_bifurcation_curves
+from .show.plots.branches.cascades import plot_cascade as plot_cascade
 from .show.plots.facades.capacity import plot_capacity as plot_capacity
 from .show.plots.facades.run_displacements import plot_facade_runs as plot_facade_runs
 from .show.plots.facades.section import plot_facade as plot_facade
@@ -270,6 +327,7 @@ from .show.plots.orbits import plot_multipliers as plot_multipliers
 from .show.plots.orbits import plot_section as plot_section
 from .show.plots.overturning import plot_free_rocking as plot_free_rocking
 from .show.plots.overturning import plot_overturning as plot_overturning
+from .show.plots.overturning_noise import plot_noise_fates as plot_noise_fates
 from .show.plots.overturning_scales import plot_fatal_kicks as plot_fatal_kicks
 from .show.plots.overturning_scales import (
     plot_overturning_scales as plot_overturning_scales,

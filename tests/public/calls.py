@@ -10,6 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rocksteady as rs
+from tests.public.dynamics_calls import dynamics_calls
 from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
 from tests.public.risk_calls import risk_calls
@@ -46,7 +47,6 @@ def calls() -> dict[str, Call]:
     )
     few = [-0.5, 0.0, 0.5]
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
-    near = {"parameter": "amplitude", "within": (1.95, 2.05), "largest_step": 0.1}
     segment = rs.Segment(duration=1.0, constant=2.0)
     table: dict[Any, dict[str, Any]] = {
         rs.Axis: {"name": "amplitude", "values": [1.0, 2.0]},
@@ -123,6 +123,18 @@ def calls() -> dict[str, Call]:
         rs.Store: {"path": "kept.zarr"},
         t["store"].check: {},
         rs.SyntheticMotion: {"rms": 1.0, "frequency_ratio": 3.0, "duration": 5.0, "seed": 1},
+        rs.BandNoise: {"rms": 0.2, "band": (1.0, 5.0), "duration": 8.0, "seed": 1},
+        rs.BandNoise.from_si: {
+            "block": block,
+            "rms_m_s2": 0.3,
+            "band_hz": (0.5, 4.0),
+            "duration_s": 4.0,
+            "seed": 1,
+        },
+        t["noise"].realisation: {"number": 3},
+        t["noise"].segments: {},
+        rs.add_noise: {"motion": t["pulse"], "noise": t["noise"]},
+        rs.cut_motion: {"motion": shaking, "at": 0.5},
         rs.SyntheticMotion.from_si: {
             "block": block,
             "rms_m_s2": 1.0,
@@ -150,20 +162,6 @@ def calls() -> dict[str, Call]:
         run.base_displacement: {"pt": [0.1, 0.2]},
         run.phase_path: {"per_unit": 10},
         run.times: {"per_unit": 10},
-        t["basins"].describe: {},
-        t["basins"].fractions: {},
-        t["basins"].fractions()[0].describe: {},
-        t["basins"].attractors[0].describe: {},
-        t["basins"].state: {"row": 0, "column": 1},
-        t["basins"].to_dataframe: {},
-        t["basins"].to_dataset: {},
-        t["erosion"].describe: {},
-        rs.IntegrityDrop(
-            measure="integrity_factor", level=0.5, low=0.1, high=0.2, above=0.6, below=0.4
-        ).describe: {},
-        t["erosion"].drop: {"tolerance": 0.5},
-        t["erosion"].measure: {"name": "integrity_factor"},
-        t["erosion"].to_dataset: {},
         t["course"].time_of_arias: {"part": 0.5},
         t["course"].describe: {},
         t["course"].to_dataset: {},
@@ -234,24 +232,16 @@ def calls() -> dict[str, Call]:
             "velocities": few,
             "max_cycles": 10,
         },
-        rs.find_branches: {"origins": [t["orbit"]], **near, "max_branches": 1},
-        rs.follow_bifurcation: {
-            "origin": t["fold"],
-            "parameters": ("frequency_ratio", "amplitude"),
-            "within": ((3.9, 4.1), (1.9, 2.1)),
-            "most_points": 3,
-        },
         rs.region_boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
-        rs.follow_branch: {"origin": t["orbit"], **near, "most_points": 5},
         rs.delay_motion: {"motion": t["pulse"], "by": 0.5},
-        rs.find_cascade: {
-            "origin": t["doubling"],
-            "parameter": "frequency_ratio",
-            "within": (1.7, 2.0),
-            "direction": -1,
-            "doublings": 3,
-        },
         rs.equivalent_damping: {"restitution": [0.7, 0.8]},
+        rs.compute_basin_shares: {
+            "block": bare,
+            "motion": shaking,
+            "parameter": "amplitude",
+            "values": [1.9, 2.0],
+            "sampling": rs.BasinSampling(angles=few, velocities=few, max_cycles=10),
+        },
         rs.compute_erosion: {
             "block": bare,
             "motion": shaking,
@@ -296,13 +286,49 @@ def calls() -> dict[str, Call]:
             "within": (1.0, 1.2),
             "resolution": 0.1,
         },
+        rs.compute_manifold: {
+            "saddle": t["hilltop"], "kind": "unstable", "length": 0.5, "spacing": 0.1,
+        },
+        rs.find_edge_state: {
+            "block": bare, "motion": rs.Harmonic(amplitude=0.1, frequency_ratio=4.0),
+        },
+        rs.find_hilltop_saddles: {"block": bare, "motion": shaking},
         rs.find_fatal_kick: {"block": block, "times_pt": [0.0, 1.0]},
+        rs.compute_fate_basins: {
+            "block": block,
+            "motion": t["pulse"],
+            "angles": few,
+            "velocities": few,
+        },
+        t["fates"].fractions: {"confidence": 0.9},
+        t["fates"].state: {"row": 0, "column": 1},
+        t["fates"].to_dataset: {},
+        t["fates"].to_dataframe: {},
+        t["fates"].describe: {},
+        t["fates"].fractions()[0].describe: {},
+        rs.FateFraction: fields(t["fates"].fractions()[0]),
+        rs.compute_noise_fates: {
+            "block": block,
+            "motion": t["pulse"],
+            "noise": t["noise"],
+            "axes": {"level": [0.0, 1.0]},
+            "draws": 2,
+        },
+        t["noise fates"].interval: {"confidence": 0.9},
+        t["noise fates"].to_dataset: {},
+        t["noise fates"].describe: {},
+        rs.plot_fate_basins: {"fates": t["fates"]},
+        rs.plot_noise_fates: {"fates": t["noise fates"]},
         rs.pair_records: {"paths": []},
         rs.plot_base: {"trajectory": run},
         rs.plot_basins: {"basins": t["basins"]},
+        rs.plot_basin_shares: {"shares": t["shares"], "top": 0.5},
         rs.plot_bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
         rs.plot_bifurcations: {"diagram": [t["branch"]], "sweeps": [t["trail"]]},
         rs.plot_block: {"trajectory": run, "pt": 0.1},
+        rs.plot_edge_state: {"edge": t["edge"]},
+        rs.plot_manifolds: {"manifolds": t["manifold"]},
+        rs.plot_cascade: {"cascade": t["cascade"]},
         rs.plot_erosion: {"erosion": t["erosion"]},
         rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
         rs.plot_integrated_record: {"course": t["course"]},
@@ -344,6 +370,7 @@ def calls() -> dict[str, Call]:
         rs.summarise_spectra: {"spectra": t["suite"]},
         rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
+        rs.ManifoldBranch: fields(t["manifold"].branches[0]),
         rs.FatalKicks: fields(t["kicks"]),
         rs.OverturningScales: fields(t["scales"]),
         rs.BasinAttractor: fields(t["basins"].attractors[0]),
@@ -351,9 +378,11 @@ def calls() -> dict[str, Call]:
         rs.IntegrityDrop: {
             "measure": "radius", "level": 0.5, "low": 1.0, "high": 2.0, "above": 0.6, "below": 0.4,
         },
+        rs.BasinFamily: fields(t["shares"].families[0]),
+        rs.BasinEntropies: fields(t["shares"].entropies(1)),
         rs.BasinFraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
         rs.Peak: {"value": 1.0, "t_s": 0.5},
-        rs.BranchSearch: {"order": 1, "max_impacts": 2},
+        rs.BranchSearch: {"orders": (1,), "max_impacts": 2},
         rs.Bifurcation: {"point": t["fold"], "branches": (1,), "highest": 0.2, "lowest": -0.2},
         rs.find_bifurcations: {
             "block": bare, "motion": shaking, "parameter": "amplitude", "within": (1.9, 2.1),
@@ -366,11 +395,16 @@ def calls() -> dict[str, Call]:
             for name, methods in (
                 ("attractor", ("describe", "rows", "to_dataframe")),
                 ("orbit", ("describe", "to_dataframe")),
-                ("trail", ("describe", "run_rows", "table", "to_dataframe", "values_by_kind")),
-                ("branch", ("describe", "rows", "to_dataframe")),
+                ("trail", ("describe", "run_rows", "table", "to_dataframe", "to_dataset")),
+                ("trail", ("values_by_kind",)),
+                ("branch", ("describe", "rows", "to_dataframe", "to_dataset")),
+                ("curves", ("describe", "rows", "to_dataframe")),
+                ("resting", ("describe", "rows", "to_dataframe")),
+                ("resting branch", ("describe", "rows", "to_dataframe")),
+                ("resting point", ("describe",)),
                 ("point", ("describe",)),
-                ("cascade", ("describe", "values_by_name")),
-                ("diagram", ("describe", "rows", "to_dataframe")),
+                ("cascade", ("describe", "to_dataset", "values_by_name")),
+                ("diagram", ("describe", "rows", "to_dataframe", "to_dataset")),
                 ("states", ("describe", "rows", "to_dataframe")),
                 ("steady", ("describe", "to_dataframe")),
                 ("regions", ("describe",)),
@@ -393,17 +427,22 @@ def calls() -> dict[str, Call]:
     }  # fmt: skip
     results = {
         rs.Attractor: "attractor", rs.AttractorSweep: "trail", rs.Basins: "basins",
+        rs.BasinShares: "shares", rs.BasinEntropy: "entropy", rs.BoundaryTest: "boundary",
+        rs.UncertaintyExponent: "exponent",
         rs.BifurcationDiagram: "diagram",
         rs.RegionBoundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
+        rs.RestingBranches: "resting", rs.RestingBranch: "resting branch",
+        rs.RestingPoint: "resting point",
         rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
+        rs.EdgeState: "edge", rs.HilltopSaddle: "hilltop", rs.Manifold: "manifold",
         rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
         rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
         rs.HazardCurve: "hazard", rs.Risk: "risk", rs.BranchTest: "branch test",
         rs.SteadyStates: "states", rs.Trajectory: "run", rs.Neighbours: "neighbours",
         rs.Fragility: "fragility", rs.StateFragility: "state_fragility",
-        rs.Efficiency: "efficiency",
+        rs.Efficiency: "efficiency", rs.FateBasins: "fates", rs.NoiseFates: "noise fates",
     }  # fmt: skip
-    table |= risk_calls(t) | observation_calls(t) | facade_calls(t)
+    table |= dynamics_calls(t) | risk_calls(t) | observation_calls(t) | facade_calls(t)
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
     found = {}

@@ -2,6 +2,8 @@
 
 import ast
 import importlib
+import inspect
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +13,9 @@ import pytest
 import rocksteady
 
 HEAVY = ("h5py", "matplotlib", "numba", "numpy", "scipy", "typer", "xarray", "zarr")
+
+ERRORS = {"InputError", "ModelError", "Words"}
+SOURCE = Path(rocksteady.__file__).parent
 
 
 def names_of_the_stub() -> dict[str, str]:
@@ -66,3 +71,25 @@ def test_import_loads_nothing_heavy() -> None:
 def test_the_errors_load_nothing_heavy() -> None:
     code = "import rocksteady\nrocksteady.InputError, rocksteady.Status"
     assert modules_loaded_by(code) & set(HEAVY) == set()
+
+
+def test_functions_that_errors_name_exist() -> None:
+    """In backticks an error names what is public, a member or a parameter of it."""
+    known = set(rocksteady.__all__)
+    for name in rocksteady.__all__:
+        value = getattr(rocksteady, name)
+        members = vars(value) if isinstance(value, type) else {name: value}
+        known |= set(members)
+        for each in filter(inspect.isfunction, members.values()):
+            known |= set(inspect.signature(each).parameters)
+    unknown = {
+        (file.name, word)
+        for file in SOURCE.rglob("*.py")
+        for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") in ERRORS
+        for part in ast.walk(call)
+        if isinstance(part, ast.Constant) and isinstance(part.value, str)
+        for word in re.findall(r"`([a-z_]\w*)[`(]", part.value)
+        if word not in known
+    }
+    assert unknown == set()

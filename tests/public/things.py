@@ -17,7 +17,16 @@ def square(amplitude: Any, **_: Any) -> dict[str, Any]:
     return {"value": np.asarray(amplitude, dtype=np.float64) ** 2}
 
 
+NOISE = rs.BandNoise(rms=0.2, band=(1.0, 5.0), duration=8.0, seed=1)
 MANY = [field.name for field in dataclasses.fields(rs.Attractors)]
+
+
+@functools.cache
+def resting_branches() -> rs.RestingBranches:
+    """Return orbits that come to rest, over a parameter."""
+    bare = rs.DimensionlessBlock(restitution=0.8)
+    lifted = rs.Harmonic(amplitude=1.05, frequency_ratio=2.0)
+    return rs.find_resting_branches(bare, lifted, "amplitude", (0.99, 1.06), resolution=0.035)
 
 
 @functools.cache
@@ -47,6 +56,8 @@ def things() -> dict[str, Any]:
         bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, max_cycles=50
     )
     few = [-0.5, 0.0, 0.5]
+    edge = rs.find_edge_state(bare, rs.Harmonic(amplitude=0.1, frequency_ratio=4.0))
+    saddles = rs.find_hilltop_saddles(bare, edge.motion)[:1]
     states = rs.find_steady_states(2.0, 4.0, 0.8)
     hazard = rs.HazardCurve(
         measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([1e-2, 1e-4, 1e-5])
@@ -124,6 +135,9 @@ def things() -> dict[str, Any]:
         "branch": branch,
         "point": point,
         "fold": fold,
+        "resting": resting_branches(),
+        "resting branch": resting_branches().branches[0],
+        "resting point": resting_branches().branches[0].points[9],
         "recording": recording,
         "set": rs.RecordSet(name="made", horizontal=(recording,)),
         "spectrum": spectrum,
@@ -137,8 +151,26 @@ def things() -> dict[str, Any]:
         "output": rs.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
+        "shares": rs.compute_basin_shares(
+            bare,
+            shaking,
+            "amplitude",
+            [1.9, 2.0],
+            sampling=rs.BasinSampling(angles=few, velocities=few, max_cycles=20),
+        ),
+        "entropy": rs.compute_basin_entropy([[0, 1], [0, 0]], 2),
+        "exponent": rs.compute_uncertainty_exponent([0, 0, 1, 1, 1, 1, 0, 0, 1, 0, 1], [1, 2, 3]),
+        "boundary": rs.check_boundary([[0] * 9 + [1] * 9] * 18, 2, balls=100),
         "erosion": rs.compute_erosion(
             bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
+        ),
+        "edge": edge,
+        "hilltop": saddles[0],
+        "manifold": rs.compute_manifold(saddles[0], kind="stable", length=0.5, spacing=0.1),
+        "fates": rs.compute_fate_basins(block, pulse, angles=few, velocities=few),
+        "noise": NOISE,
+        "noise fates": rs.compute_noise_fates(
+            block, pulse, NOISE, axes={"level": [0.0, 1.0], "scale": [0.5, 1.0]}, draws=2
         ),
         "pushed": pushed,
         "neighbours": rs.check_neighbours(pushed),
@@ -150,6 +182,12 @@ def things() -> dict[str, Any]:
             within=(1.9, 2.1),
             values=2,
             search=rs.BranchSearch(max_period=1, max_impacts=2, doublings=1),
+        ),
+        "curves": rs.find_bifurcation_curves(
+            bare,
+            shaking,
+            within=((3.9, 4.1), (0.1, 1.0)),
+            search=rs.CurveSearch(lines=(1, 0), max_impacts=2, max_period=1),
         ),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
         "course": rs.integrate_record(record),
