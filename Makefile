@@ -9,9 +9,9 @@ BIN := .venv/bin
 STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
-EXTRAS := bench,build,cluster,dev,jit,records
+EXTRAS := bench,build,cluster,dev,docs,jit,records
 PEERS := heyoka mujoco
-CHECKS := lint types layers tests tests-python
+CHECKS := lint types layers docs tests tests-python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -81,6 +81,13 @@ tests: .venv library ## pytest, kernels from the library (MARKS= runs the slow o
 .PHONY: tests-python
 tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
+
+.PHONY: docs
+docs: .venv library ## build the manual into out/manual; its tutorials and gallery are computed
+	@# Sphinx leaves the pages of what is gone: what it writes is written anew.
+	@rm -rf out/manual && mkdir -p out
+	env -u MPLBACKEND $(BIN)/python -m sphinx --jobs $(WORKERS) --fail-on-warning --keep-going --quiet \
+		--doctree-dir build/manual/doctrees docs out/manual
 
 .PHONY: tests-jit
 tests-jit: .venv ## pytest, kernels compiled by numba
@@ -163,6 +170,7 @@ constraints: ## renew constraints.txt with the newest versions that fit together
 .PHONY: clean
 clean: ## remove .venv, caches and build folders; out/ stays
 	rm -rf .venv .bootstrap .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache build dist
+	rm -rf docs/gallery docs/reference/commands docs/sg_execution_times.rst
 	find src tests bench docs examples -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
 # The stamp holds the folder it was made in. A checkout that has moved gets a new environment, because

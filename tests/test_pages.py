@@ -5,14 +5,15 @@ below it; each command line runs; what pages name is there.
 import ast
 import itertools
 import math
-import os
 import re
 import shlex
 import shutil
 import subprocess
 import sys
+import textwrap
 import tomllib
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,7 @@ import pytest
 import rocksteady as rs
 from tests.cli.program import rocksteady
 from tests.show.calibrated import without_pictures
+from tools.manual import gallery
 
 ROOT = Path(__file__).parents[1]
 PAGES = {
@@ -30,17 +32,42 @@ PAGES = {
         ROOT / "CONTRIBUTING.md",
         *sorted((ROOT / "docs").rglob("*.md")),
     )
+    # The build of the manual writes these from the help texts, whose examples tests/cli runs.
+    if page.parent != ROOT / "docs" / "reference" / "commands"
 }
-BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-PRINTED = re.compile(r"\n\nIt prints\n\n```\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+FENCED = re.compile(
+    r"^(?P<indent> *)(?P<fence>[`:]{3,})(?P<kind>[^`\n]*)\n(?P<body>.*?)^(?P=indent)(?P=fence) *$",
+    re.DOTALL | re.MULTILINE,
+)
+PRINTED = re.compile(r"\n\nIt prints\n\n```text\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A block of a page between two fences."""
+
+    kind: str
+    body: str
+    line: int
+    printed: str | None
+
+
+def blocks(text: str, first: int = 1) -> Iterator[Block]:
+    """Yield the blocks of a page, those inside of directives included."""
+    for fenced in FENCED.finditer(text):
+        line = first + text.count("\n", 0, fenced.start())
+        body = textwrap.dedent(fenced["body"])
+        printed = PRINTED.match(text, fenced.end())
+        yield Block(fenced["kind"].strip(), body, line, printed and printed[1])
+        if fenced["kind"].startswith("{"):
+            yield from blocks(body, line + 1)
+
+
 SNIPPETS = {
-    f"{name}:{text.count(chr(10), 0, block.start()) + 1}": (
-        block[2],
-        PRINTED.match(text, block.end()),
-    )
+    f"{name}:{block.line}": block
     for name, text in PAGES.items()
-    for block in BLOCK.finditer(text)
-    if block[1] == "python"
+    for block in blocks(text)
+    if block.kind == "python"
 }
 """The Python of the pages by page and line, each with what the page shows that it prints."""
 
@@ -51,23 +78,21 @@ def is_long(code: str) -> bool:
 
 
 @pytest.mark.parametrize(
-    ("code", "printed"),
+    "block",
     [
-        pytest.param(*block, id=place, marks=[pytest.mark.slow] if is_long(block[0]) else [])
+        pytest.param(block, id=place, marks=[pytest.mark.slow] if is_long(block.body) else [])
         for place, block in SNIPPETS.items()
     ],
 )
-def test_each_block_of_python_runs_alone(
-    code: str, printed: re.Match[str] | None, tmp_path: Path
-) -> None:
-    out = run_alone(code, tmp_path)
-    if printed:
-        assert out == printed[1]
+def test_each_block_of_python_runs_alone(block: Block, tmp_path: Path) -> None:
+    out = run_alone(block.body, tmp_path)
+    if block.printed is not None:
+        assert out == block.printed
 
 
-@pytest.mark.parametrize("place", [place for place, (code, _) in SNIPPETS.items() if is_long(code)])
+@pytest.mark.parametrize("place", [at for at, block in SNIPPETS.items() if is_long(block.body)])
 def test_a_long_block_runs_alone_with_few_draws_and_records(place: str, tmp_path: Path) -> None:
-    code, _ = SNIPPETS[place]
+    code = SNIPPETS[place].body
     few = code.replace("draws=300", "draws=30, gains=2, rounds=1").replace("suite(12)", "suite(2)")
     assert few.count("draws=30,") == few.count("suite(2)") == 1
     assert run_alone(few, tmp_path).count("accuracy") == 4
@@ -90,8 +115,46 @@ def run_alone(code: str, folder: Path) -> str:
 
 
 def test_what_is_printed_stands_below_the_block_that_prints_it() -> None:
-    held = sum(printed is not None for _, printed in SNIPPETS.values())
+    held = sum(block.printed is not None for block in SNIPPETS.values())
     assert held == sum(text.count("\nIt prints\n") for text in PAGES.values()) >= 7
+
+
+# -------------------------------------------------------------------------- kinds of blocks
+
+RUN_HERE = {"python", "sh", "toml"}
+SHOWN = {"text", "bibtex", "json"}
+"""What programs print, and what is given to other programs."""
+DIRECTIVE = re.compile(r"\{([\w:-]+)\}")
+OTHERS = (
+    r"make( [a-z-]+)?",  # tested below to be a target
+    r"python3 -m pip install (-e )?\S+",
+    r"python3 -m venv \S+",
+    r"git clone .+|cd \w+",
+    r"dask (scheduler|worker) .+",
+)
+"""Lines of a shell that install or start something, which no test does."""
+
+
+def test_each_block_is_of_a_kind_that_some_check_runs() -> None:
+    """Cells, directives included, are run by the build of the manual."""
+    for name, text in PAGES.items():
+        for block in blocks(text):
+            known = RUN_HERE | SHOWN
+            assert block.kind in known or DIRECTIVE.match(block.kind), (name, block)
+
+
+def test_each_line_of_a_shell_is_a_command_of_the_package_or_one_that_sets_it_up() -> None:
+    for name, text in PAGES.items():
+        for line in shell_lines(text):
+            known = ("rocksteady .+", *OTHERS)
+            assert any(re.fullmatch(kind, line) for kind in known), (name, line)
+
+
+def test_each_block_of_toml_is_toml() -> None:
+    for text in PAGES.values():
+        for block in blocks(text):
+            if block.kind == "toml":
+                assert tomllib.loads(block.body)
 
 
 # --------------------------------------------------------------------------- command lines
@@ -105,12 +168,16 @@ LONG = re.compile(r"--executor|--animate|^paper|^study|^assess --example")
 """Lines that take long with a few values on their axes, too."""
 
 
+def shell_lines(text: str) -> list[str]:
+    """Return the lines of a page that are typed into a shell, without their comments."""
+    typed = [block.body.replace("\\\n", " ") for block in blocks(text) if block.kind == "sh"]
+    lines = [re.sub(r"\s+#.*|^#.*", "", line) for body in typed for line in body.splitlines()]
+    return [" ".join(line.split()) for line in lines if line.strip()]
+
+
 def command_lines(text: str) -> list[str]:
     """Return the command lines of a page, those in sentences included, without the program."""
-    blocks = [block[2] for block in BLOCK.finditer(text) if block[1] in {"", "sh"}]
-    lines = [
-        line for block in blocks for line in re.findall(r"^rocksteady .*", block, re.MULTILINE)
-    ]
+    lines = [line for line in shell_lines(text) if line.startswith("rocksteady ")]
     lines += [" ".join(line.split()) for line in INLINE.findall(text)]
     return [line.removeprefix("rocksteady ") for line in lines]
 
@@ -155,6 +222,19 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         scaled = [" ".join(f"{float(x) / number: .7E}" for x in row.split()) for row in rows]
         text = header + "\n".join(scaled) + "\n"
         (suite / f"{number}.AT2").write_text(text, encoding="ascii")
+    motions = tmp_path / "motions"
+    motions.mkdir()
+    for number in range(1, 5):
+        for channel, name in (("90", "090"), ("UP", "-UP")):
+            share = (1.0 if channel == "90" else 0.2) / number
+            scaled = [" ".join(f"{float(x) * share: .7E}" for x in row.split()) for row in rows]
+            text = header.replace("Hut, 90", f"Hut {number}, {channel}") + "\n".join(scaled) + "\n"
+            (motions / f"RSN{number}_HUT{name}.AT2").write_text(text, encoding="ascii")
+    (tmp_path / "statue.toml").write_text(
+        'name = "statue"\n[geometry]\nwidth_m = 0.435\nheight_m = 1.8\noffset_m = 0.05\n'
+        "[demand]\npga_g = 0.35\npgv_m_s = 0.3\n",
+        "utf-8",
+    )
     np.savetxt(tmp_path / "column.txt", 9.80665 * swelling)
     (tmp_path / "peaks.csv").write_text("peak_rad\n0.06\n0.05\n0.043\n0.038\n", encoding="ascii")
     (tmp_path / "objects.csv").write_text("name,width_m,height_m\ncolumn,0.4,1.6\n", "utf-8")
@@ -303,21 +383,16 @@ def test_what_the_table_of_questions_names_is_where_it_says() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("example", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
-def test_an_example_draws_the_pictures_that_pages_show(example: Path, tmp_path: Path) -> None:
-    ran = subprocess.run(
-        [sys.executable, example],
-        cwd=tmp_path,
-        env={**os.environ, "MPLBACKEND": "Agg"},
-        capture_output=True,
-        check=False,
-    )
-    assert ran.returncode == 0, ran.stderr
-    drawn = {picture.name for picture in tmp_path.iterdir()}
-    shown = {
-        Path(paragraphs[0]).name
+def test_examples_draw_the_pictures_that_pages_show_as_theirs(tmp_path: Path) -> None:
+    captions = {
+        Path(picture).name: script
         for text in PAGES.values()
-        for paragraphs in re.findall(r"\]\(([\w./-]+\.png)\)\n\n([^\n]+(\n[^\n]+)*)", text)
-        if f"examples/{example.name}" in paragraphs[1]
+        for picture, script in re.findall(
+            r"\]\(([\w./-]+\.png)\)\n\n(?:(?!\n\n)[\s\S])*?`examples/([\w/]+\.py)`", text
+        )
     }
-    assert drawn == shown
+    assert captions == gallery.GUIDES
+    gallery.main(tmp_path)
+    drawn = {picture.name: picture.stat().st_size for picture in tmp_path.iterdir()}
+    assert set(drawn) == set(captions)
+    assert min(drawn.values()) > 10_000

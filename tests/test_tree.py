@@ -159,7 +159,13 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
     parts = (SOURCE / "explorer" / "parts").rglob("*.mjs")  # of the page, tested from Python
     folders = {file.parent.relative_to(SOURCE) for file in (*FILES, *parts)}
     # Beside the package, or of all of it.
-    own = {Path("tools"), Path("tools/aot"), Path("public"), Path("explorer/browser")}
+    own = {
+        Path("tools"),
+        Path("tools/aot"),
+        Path("public"),
+        Path("manual"),
+        Path("explorer/browser"),
+    }
     own |= {Path("explorer/browser/tabs"), Path()}
     for file in tests.rglob("test_*.py"):
         folder = file.relative_to(tests).parent
@@ -183,7 +189,7 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
 # --------------------------------------------------------------------- what texts say of the tree
 
 LAYERS = "|".join(sorted(folder.name for folder in SOURCE.iterdir() if folder.is_dir()))
-REFERENCE = re.compile(rf"`+((?:rocksteady\.)?(?:{LAYERS})(?:\.\w+)+)(?:\(\))?`")
+REFERENCE = re.compile(rf"`+((?:rocksteady\.)?(?:{LAYERS})(?:\.(?!csv`)\w+)+)(?:\(\))?`")
 TEXTS = {
     str(file.relative_to(ROOT)): file.read_text(encoding="utf-8")
     for file in (*FILES, *(ROOT / "docs").rglob("*.md"), ROOT / "CONTRIBUTING.md")

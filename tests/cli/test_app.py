@@ -246,6 +246,8 @@ def beside_a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.usefixtures("beside_a_record")
 def test_the_examples_in_the_help_run_on_coarser_axes(command: str) -> None:
     for example in examples_of(command):
+        if command == "curves" and "--model nonlinear" in example:
+            continue  # takes long on any axes: run below
         coarser = re.sub(r":(\d+)(?=[ ,]|$)", lambda n: f":{min(int(n[1]), 6)}", example)
         assert rocksteady(coarser).code == 0, coarser
 

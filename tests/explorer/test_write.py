@@ -144,6 +144,6 @@ def test_another_ending_is_refused_and_no_file_of_that_name_is_touched(
 ) -> None:
     file = tmp_path / name
     file.write_text("somebody's table", encoding="utf-8")
-    with pytest.raises(OutputError, match="by its ending"):
+    with pytest.raises(OutputError, match=r"the extension \.html"):
         write.write_explorer(file)
     assert file.read_text(encoding="utf-8") == "somebody's table"

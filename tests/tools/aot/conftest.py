@@ -25,6 +25,9 @@ def built() -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     with FileLock(folder / "module.lock"):
         shutil.copyfile(found.path, folder / found.path.name)
+        page = found.path.with_name(TARGETS[PAGE].file)
+        if page.is_file():
+            shutil.copyfile(page, folder / page.name)
         missing = [name for name in (WASM, PAGE) if not (folder / TARGETS[name].file).is_file()]
         build(missing, folder)
     return folder
