@@ -1,0 +1,17 @@
+"""
+Where is there steady symmetric rocking?
+========================================
+
+Below the solid curve no motion with one impact a half cycle exists (4); above it there are two (3,
+1), and above the dotted curve one (2). The dashed curve is where the first of them changes from in
+phase to out of phase with the shaking. Above the red curve it is unstable; above the chained curve
+the border of the states that fall is fractal. See :doc:`/theory/steady`.
+"""
+
+import numpy as np
+
+import rocksteady as rs
+
+ratios = np.linspace(0.1, 12.0, 600)
+ax = rs.plot_regions(rs.compute_region_map(ratios, 0.5), top=6.0, key="beside")
+ax.set_title("Symmetric steady rocking, restitution 0.5")
