@@ -1,7 +1,7 @@
 """Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.
 
-This is the flat public namespace. Its stub, `__init__.pyi`, says where each name is defined; a name
-is imported when it is first used, so that ``import rocksteady`` loads no compiled code.
+This is the flat public namespace. Its stub, `__init__.pyi`, lists where each name is defined; a
+name is imported when it is first used, so that ``import rocksteady`` loads no compiled code.
 """
 
 import lazy_loader
@@ -13,7 +13,7 @@ __version__ = "0.1.0"
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
-# Results lie below the pictures; the namespace, which knows both, connects them.
+# Results lie below the pictures; the namespace, which imports both, connects them.
 use_plots(
     {
         "Attractor": "plot_section",

@@ -69,7 +69,7 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
     Raises
     ------
     OSError
-        If it cannot be written; FileExistsError if something is there that may not be replaced.
+        If it cannot be written; FileExistsError if there is a file that may not be replaced.
     """
     place = place_of(file)
     with TemporaryDirectory(prefix=PREFIX, dir=place.parent, ignore_cleanup_errors=True) as folder:

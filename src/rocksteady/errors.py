@@ -20,7 +20,7 @@ from numbers import Number
 from os import PathLike, fspath
 
 _LONGEST_VALUE = 100
-"""Characters of a value that an error line shows; of a longer one its middle is left out."""
+"""Characters of a value that an error line shows; for a longer one its middle is left out."""
 
 
 class Words(str):

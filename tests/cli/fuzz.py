@@ -249,7 +249,7 @@ def command_line(draw: random.Random, number: int) -> list[str]:
 
 
 def without(words: list[str], names: list[str]) -> list[str]:
-    """Return arguments without those of a flag; of a flag with a value both."""
+    """Return arguments without those of a flag; for a flag with a value both."""
     kept: list[str] = []
     skip = False
     for word in words:

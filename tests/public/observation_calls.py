@@ -105,5 +105,5 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         found.rows: {},
         found.record_rows: {},
         found.grid_rows: {},
-        rs.plot_back_analysis: {"found": found},
+        rs.plot_back_analysis: {"analysis": found},
     }

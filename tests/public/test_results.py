@@ -4,10 +4,15 @@ import contextlib
 from collections.abc import Callable
 from typing import Any
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray as xr
+from matplotlib.axes import Axes
 
 import rocksteady as rs
+from rocksteady.results import result as results
+from rocksteady.results.gridded import describers, kind_of
 from rocksteady.results.result import Result
 from tests.public.things import things
 
@@ -103,3 +108,53 @@ def test_all_neighbours_are_listed(made: dict[str, Any]) -> None:
     text = made["neighbours"].summary()
     assert "more rows" not in text
     assert text.count("at-rest") + text.count("overturned") == 26 + 1
+
+
+@pytest.fixture(scope="module", name="drawable")
+def _drawable(made: dict[str, Any]) -> dict[str, Any]:
+    """One result of each kind of which there is a picture."""
+    drawable: dict[str, Any] = {
+        type(each).__name__: each for each in made.values() if isinstance(each, Result)
+    }
+    grids = [each for each in made.values() if isinstance(each, xr.Dataset)]
+    drawable |= {kind_of(each): each for each in grids if kind_of(each)}
+    drawable["rocking spectrum"] = made["spectrum"]  # of one record, as a picture is
+    block, motion = (
+        rs.DimensionlessBlock(restitution=0.87),
+        rs.Harmonic(amplitude=3.0, frequency_ratio=4.2),
+    )
+    drawable["fate map"] = rs.map_fates(
+        block, motion, axes={"phase": [0.0, 3.0], "velocity": [0.0, 0.5]}, cycles=5
+    )
+    search = rs.CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
+    curves = rs.find_bifurcation_curves(
+        block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=search
+    )
+    drawable["BifurcationCurve"] = curves.curves[0]
+    return drawable
+
+
+@pytest.mark.parametrize("kind", sorted(results._plots))
+def test_every_result_of_which_there_is_a_picture_draws_it_without_an_argument(
+    kind: str, drawable: dict[str, Any]
+) -> None:
+    thing = drawable[kind]
+    axes = thing.rocksteady.plot() if kind in describers else thing.plot()
+    try:
+        assert isinstance(axes, Axes)
+        assert axes.has_data()
+        assert axes.get_xlabel()
+        axes.figure.canvas.draw()
+    finally:
+        plt.close("all")
+
+
+def test_one_response_curve_is_drawn_as_a_list_of_one_is(made: dict[str, Any]) -> None:
+    drawn = [rs.plot_response(each) for each in (made["curve"], [made["curve"]])]
+    try:
+        one, other = ([np.asarray(line.get_ydata()) for line in axes.lines] for axes in drawn)
+        assert len(one) == len(other) > 1
+        for here, there in zip(one, other, strict=True):
+            np.testing.assert_array_equal(here, there)
+    finally:
+        plt.close("all")

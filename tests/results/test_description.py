@@ -58,6 +58,15 @@ def test_text_has_what_people_read_in_80_columns() -> None:
     assert max(map(len, text.splitlines())) <= 80
 
 
+def test_text_is_returned_and_plain_in_a_notebook_and_where_colours_are_forced(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    text = Thing().summary()
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setattr("rich.console._is_jupyter", lambda: True)  # what rich asks in a kernel
+    assert Thing().summary() == text != ""
+
+
 def test_no_name_of_others_controls_a_terminal_or_ends_a_line() -> None:
     name = "a\nb\x1b[2J\u202e"
     table = Table("rows", [{"name": name}], (Column("name", name),), title=name)
@@ -161,3 +170,14 @@ def test_a_table_that_is_too_wide_wraps_words_and_keeps_every_number() -> None:
     assert "…" not in text
     assert text.count("symmetry") == 3
     assert max(map(len, text.splitlines())) <= 80
+
+
+def test_a_summary_is_the_same_text_in_a_notebook_and_with_forced_colours(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    shown = Thing().summary()
+    assert shown
+    # Rich asks this to find out whether it runs in Jupyter, where it would print into the page.
+    monkeypatch.setattr("rich.console._is_jupyter", lambda: True)
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    assert Thing().summary() == shown

@@ -147,7 +147,7 @@ def run(arguments: list[str]) -> int:
         return 0 if isinstance(leaving.__context__, BrokenPipeError) else _code(leaving.code)
     except (OSError, MemoryError, UnicodeError) as error:
         return _surroundings_error(error)
-    except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
+    except Exception as error:  # noqa: BLE001 -- the last line of defence: reported with its code
         return _internal_error(error)
     terminal.say_notes()
     return _interrupted() if code == INTERRUPTED else _code(code)
@@ -220,7 +220,7 @@ def _code(result: object) -> int:
 
 def _usage_error(error: TyperException, arguments: list[str]) -> int:
     """Report what typer found wrong with the command line, with where to look next."""
-    if not error.format_message():  # help was asked for and has been shown
+    if not error.format_message():  # help has been shown
         return 0
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else _command_of(arguments)
@@ -238,7 +238,7 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
 
 
 def _command_of(arguments: list[str]) -> str:
-    """Return the command that arguments call, where the error does not say it."""
+    """Return the command that arguments call, where the error does not name it."""
     known = getattr(_program(), "commands", {})
     words = ["rocksteady", *(each for each in arguments[:1] if each in known)]
     return " ".join(words)
@@ -246,14 +246,14 @@ def _command_of(arguments: list[str]) -> str:
 
 def _given(options: list[str], arguments: list[str]) -> list[str]:
     """Return the values that followed one of the options, which typer's messages leave out."""
-    found = []
+    flags = []
     for position, argument in enumerate(arguments):
         option, equals, value = argument.partition("=")
         if option in options and equals:
-            found.append(value)
+            flags.append(value)
         elif option in options and position + 1 < len(arguments):
-            found.append(arguments[position + 1])
-    return found
+            flags.append(arguments[position + 1])
+    return flags
 
 
 def _warn(
@@ -264,7 +264,7 @@ def _warn(
     file: TextIO | None = None,  # noqa: ARG001
     line: str | None = None,  # noqa: ARG001
 ) -> None:
-    """Say on standard error what a user should know, without where in the code it was said."""
+    """Say on standard error what a user should know, without the place in the code."""
     if not terminal.received:  # what a signal has cut short warns of being cut short
         terminal.say(str(message))
 

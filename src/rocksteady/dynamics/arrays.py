@@ -60,7 +60,7 @@ def validated_grid(
             "the arguments must broadcast against each other",
             "give arrays of one shape, or add axes with [:, np.newaxis]",
         ) from None
-    # Copies, so that the kernels see one type of array: read-only ones would be compiled for anew.
+    # Copies, so that the kernels see one type of array: read-only ones would be compiled for again.
     a, w, r = (
         np.array(np.broadcast_to(array, shape), order="C")
         for array in (amplitudes, ratios, restitutions)

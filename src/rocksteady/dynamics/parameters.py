@@ -56,9 +56,9 @@ TWICE = (
     {"amplitude", "acceleration_m_s2"},
     {"frequency_ratio", "frequency_hz"},
     {"radius", "p"},
-    *({side, other} for side in ("width", "height") for other in ("alpha", "radius", "p")),
+    *({side, measure} for side in ("width", "height") for measure in ("alpha", "radius", "p")),
 )
-"""Pairs that say one thing in two ways."""
+"""Pairs that set one thing in two ways."""
 
 
 def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str, ...]:
@@ -76,7 +76,7 @@ def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str,
     InputError
         If there is no axis, or a name is not in `AXES`.
     ModelError
-        If two of all these names say one thing in two ways.
+        If two of all these names set one thing in two ways.
 
     Examples
     --------
@@ -102,7 +102,7 @@ def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str,
             raise ModelError(
                 "axes",
                 Words(f"hold both {pair[0]} and {pair[1]}"),
-                "they say one thing in two ways",
+                "they set one thing in two ways",
                 f"leave {pair[0]} or {pair[1]} out",
             )
     return moved

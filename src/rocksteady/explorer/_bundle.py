@@ -32,9 +32,9 @@ def script(entry: Path = ENTRY) -> str:
     texts = []
     for path, text in modules.items():
 
-        def taken(found: re.Match[str], folder: Path = path.parent) -> str:
-            names = " ".join(found[1].split()).rstrip(",")
-            return f"const {{ {names} }} = $[{numbers[(folder / found[2]).resolve()]}];\n"
+        def taken(match: re.Match[str], folder: Path = path.parent) -> str:
+            names = " ".join(match[1].split()).rstrip(",")
+            return f"const {{ {names} }} = $[{numbers[(folder / match[2]).resolve()]}];\n"
 
         given = ", ".join(name for _, name in _EXPORT.findall(text))
         code = _COMMENT.sub("", _EXPORT.sub(r"\1", _IMPORT.sub(taken, text)))
@@ -51,20 +51,20 @@ def script(entry: Path = ENTRY) -> str:
 
 def joined(entry: Path) -> dict[Path, str]:
     """Return the texts of a module and its imports, in the order in which they must run."""
-    found: dict[Path, str] = {}
+    modules: dict[Path, str] = {}
     above: list[Path] = []
 
     def visit(path: Path) -> None:
         if path in above:
             circle = " -> ".join(each.name for each in (*above[above.index(path) :], path))
             raise PartError(f"modules import each other in a circle: {circle}")
-        if path in found:
+        if path in modules:
             return
         above.append(path)
         text = path.read_text(encoding="utf-8")
         for _, name in _IMPORT.findall(text):
             visit((path.parent / name).resolve())
-        found[above.pop()] = text
+        modules[above.pop()] = text
 
     visit(entry.resolve())
-    return found
+    return modules

@@ -18,10 +18,10 @@ def program() -> str:
     """
     whole = script()
     try:
-        found = (page_module().parent / NAME).read_bytes().decode("utf-8")
+        program_text = (page_module().parent / NAME).read_bytes().decode("utf-8")
     except (MissingKernelsError, OSError, ValueError):
         return whole
-    return found if found.startswith(heading(whole)) else whole
+    return program_text if program_text.startswith(heading(whole)) else whole
 
 
 def heading(whole: str) -> str:

@@ -28,11 +28,11 @@ CURVES = (
 def still_picture() -> str:
     """Return an SVG of the boundaries of the regions, for restitution 0.8."""
     ratios = np.linspace(*FREQUENCIES, POINTS)
-    found = compute_region_map(ratios, RESTITUTION)
+    regions = compute_region_map(ratios, RESTITUTION)
     across = LEFT + WIDTH * (ratios - ratios[0]) / (ratios[-1] - ratios[0])
     lines, keys = [], []
     for place, (name, words, dashes) in enumerate(CURVES):
-        path = _path(across, getattr(found, name))
+        path = _path(across, getattr(regions, name))
         look = f'fill="none" stroke="currentColor" stroke-dasharray="{dashes}"'
         lines.append(f'<path d="{path}" {look}/>')
         x, y = LEFT + 236, TOP + 50 + 18 * place

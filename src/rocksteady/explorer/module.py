@@ -58,14 +58,14 @@ def fault(path: Path, *, built: bool = False) -> str:
     Parameters
     ----------
     path
-        Of the module.
+        Path of the module.
     built
         Whether it was built on this machine, in a folder that must be private and beside its
         checksum.
     """
     try:
-        if built and (found := make_built_folder()) is not None:
-            return found
+        if built and (folder := make_built_folder()) is not None:
+            return folder
         content = path.read_bytes()
         expected = checksum_file(path).read_text("ascii").split()[:1] if built else None
     except (OSError, ValueError) as error:
@@ -84,13 +84,13 @@ def prune() -> None:
 
     `rocksteady.kernels.machine_code` removes libraries that have not been used for long.
     """
-    own = built_folder()
+    current = built_folder()
     if make_built_folder() is not None:
         return
-    for folder in own.parents[1].glob(f"{'[0-9a-f]' * 16}/{own.name}"):
+    for folder in current.parents[1].glob(f"{'[0-9a-f]' * 16}/{current.name}"):
         with suppress(OSError):
             files = list(folder.iterdir())
-            if folder != own and all(file.name.startswith("explorer.") for file in files):
+            if folder != current and all(file.name.startswith("explorer.") for file in files):
                 for file in files:
                     file.unlink()
                 folder.rmdir()

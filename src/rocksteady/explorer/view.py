@@ -225,7 +225,7 @@ def _check_model(model: Model, block: Block | DimensionlessBlock | None) -> None
 
 
 def _start_text(start: Start | None) -> str:
-    """Return a start as the link of the page has it."""
+    """Return a start as in the link of the page."""
     if start is None or isinstance(start, Rest):
         return "rest"
     if isinstance(start, Steady):

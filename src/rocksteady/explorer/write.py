@@ -81,4 +81,4 @@ def check_ending(name: str, file: Path) -> None:
         If its ending is another one.
     """
     if file.suffix.lower() not in ENDINGS:
-        raise OutputError(name, file, "browsers know a page by its ending, .html", "rename it")
+        raise OutputError(name, file, "browsers need the extension .html", "rename it")

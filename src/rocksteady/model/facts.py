@@ -12,9 +12,10 @@ AnyBlock = Block | DimensionlessBlock
 
 
 def block_values(block: Block) -> dict[str, Any]:
-    """Return a block's measures in SI; of one whose sides differ those of both.
+    """Return a block's measures in SI; for one whose sides differ those of both.
 
-    Of a block against a wall those of the side on which it rocks, with the restitution of the wall.
+    For a block against a wall those of the side on which it rocks, with the restitution of the
+    wall.
     """
     positive, negative = (
         {
@@ -32,12 +33,12 @@ def block_values(block: Block) -> dict[str, Any]:
         if block.positive == block.negative:
             return positive
     distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
-    found = {**positive, **distances, "height_m": block.height}
-    return found if block.one_sided else {**found, "negative": negative}
+    values = {**positive, **distances, "height_m": block.height}
+    return values if block.one_sided else {**values, "negative": negative}
 
 
 def restitution_values(block: AnyBlock) -> dict[str, Any]:
-    """Return the restitution, or that of either impact where they differ; of a wall, its own."""
+    """Return the restitution, or that of either impact where they differ; for a wall, its own."""
     bare = block.dimensionless()
     if bare.one_sided:
         return {"restitution": bare.restitution, "one_sided": True}

@@ -38,7 +38,7 @@ class RecordSet(Result):
     vertical
         The vertical channel, where there is one.
     other
-        Channels whose direction the files do not tell.
+        Channels whose direction the files do not state.
     warnings
         What keeps them from being used together as they are, a sentence each; differences of
         event, station, interval, length, start and direction are found here.
@@ -52,18 +52,18 @@ class RecordSet(Result):
 
     def __post_init__(self) -> None:
         """Add what differs between the channels to the warnings."""
-        found = dict.fromkeys((*_doubts(self.recordings), *self._misplaced(), *self.warnings))
-        object.__setattr__(self, "warnings", tuple(found))
+        warnings = dict.fromkeys((*_doubts(self.recordings), *self._misplaced(), *self.warnings))
+        object.__setattr__(self, "warnings", tuple(warnings))
 
     def _misplaced(self) -> tuple[str, ...]:
         """Return a sentence on each channel whose direction is not that of its place."""
-        places = [(one, "horizontal") for one in self.horizontal]
+        places = [(recording, "horizontal") for recording in self.horizontal]
         places += [] if self.vertical is None else [(self.vertical, "vertical")]
         return tuple(
-            f"{one.path.name}{f' ({one.component})' if one.component else ''} is "
-            f"{one.orientation}, in the place of a {place} channel"
-            for one, place in places
-            if one.orientation not in {None, place}
+            f"{recording.path.name}{f' ({recording.component})' if recording.component else ''} is "
+            f"{recording.orientation}, in the place of a {place} channel"
+            for recording, place in places
+            if recording.orientation not in {None, place}
         )
 
     @property
@@ -149,7 +149,7 @@ class RecordSet(Result):
                 "method", method, "it must be a way of making lengths equal", "use trim or pad"
             )
         channels = self.recordings
-        intervals = sorted({one.record.dt_s for one in channels})
+        intervals = sorted({recording.record.dt_s for recording in channels})
         if len(intervals) > 1:
             raise InputError(
                 "dt_s",
@@ -159,8 +159,8 @@ class RecordSet(Result):
             )
         shifts = _shifts(channels)
         ends = [
-            shift + len(one.record.acceleration_m_s2)
-            for shift, one in zip(shifts, channels, strict=True)
+            shift + len(recording.record.acceleration_m_s2)
+            for shift, recording in zip(shifts, channels, strict=True)
         ]
         first, last = (max(shifts), min(ends)) if method == "trim" else (min(shifts), max(ends))
         if last - first < 2:
@@ -171,8 +171,8 @@ class RecordSet(Result):
                 "see whether they are of one earthquake, or pad",
             )
         moved = [
-            _cut(one, first - shift, last - shift)
-            for shift, one in zip(shifts, channels, strict=True)
+            _cut(recording, first - shift, last - shift)
+            for shift, recording in zip(shifts, channels, strict=True)
         ]
         count = len(self.horizontal)
         vertical = None if self.vertical is None else moved[count]
@@ -194,7 +194,7 @@ def pair_records(
     r"""Read files and group their channels by station and earthquake.
 
     Channels belong together where their files name the same station and event, or the same station
-    and start; else where the names of the files are alike but for their ends (``CHY012-N``,
+    and start; else where the names of the files are alike except for their ends (``CHY012-N``,
     ``CHY012-W``). Nothing is cut, padded or shifted: see `RecordSet.aligned`.
 
     Parameters
@@ -229,7 +229,7 @@ def pair_records(
     for path in paths:
         for recording in read_recordings(path, units=units, dt_s=dt_s):
             groups.setdefault(_key(recording), []).append(recording)
-    return tuple(_set(key, found) for key, found in groups.items())
+    return tuple(_set(key, recordings) for key, recordings in groups.items())
 
 
 def pair_doubts(horizontal: Recording, vertical: Recording) -> tuple[str, ...]:
@@ -259,12 +259,14 @@ def _key(recording: Recording) -> tuple[str, ...]:
     return (shorter or stem,)
 
 
-def _set(key: tuple[str, ...], found: list[Recording]) -> RecordSet:
+def _set(key: tuple[str, ...], recordings: list[Recording]) -> RecordSet:
     """Return the set of channels that belong together."""
-    found = [_directed(one) for one in found]
-    vertical = [one for one in found if one.orientation == "vertical"]
-    horizontal = tuple(one for one in found if one.orientation == "horizontal")
-    unknown = tuple(one for one in found if one.orientation is None)
+    recordings = [_directed(recording) for recording in recordings]
+    vertical = [recording for recording in recordings if recording.orientation == "vertical"]
+    horizontal = tuple(
+        recording for recording in recordings if recording.orientation == "horizontal"
+    )
+    unknown = tuple(recording for recording in recordings if recording.orientation is None)
     doubts: tuple[str, ...] = ()
     if len(vertical) > 1:
         doubts = (*doubts, f"{len(vertical)} vertical channels: the first is taken")
@@ -292,39 +294,39 @@ def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:
     """Return a sentence on everything that differs between channels to be used together."""
     doubts = []
     for name, stated in (
-        ("events", [one.event for one in channels]),
-        ("stations", [one.station for one in channels]),
+        ("events", [recording.event for recording in channels]),
+        ("stations", [recording.station for recording in channels]),
     ):
         unlike = {" ".join(words.lower().split()): words for words in stated if words}
         if len(unlike) > 1:
             doubts.append(f"{name} {' and '.join(map(repr, unlike.values()))}")
-    intervals = sorted({one.record.dt_s for one in channels})
+    intervals = sorted({recording.record.dt_s for recording in channels})
     if len(intervals) > 1:
         doubts.append(f"intervals of {', '.join(f'{value:g}' for value in intervals)} s")
-    lengths = sorted({len(one.record.acceleration_m_s2) for one in channels})
+    lengths = sorted({len(recording.record.acceleration_m_s2) for recording in channels})
     if len(lengths) > 1:
         doubts.append(f"lengths of {', '.join(map(str, lengths))} samples")
-    starts = {one.start_time for one in channels if one.start_time is not None}
+    starts = {recording.start_time for recording in channels if recording.start_time is not None}
     if len(starts) > 1:
         apart = (max(starts) - min(starts)).total_seconds()
         doubts.append(f"starts up to {apart:g} s apart")
-    across = [one for one in channels if one.orientation == "horizontal"]
-    azimuths = [one.azimuth_deg for one in across if one.azimuth_deg is not None]
-    both = len(azimuths) == len(across) == 2
-    if both and abs(abs((azimuths[0] - azimuths[1]) % 180.0 - 90.0)) > _SQUARE:
+    across = [recording for recording in channels if recording.orientation == "horizontal"]
+    azimuths = [recording.azimuth_deg for recording in across if recording.azimuth_deg is not None]
+    complete = len(azimuths) == len(across) == 2
+    if complete and abs(abs((azimuths[0] - azimuths[1]) % 180.0 - 90.0)) > _SQUARE:
         doubts.append(f"azimuths {azimuths[0]:g} and {azimuths[1]:g} deg, not at right angles")
     return tuple(doubts)
 
 
 def _shifts(channels: tuple[Recording, ...]) -> list[int]:
     """Return by how many samples each channel begins after the first one."""
-    starts = [one.start_time for one in channels if one.start_time is not None]
+    starts = [recording.start_time for recording in channels if recording.start_time is not None]
     if len(starts) < len(channels):
         return [0] * len(channels)
     earliest = min(starts)
     return [
-        round((start - earliest).total_seconds() / one.record.dt_s)
-        for start, one in zip(starts, channels, strict=True)
+        round((start - earliest).total_seconds() / recording.record.dt_s)
+        for start, recording in zip(starts, channels, strict=True)
     ]
 
 

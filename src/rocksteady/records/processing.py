@@ -37,7 +37,7 @@ def correct_baseline(recording: Recording, baseline: str) -> Recording:
     Returns
     -------
     Recording
-        Its `processing` says what has been taken off.
+        Its `processing` names what has been taken off.
 
     Raises
     ------

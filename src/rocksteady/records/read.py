@@ -30,7 +30,7 @@ _READERS: Final[tuple[tuple[tuple[str, ...], Recogniser, Reader], ...]] = (
     ((peer.FORMAT,), peer.recognises, peer.read),
     ((columns.CSV, columns.COLUMNS), columns.recognises, columns.read),
 )
-"""Formats of text, in the order of trial: short names, what tells them, what reads them."""
+"""Formats of text, in the order of trial: short names, recognisers and readers."""
 
 FORMATS: Final = (
     *(name for names, _, _ in _READERS for name in names),
@@ -64,7 +64,7 @@ def read_recordings(
     dt_s
         Interval between its samples [s], where it does not state it, or states it wrongly.
     column
-        Of a table: the column with the acceleration, by its number from 1 or its name.
+        For a table: the column with the acceleration, by its number from 1 or its name.
     resample
         Whether a table whose times are unevenly spaced may be interpolated to even ones.
 
@@ -99,9 +99,9 @@ def read_recordings(
     data = file_bytes(file)
     # What overflows is refused when the record is made.
     with np.errstate(all="ignore"):
-        found = _found(file, data, format, given)
-    if found is not None:
-        return _told_apart(found)
+        recordings = _found(file, data, format, given)
+    if recordings is not None:
+        return _told_apart(recordings)
     raise RecordFileError(
         path=file,
         valid="it is in no format that can be read",
@@ -142,7 +142,7 @@ def read_record(
     RecordFileError
         As for `read_recordings`.
     InputError
-        If the file holds several channels and none is chosen, or not the one that is.
+        If the file holds several channels and none is chosen, or the file has no such channel.
 
     Examples
     --------
@@ -188,11 +188,11 @@ def _refuse_damaged(text: RecordText) -> None:
     RecordFileError
         As above.
     """
-    found = network_of(text)
-    if found is not None:
-        valid = f"it is a line of {found[0]}'s header, and the rest of that header is damaged"
-        hint = "fetch the file anew, or give format columns where it is a table of its own"
-        raise text.error(valid, hint, at=found[1])
+    network = network_of(text)
+    if network is not None:
+        valid = f"it is a line of {network[0]}'s header, and the rest of that header is damaged"
+        hint = "fetch the file again, or give format columns where it is a table of its own"
+        raise text.error(valid, hint, at=network[1])
 
 
 def _told_apart(recordings: tuple[Recording, ...]) -> tuple[Recording, ...]:
@@ -201,12 +201,13 @@ def _told_apart(recordings: tuple[Recording, ...]) -> tuple[Recording, ...]:
         return recordings
     return tuple(
         replace(
-            one,
+            recording,
             record=replace(
-                one.record, name=f"{one.record.name} {one.component or f'channel {position}'}"
+                recording.record,
+                name=f"{recording.record.name} {recording.component or f'channel {position}'}",
             ),
         )
-        for position, one in enumerate(recordings, 1)
+        for position, recording in enumerate(recordings, 1)
     )
 
 
@@ -233,7 +234,11 @@ def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Reco
         )
     wanted = str(channel).strip().lower()
     if isinstance(channel, str):
-        named = [one for one in recordings if (one.component or "").strip().lower() == wanted]
+        named = [
+            recording
+            for recording in recordings
+            if (recording.component or "").strip().lower() == wanted
+        ]
         if len(named) == 1:
             return named[0]
     if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= len(recordings):

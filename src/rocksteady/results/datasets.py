@@ -11,16 +11,17 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, kw_only=True)
 class ColumnWords:
-    """What a dataset says of a column of rows.
+    """Attributes of a dataset for a column of rows.
 
     Attributes
     ----------
     long_name, units
-        Of the variable; units "1" of what has none, "" where units have no meaning.
+        Name and unit of the variable; "1" for a number without a unit, "" where units have no
+        meaning.
     flags
         The words that the column may hold, in the order of their codes 0, 1, ...
     missing
-        What stands for None among whole numbers; of others nan does.
+        What stands for None among whole numbers; for others nan does.
     """
 
     long_name: str
@@ -31,13 +32,13 @@ class ColumnWords:
     @property
     def attributes(self) -> dict[str, Any]:
         """The attributes of the variable, flags as in the CF conventions."""
-        found: dict[str, Any] = {"long_name": self.long_name}
+        attributes: dict[str, Any] = {"long_name": self.long_name}
         if self.flags:
             codes = np.arange(len(self.flags), dtype=np.int8)
-            return found | {"flag_values": codes, "flag_meanings": " ".join(self.flags)}
+            return attributes | {"flag_values": codes, "flag_meanings": " ".join(self.flags)}
         if self.missing is not None:
-            found["missing"] = self.missing
-        return found | ({"units": self.units} if self.units else {})
+            attributes["missing"] = self.missing
+        return attributes | ({"units": self.units} if self.units else {})
 
 
 Variable = tuple[tuple[str, ...], NDArray[Any], dict[str, Any]]

@@ -63,7 +63,7 @@ class Table:
     Attributes
     ----------
     key
-        Of the list of rows in the JSON object; empty for what people alone read.
+        Key of the list of rows in the JSON object; empty for what people alone read.
     rows
         Each a mapping of plain values.
     columns
@@ -107,7 +107,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Description:
-    """All that a result says of itself.
+    """Description of a result.
 
     Attributes
     ----------

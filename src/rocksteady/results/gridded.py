@@ -1,4 +1,4 @@
-"""Kinds of gridded results, told by their variables, and the modules that describe them."""
+"""Kinds of gridded results, recognised by their variables, and the modules that describe them."""
 
 import importlib
 from collections.abc import Collection, Mapping
@@ -17,8 +17,8 @@ describers: dict[str, tuple[frozenset[str], str]] = {}
 def use_describers(kinds: Mapping[str, tuple[Collection[str], str]]) -> None:
     """Decide which module describes which kind of dataset.
 
-    Datasets are made below the modules that know what they mean, so that the package's namespace,
-    which knows both, connects them.
+    Datasets are made below the modules that describe them, so that the package's namespace, which
+    imports both, connects them.
 
     Parameters
     ----------
@@ -40,5 +40,5 @@ def described(dataset: "xr.Dataset") -> Description | None:
     kind = kind_of(dataset)
     if not kind:
         return None
-    found: Description = importlib.import_module(describers[kind][1]).describe(dataset)
-    return found
+    description: Description = importlib.import_module(describers[kind][1]).describe(dataset)
+    return description

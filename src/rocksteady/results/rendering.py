@@ -50,7 +50,7 @@ def print_description(description: Description, console: "Console") -> None:
     description
         What is printed.
     console
-        Of rich: of a terminal, or of a text in memory.
+        Console of rich: of a terminal, or of a text in memory.
     """
     width = min(console.width, WIDTH)
     console.print(_filled(printable(description.headline), width), style="bold")
@@ -87,7 +87,17 @@ def as_text(description: Description) -> str:
     from rich.console import Console
 
     stream = io.StringIO()
-    plain = Console(file=stream, width=WIDTH, highlight=False, markup=False, emoji=False)
+    # Rich writes to the page of a notebook, not to the file, and FORCE_COLOR adds codes.
+    plain = Console(
+        file=stream,
+        width=WIDTH,
+        force_jupyter=False,
+        force_terminal=False,
+        color_system=None,
+        highlight=False,
+        markup=False,
+        emoji=False,
+    )
     print_description(description, plain)
     return "\n".join(line.rstrip() for line in stream.getvalue().splitlines())
 

@@ -53,7 +53,7 @@ class Result(ABC):
 def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:
     """Decide which public function plots which kind of result.
 
-    Results lie below the plots, so that the package's namespace, which knows both, connects them.
+    Results lie below the plots, so that the package's namespace, which imports both, connects them.
 
     Parameters
     ----------

@@ -84,14 +84,14 @@ def picture(
     phone: bool = True,
     page: Page = SCREEN,
 ) -> dict[str, str]:
-    """Return a picture across the page, drawn anew for a phone or not, with its words.
+    """Return a picture across the page, drawn again for a phone or not, with its words.
 
     Parameters
     ----------
     draw
         Draws on the axes that it is given.
     height
-        Of the figure [inches].
+        Height of the figure [inches].
     words
         What it shows, for those who do not see it.
     phone
@@ -99,12 +99,12 @@ def picture(
     page
         Width and legend where there is room; default the width of the page.
     """
-    found = {"alt": words}
+    sources = {"alt": words}
     for name, each in (("source", page), *([("narrow", PHONE)] if phone else [])):
         with each.figure(WIDTH, height, "") as figure:
             draw(figure.add_subplot())
-        found[name] = picture_address(figure)
-    return {"narrow": found["source"], **found}
+        sources[name] = picture_address(figure)
+    return {"narrow": sources["source"], **sources}
 
 
 def picture_address(figure: "Figure") -> str:
@@ -122,9 +122,9 @@ def prose(text: str) -> str:
     >>> prose("at A = 2").split(" ")  # no line breaks inside the equation
     ['at', 'A\xa0=\xa02']
     """
-    text = re.sub(r"(?<=\d)e([+-]?\d+)\b", lambda found: f"·10^{int(found[1])}", text)
+    text = re.sub(r"(?<=\d)e([+-]?\d+)\b", lambda match: f"·10^{int(match[1])}", text)
     text = re.sub(r"(?<![\d.])1·10\^", "10^", text)
-    text = re.sub(r"\b10\^(-?\d+)", lambda found: "10" + found[1].translate(RAISED), text)
+    text = re.sub(r"\b10\^(-?\d+)", lambda match: "10" + match[1].translate(RAISED), text)
     text = re.sub(r"(?<![\w.,)\]-])-(?=\.?\d)", "−", text)
     text = re.sub(r"(?<=\d) (?=%)", "\N{NO-BREAK SPACE}", text)
     return re.sub(r"(?<=\S) ([=<>≤≥≈]) (?=\S)", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text)
@@ -145,9 +145,9 @@ def indexed(text: str) -> "Markup":
     return Markup(lowered.replace("\N{SUBSCRIPT ZERO}", "<sub>0</sub>"))
 
 
-def _lowered(found: "re.Match[str]") -> str:
+def _lowered(match: "re.Match[str]") -> str:
     """Return a symbol with its index lowered."""
-    letter, index = [each for each in found.groups() if each]
+    letter, index = [each for each in match.groups() if each]
     return f"{letter}<sub>{index}</sub>"
 
 
@@ -163,7 +163,7 @@ def anchor(text: str) -> str:
 
 
 def duration(seconds: float) -> str:
-    """Return a time as one says it.
+    """Return a time in words.
 
     Examples
     --------

@@ -26,18 +26,18 @@ class Parts:
     Parameters
     ----------
     folder
-        Of the study.
+        Folder of the study.
     inputs
         All that its results follow from, in numbers and texts.
     resume
-        Whether parts that are there, of the same inputs, are used.
+        Whether existing parts, of the same inputs, are used.
     force
-        Whether parts that are there are removed.
+        Whether existing parts are removed.
 
     Raises
     ------
     OutputError
-        If parts are there and neither is given, or they are those of other inputs.
+        If parts exist and neither is given, or they are those of other inputs.
     """
 
     def __init__(
@@ -51,13 +51,13 @@ class Parts:
         self.study = Path(folder)
         self.folder = self.study / FOLDER
         self._text = json_text(SCHEMA, {"version": __version__, **inputs}) + "\n"
-        there = self._there()
-        foreign = self._foreign(described=there is not None)
+        existing = self._there()
+        foreign = self._foreign(described=existing is not None)
         if foreign:
             raise self._refused(
                 f"no study wrote {foreign[0]} in it", "move that, or name another folder"
             )
-        if there is None:
+        if existing is None:
             return
         if force and not resume:
             self.remove()
@@ -65,14 +65,14 @@ class Parts:
         if not resume:
             raise self._refused(
                 "it holds finished parts of a study",
-                "add --resume to continue it, or --force to begin anew",
+                "add --resume to continue it, or --force to begin again",
             )
-        if there != self._text:
-            before, now = (json.loads(text) for text in (there, self._text))
+        if existing != self._text:
+            before, now = (json.loads(text) for text in (existing, self._text))
             names = sorted(name for name in {*before, *now} if before.get(name) != now.get(name))
             raise self._refused(
                 f"its finished parts are of another {' and '.join(names)}",
-                "give the same again, or add --force in place of --resume to begin anew",
+                "give the same again, or add --force in place of --resume to begin again",
             )
 
     def _refused(self, valid: str, hint: str) -> OutputError:
@@ -85,23 +85,23 @@ class Parts:
         """
         if not self.folder.is_dir():
             return []
-        found = []
+        names = []
         for path in sorted(self.folder.iterdir()):
             if not OURS.fullmatch(path.name):
                 continue  # it stays
             if not described:
-                found.append(f"{FOLDER}/{path.name}")
+                names.append(f"{FOLDER}/{path.name}")
             elif path.suffix == ".zarr":
                 inside = (
                     Store(path).foreign_files()
                     if path.is_dir() and not path.is_symlink()
                     else ["."]
                 )
-                found += [f"{FOLDER}/{path.name}/{name}" for name in inside]
-        return found
+                names += [f"{FOLDER}/{path.name}/{name}" for name in inside]
+        return names
 
     def _there(self) -> str | None:
-        """Return the description of the parts that are there; None where there are none."""
+        """Return the description of the existing parts; None without any."""
         try:
             text = (self.folder / DESCRIPTION).read_text(encoding="utf-8")
             return text if json.loads(text)["schema"] == SCHEMA else None

@@ -81,7 +81,7 @@ def evaluate(
         order, int64.  A random number that is keyed on it does not depend on who computes it: see
         `rocksteady.sweep.cases.draws.uniform`.
     attributes
-        Of the result, in finite numbers and texts: what a reader wants to know first.
+        Attributes of the result, in finite numbers and texts: what a reader wants to know first.
 
     Returns
     -------
@@ -96,9 +96,9 @@ def evaluate(
     ------
     InputError
         If an argument is not valid, or the case function does not return what it should.  An
-        exception of its own comes out as it is, with a note that says in which cells.
+        exception of its own comes out as it is, with a note of its cells.
     OutputError
-        If the store cannot be written: it is there already, another process writes it, or it holds
+        If the store cannot be written: it exists already, another process writes it, or it holds
         results of other inputs, which the message names.
     UnfinishedError
         If a store was begun and cannot be finished now: the disk is full, or a cluster is lost.
@@ -111,8 +111,8 @@ def evaluate(
     >>> grid = Grid(
     ...     axes=(Axis(name="width", values=[1, 2], units="m"), Axis(name="height", values=[3, 4]))
     ... )
-    >>> found = evaluate(area, grid, [Output(name="area", units="m2")])
-    >>> found.area.values
+    >>> result = evaluate(area, grid, [Output(name="area", units="m2")])
+    >>> result.area.values
     array([[3., 4.],
            [6., 8.]])
     """

@@ -62,7 +62,7 @@ def refined(
         Names of the integer outputs that make a class.
     coarse
         Spacing of the first lattice in cells, a power of two: the first and the last cell along
-        each axis, and every so many between them.
+        each axis, and multiples of the spacing between them.
 
     Returns
     -------
@@ -84,9 +84,9 @@ def refined(
     ...     return {"inside": (x**2 + y**2 < 1.0).astype(np.int8)}
     >>> axes = tuple(Axis(name=name, values=np.linspace(0.0, 2.0, 129)) for name in "xy")
     >>> output = Output(name="inside", dtype=np.int8)
-    >>> found = refined(inside, Grid(axes=axes), [output], classes=["inside"], coarse=8)
+    >>> result = refined(inside, Grid(axes=axes), [output], classes=["inside"], coarse=8)
     >>> whole = evaluate(inside, Grid(axes=axes), [output])
-    >>> bool((found.inside == whole.inside).all()), f"{float(found.met.mean()):.2f}"
+    >>> bool((result.inside == whole.inside).all()), f"{float(result.met.mean()):.2f}"
     (True, '0.07')
     """
     given = (run or Run()).in_memory("a store holds every cell of its grid")
@@ -95,7 +95,7 @@ def refined(
     spacing = _spacing(coarse)
     within("50 million", grid, MOST_CELLS, hint="take fewer points")
     task = Task(cases=cases, grid=grid, outputs=wanted, numbered=None, batch=batch)
-    said = attributes_of(inputs_of(task), {**(attributes or {}), "coarse": spacing})
+    attributes_given = attributes_of(inputs_of(task), {**(attributes or {}), "coarse": spacing})
     arrays = {output.name: np.full(grid.size, output.nothing, output.dtype) for output in wanted}
     met: Bools = np.zeros(grid.size, dtype=np.bool_)
     tell = _told_once(given.progress)
@@ -104,7 +104,7 @@ def refined(
     def compute(numbers: Integers) -> None:
         if not numbers.size:
             return
-        found = evaluate(
+        dataset = evaluate(
             functools.partial(_numbered, cases=cases, grid=grid),
             Grid(axes=(Axis(name="number", values=numbers),)),
             wanted,
@@ -112,7 +112,7 @@ def refined(
             batch=batch,
         )
         for name, array in arrays.items():
-            array[numbers] = found[name].values
+            array[numbers] = dataset[name].values
         met[numbers] = True
 
     lattice = _lattice(grid.shape, spacing)
@@ -130,7 +130,7 @@ def refined(
         if tell is not None:
             tell(int(taken.sum()))
         lattice = finer
-    return labelled(grid, (*wanted, MET), {**arrays, MET.name: met}, said)
+    return labelled(grid, (*wanted, MET), {**arrays, MET.name: met}, attributes_given)
 
 
 def _numbered(number: NDArray[np.float64], *, cases: Cases, grid: Grid) -> Mapping[str, Array]:
@@ -171,7 +171,7 @@ def _compared(
         np.searchsorted(old, new, side="right") - 1 for old, new in zip(lattice, finer, strict=True)
     ]
     same = [old[at] == new for old, new, at in zip(lattice, finer, below, strict=True)]
-    above = [at + ~there for at, there in zip(below, same, strict=True)]
+    above = [at + ~halved for at, halved in zip(below, same, strict=True)]
     near = np.zeros([len(new) for new in finer], dtype=np.bool_)
     for corner in product(*zip(below, above, strict=True)):
         near |= mixed[np.ix_(*corner)]
@@ -181,7 +181,7 @@ def _compared(
 
 
 def _told_once(progress: Progress | None) -> Progress | None:
-    """Return what several sweeps tell their progress as if they were one."""
+    """Return a progress callback that counts several sweeps as one."""
     begun = False
 
     def told(cells: int) -> None:

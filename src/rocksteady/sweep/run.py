@@ -10,7 +10,7 @@ from rocksteady.sweep.executors.choice import validated_executor, validated_work
 from rocksteady.sweep.store.store import Store
 
 Progress = Callable[[int], object]
-"""Called in the calling thread: once with the number of cells that are there already, when the
+"""Called in the calling thread: once with the number of cells that are done already, when the
 first of the others is about to be computed; then with the number of those just finished.  The last
 call comes when everything is kept, in a store on disk."""
 
@@ -34,7 +34,7 @@ class Run:
         Folder on disk that keeps the results, chunk by chunk: a path for a new one, or a `Store`,
         which has more options.  Without one they are kept in memory.
     progress
-        Called in the calling thread, first with the number of cells that are there already, when
+        Called in the calling thread, first with the number of cells that are done already, when
         the first of the others is about to be computed; then with the number of those just
         finished.  The last call comes when all is kept.
 
@@ -48,7 +48,7 @@ class Run:
     --------
     >>> from rocksteady import DimensionlessBlock, Run, map_attractors
     >>> cells = []
-    >>> found = map_attractors(
+    >>> result = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
     ...     run=Run(executor="serial", progress=cells.append),

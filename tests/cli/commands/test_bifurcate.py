@@ -265,7 +265,7 @@ def test_the_cascade_is_the_librarys() -> None:
 def test_without_a_doubling_there_is_no_cascade_and_a_line_says_so() -> None:
     command = "bifurcate -A 1 -W 2 -r 0.3:1:20 --cascade"
     assert values_of(command)["cascade"] is None
-    assert "no cascade: no branch comes to a period doubling" in rocksteady(command).out
+    assert "no cascade: no branch has a period doubling" in rocksteady(command).out
 
 
 def test_a_cascade_cut_short_has_no_ratio() -> None:

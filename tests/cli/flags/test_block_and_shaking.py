@@ -4,7 +4,16 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, Still, named_block
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ObjectFile,
+    Pulse,
+    Still,
+    named_block,
+)
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -210,11 +219,15 @@ def test_metres_per_second_squared_are_g() -> None:
 def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
     sized: dict[str, Any] = {"width_m": "0.5", "height_m": "1.8"}
     block = BlockFlags(**sized, offset_m=0.05).described()
-    assert block == Block.asymmetric(left=0.2, right=0.3, height=1.8)
+    assert block == Block.asymmetric(left=0.3, right=0.2, height=1.8)
+    outline = {"width_m": 0.5, "height_m": 1.8, "offset_m": 0.05}
+    of_file = ObjectFile(values={"name": "statue", "geometry": outline}).block
+    assert block.positive.distance == of_file.positive.distance
+    assert block.negative.distance == of_file.negative.distance
     assert BlockFlags(**sized, offset_m=0.0).described() == Block.rectangle(width=0.5, height=1.8)
     low = BlockFlags(**sized, offset_m=-0.05, mass_centre_height_m=0.7).described()
     assert isinstance(low, Block)
-    assert (low.positive.distance, low.negative.distance) == pytest.approx((0.3, 0.2))
+    assert (low.positive.distance, low.negative.distance) == pytest.approx((0.2, 0.3))
     assert low.height == pytest.approx(1.4)
     for side in (low.positive, low.negative):  # I_c of the homogeneous outline
         square = low.gravity * side.radius / side.p**2 - side.radius**2

@@ -133,8 +133,8 @@ def test_what_a_command_reads_is_not_written_over(tmp_path: Path) -> None:
     [
         ({"speed": 2.0}, "without --animate it has no meaning"),
         ({"speed": 0.0, "animate": "a.gif"}, "speed = 0"),
-        ({"animate": "a.mp4"}, "the ending says the format: .gif"),
-        ({"animate": "a.csv"}, "the ending says the format: .gif"),
+        ({"animate": "a.mp4"}, "the extension sets the format: .gif"),
+        ({"animate": "a.csv"}, "the extension sets the format: .gif"),
         ({"animate": "there.gif"}, "--force"),
     ],
 )

@@ -67,7 +67,7 @@ def test_a_store_is_new_or_continued_or_begun_anew(tmp_path: Path) -> None:
         ({"netcdf": "a.nc"}, {"csv": "a.nc"}, "--csv writes the same file"),
         ({"out": "a.csv"}, {"csv": "a.csv"}, "--csv writes the same file"),
         ({"out": "a"}, {"plot": "a/b.png"}, "it lies in --out"),
-        ({"netcdf": "a.csv"}, {}, "the ending says the format: .nc"),
+        ({"netcdf": "a.csv"}, {}, "the extension sets the format: .nc"),
         ({"netcdf": "there.nc"}, {}, "--force"),
         ({"netcdf": "nowhere/a.nc"}, {}, "folder"),
     ],

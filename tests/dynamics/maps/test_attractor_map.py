@@ -291,7 +291,7 @@ def test_where_no_number_says_how_an_unstable_state_is_left_there_is_no_start() 
     axes = {"amplitude": [0.5, 5.0], "frequency_ratio": [0.01, 2.0]}
     found = map_attractors(BLOCK, axes=axes, start=start, max_cycles=20)
     shaking = Harmonic(amplitude=0.5, frequency_ratio=0.01)
-    with pytest.raises(ModelError, match="no number says how it is left"):
+    with pytest.raises(ModelError, match="no number determines how it is left"):
         find_attractor(BLOCK, shaking, start=start)
     for a, w in product(*axes.values()):
         cell = found.sel(amplitude=a, frequency_ratio=w)

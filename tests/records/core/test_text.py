@@ -24,7 +24,7 @@ def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> No
 def test_an_empty_file(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "empty"
     path.write_bytes(data)
-    with pytest.raises(RecordFileError, match="it is empty; fetch it anew"):
+    with pytest.raises(RecordFileError, match="it is empty; fetch it again"):
         read_recordings(path)
 
 

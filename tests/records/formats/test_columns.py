@@ -277,7 +277,7 @@ def test_an_interval_that_the_times_contradict(tmp_path: Path) -> None:
     text = csv(samples(100), 0.01)
     (told,) = read(tmp_path, text, dt_s=0.02)
     assert told.record.dt_s == 0.02
-    assert told.warnings == ("the file says 0.01 s between samples; 0.02 s are taken, as told",)
+    assert told.warnings == ("the file states 0.01 s between samples; 0.02 s are taken",)
     (finer,) = read(tmp_path, text, dt_s=0.005, resample=True)
     assert (finer.record.dt_s, len(finer.record.acceleration_m_s2)) == (0.005, 199)
     assert finer.processing == (

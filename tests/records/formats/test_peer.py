@@ -166,8 +166,8 @@ def test_units_of_the_file_those_asked_for_and_those_given(tmp_path: Path) -> No
     (found,) = read_recordings(written(tmp_path, in_cm), units="mm/s^2", dt_s=0.02)
     assert found.record.dt_s == 0.02
     assert found.warnings == (
-        "the file says cm/s^2; its numbers are taken in mm/s^2, as told",
-        "the file says 0.01 s between samples; 0.02 s are taken, as told",
+        "the file states cm/s^2; its numbers are taken in mm/s^2",
+        "the file states 0.01 s between samples; 0.02 s are taken",
     )
 
 

@@ -59,7 +59,7 @@ def test_sac(obspy: Any, tmp_path: Path, byteorder: str) -> None:
     assert found.record.dt_s == pytest.approx(0.01, rel=1e-6)
     trace.stats.sac["idep"] = 7
     trace.write(str(path), format="SAC", byteorder=byteorder)
-    with pytest.raises(RecordFileError, match="its header says velocity"):
+    with pytest.raises(RecordFileError, match="its header states velocity"):
         read_recordings(path, units="m/s^2")
 
 

@@ -16,7 +16,7 @@ from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
-from rocksteady.risk.assess._sensitivity import case_of, tornado, vary
+from rocksteady.risk.assess._sensitivity import case_of, parameter_words, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
 from rocksteady.risk.fits.two_stages import TwoStageCurve
@@ -111,7 +111,11 @@ def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Ass
     widths = [bar["high"] - bar["low"] for bar in bars]
     assert widths == sorted(widths, reverse=True)
     assert widths[0] > 0.0
-    assert found.bars == [(bar["parameter"], bar["low"], bar["high"]) for bar in bars]
+    names = [parameter_words(bar["parameter"]) for bar in bars]
+    assert not any("_" in name or "." in name for name in names)  # words, as people read them
+    assert found.bars == [
+        (name, bar["low"], bar["high"]) for name, bar in zip(names, bars, strict=True)
+    ]
     for case in found.cases[1:]:
         bar = next(bar for bar in bars if bar["parameter"] == case.parameter)
         assert bar["low"] <= case.probability <= bar["high"]

@@ -203,7 +203,7 @@ def test_one_test_alone_is_predicted_by_the_prior() -> None:
 
 def test_tests_that_lift_nothing_say_nothing() -> None:
     found = calibrate(shaken([False] * 4, gain=1e-3), sampling=FEW, model=LINEAR)
-    assert any("says anything" in sentence for sentence in found.warnings)
+    assert any("is informative" in sentence for sentence in found.warnings)
     row = row_of(found, "alpha_rad")
     assert row["verdict"] == "bound"
     assert row["bound"] == pytest.approx(0.17 + 0.1 * 0.16, abs=0.01)  # the prior's own 10 %

@@ -48,7 +48,7 @@ def test_the_cabinet_of_the_brief() -> None:
 def test_the_capacity_of_high_confidence_and_low_probability(beta_r: float, beta_u: float) -> None:
     risk = compute_risk((0.4653, beta_r), HAZARD, beta_u=beta_u)
     assert risk.hclpf == pytest.approx(0.4653 * math.exp(-1.645 * (beta_r + beta_u)), rel=1e-12)
-    # 95 % sure that the median is above m; of an object of that median 5 % fail at the HCLPF.
+    # 95 % sure that the median is above m; for an object of that median 5 % fail at the HCLPF.
     if beta_r > 0.0:
         weak = 0.4653 * math.exp(-1.645 * beta_u)
         assert ndtr(math.log(risk.hclpf / weak) / beta_r) == pytest.approx(0.05, abs=2e-5)

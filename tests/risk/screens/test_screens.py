@@ -286,7 +286,7 @@ def test_a_stocky_block_whose_restitution_would_be_negative_has_no_asce_row() ->
 
 
 def test_the_page_has_the_worked_values_of_its_block() -> None:
-    page = (Path(__file__).parents[3] / "docs" / "screens.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs/guides/screens.md").read_text(encoding="utf-8")
     lines = {line.split(" | ")[0].strip("| "): line for line in page.splitlines() if "|" in line}
     found = screen_block(BLOCK, PEAKS, friction=0.4)
     worked: dict[str, list[float | None]] = {

@@ -107,6 +107,15 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
     assert shares == pytest.approx(expected.tolist(), abs=1e-12)
 
 
+def test_the_description_for_loss_tools_names_the_object_once(
+    rocking: Assessment, tmp_path: Path
+) -> None:
+    write_assessment(rocking, tmp_path / "answer")
+    for name in ("fragility.json", "fragility.xml"):
+        text = (tmp_path / "answer" / name).read_text(encoding="utf-8")
+        assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == 1, name
+
+
 def test_the_same_answer_gives_the_same_bytes(rocking: Assessment, tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_assessment(rocking, tmp_path / name)

@@ -157,7 +157,7 @@ def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
         content = each["src"].removeprefix("data:image/svg+xml;base64,")
         assert ET.fromstring(base64.b64decode(content)).tag.endswith("svg")
     assert len({each["alt"] for each in pictures}) == 5
-    # Two are drawn anew for a phone, and never for paper.
+    # Two are drawn again for a phone, and never for paper.
     sources = page.of("source")
     assert len(sources) == 2
     assert {each["media"] for each in sources} == {"screen and (max-width: 40rem)"}

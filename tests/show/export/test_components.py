@@ -169,7 +169,7 @@ def test_a_period_is_that_of_the_measure_or_of_the_block() -> None:
 
 
 def test_what_loss_tools_have_no_name_for_and_several_blocks_are_refused() -> None:
-    with pytest.raises(InputError, match="loss tools know PGA, PGV"):
+    with pytest.raises(InputError, match="loss tools accept PGA, PGV"):
         LossComponent.from_fragility(fragility("sa_avg_g"), "A")
     with pytest.raises(InputError, match="fragility is of 2 blocks"):
         LossComponent.from_fragility(fragility(blocks=2), "A")

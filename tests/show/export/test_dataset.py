@@ -187,7 +187,7 @@ def test_every_float_reads_back(values: list[float]) -> None:
 
 @pytest.mark.parametrize("ending", ["xlsx", "zarr", ""])
 def test_another_ending_is_refused(ending: str, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"its ending says the format: .nc or .csv"):
+    with pytest.raises(InputError, match=r"its extension sets the format: .nc or .csv"):
         export(result(), tmp_path / f"x.{ending}")
 
 

@@ -92,5 +92,5 @@ def test_a_third_axis_becomes_panels() -> None:
 def test_an_unknown_fate_is_refused() -> None:
     data = found()
     data.fate[0] = 9
-    with pytest.raises(InputError, match="found = 9 is not valid"):
+    with pytest.raises(InputError, match="dataset = 9 is not valid"):
         map_cells(data)

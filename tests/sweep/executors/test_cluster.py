@@ -174,7 +174,7 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
         with lock:
             return some(a, b)
 
-    with pytest.raises(InputError, match="other processes must be told what it is"):
+    with pytest.raises(InputError, match="other processes need a description of it"):
         evaluate(locked, GRID, OUTPUTS, run=Run(executor=address))
 
 

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from rocksteady.show.style.page import Page
 
 HELP = (
-    "What a motion under harmonic shaking settles to: rest, a fall, a periodic motion, or none.\n\n"
+    "Attractor of a motion under harmonic shaking: rest, a fall, a periodic motion, or none.\n\n"
     "A periodic motion is recognised by its returns, polished by Newton's method and believed only "
-    "if its exact multipliers say that it is stable. Exit code 3 where nothing could be decided."
+    "if it is stable by its exact multipliers. Exit code 3 where nothing could be decided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -73,7 +73,7 @@ def attractor(
     from rocksteady.outcomes import AttractorKind
 
     with start.as_typed():
-        found = find_attractor(
+        attractor = find_attractor(
             body,
             motion,
             start=start.of(motion.frequency_ratio),
@@ -81,27 +81,27 @@ def attractor(
             model=equations,
         )
     if output.csv is not None:
-        rows = ([row[name] for name in found.columns] for row in found.rows())
-        write_csv(output.csv, found.columns, rows)
+        rows = ([row[name] for name in attractor.columns] for row in attractor.rows())
+        write_csv(output.csv, attractor.columns, rows)
     if output.plot is not None:
-        write_figure(output.plot, figure_of(found, output.page))
+        write_figure(output.plot, figure_of(attractor, output.page))
     if output.as_json:
-        given = {**start.values(found.motion.phase), "cycles": cycles}
-        print_json("attractor", {**found.to_dict(), **given})
+        given = {**start.values(attractor.motion.phase), "cycles": cycles}
+        print_json("attractor", {**attractor.to_dict(), **given})
     else:
-        print_description(found.describe(), terminal.console())
-    if found.kind is AttractorKind.UNDECIDED:
+        print_description(attractor.describe(), terminal.console())
+    if attractor.kind is AttractorKind.UNDECIDED:
         raise typer.Exit(INCOMPLETE)
 
 
-def figure_of(found: "Attractor", page: "Page") -> "Figure":
+def figure_of(attractor: "Attractor", page: "Page") -> "Figure":
     """Return the figure of an attractor."""
     from rocksteady.show.figures.single import cloud_figure, orbit_figure, simulation_figure
 
-    title, run = found.describe().headline, found.trajectory()
-    if found.orbit is not None:
-        return orbit_figure(found.orbit, run, title, page)
-    if found.peaks is not None or found.kind == "overturned":
+    title, run = attractor.describe().headline, attractor.trajectory()
+    if attractor.orbit is not None:
+        return orbit_figure(attractor.orbit, run, title, page)
+    if attractor.peaks is not None or attractor.kind == "overturned":
         return simulation_figure(run, title, page)
-    part = found.trajectory(last=SHOWN_PERIODS)
+    part = attractor.trajectory(last=SHOWN_PERIODS)
     return cloud_figure(run, part, since=0.5 * run.end_time_pt, title=title, page=page)

@@ -33,9 +33,10 @@ HELP = (
     "Exactly one of -A, -W and -r is an axis start:stop:count; the others are numbers. Branches "
     "are followed around their folds, and every branch that begins at a bifurcation is followed "
     "too. They start from the symmetric motions of each order -n in closed form (with --model "
-    "nonlinear from those to which they lead; of a block whose sides differ from motions with two "
-    "impacts, by a search, as under --harmonic), and from what two sweeps, upwards and downwards "
-    "through the values of the axis, settle to. Exit code 3 where --max-branches ended the work."
+    "nonlinear from those to which they lead; for a block whose sides differ, from motions with "
+    "two impacts, by a search, as under --harmonic), and from what two sweeps, upwards and "
+    "downwards through the values of the axis, settle to. Exit code 3 where --max-branches ended "
+    "the work."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -71,7 +72,7 @@ MaxBranchesFlag = Annotated[
     typer.Option(
         "--max-branches",
         metavar="N",
-        help="After so many no further branch is begun at a bifurcation.",
+        help="Number of branches after which no further one begins at a bifurcation.",
         rich_help_panel=BRANCHES,
     ),
 ]
@@ -167,8 +168,8 @@ def bifurcate(
             "without --cascade it has no meaning",
             "add --cascade, or leave it out",
         )
-    many = DOUBLINGS if doublings is None else doublings
-    whole_number("doublings", many, at_least=1, at_most=8, hint="give a whole number")
+    count = DOUBLINGS if doublings is None else doublings
+    whole_number("doublings", count, at_least=1, at_most=8, hint="give a whole number")
     whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint="give a whole number")
     check_top(top, output)
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
@@ -183,7 +184,7 @@ def bifurcate(
         max_impacts=max_impacts,
         max_branches=max_branches,
         everywhere=search,
-        doublings=many if cascade else 0,
+        doublings=count if cascade else 0,
         max_cycles=cycles,
     )
     begin = start.chosen(span, equations, series) if sweeping else None

@@ -27,7 +27,7 @@ HELP = (
     "Exactly two of -A, -W and -r are axes start:stop:count; the third is a number. At count "
     "values of each axis branches of periodic motions are followed across the plane, from the "
     "symmetric motions of order -n in closed form (with --model nonlinear, those to which they "
-    "lead; of a block whose sides differ, motions with two impacts that a search finds); every "
+    "lead; for a block whose sides differ, motions with two impacts that a search finds); every "
     "bifurcation on them is then followed in "
     "both parameters, and so are the curves that meet at a point of codimension two. Exit code 3 "
     "where --max-curves or --max-branches ended the work."
@@ -76,7 +76,7 @@ MaxBranchesFlag = Annotated[
     typer.Option(
         "--max-branches",
         metavar="N",
-        help="Stop after so many branches on each line across the plane.",
+        help="Largest number of branches on each line across the plane.",
         rich_help_panel=CURVES,
     ),
 ]
@@ -85,7 +85,7 @@ MaxCurvesFlag = Annotated[
     typer.Option(
         "--max-curves",
         metavar="N",
-        help="Stop after so many curves.",
+        help="Largest number of curves.",
         rich_help_panel=CURVES,
     ),
 ]
@@ -126,7 +126,7 @@ def curves(
     from rocksteady.dynamics.continuation.curves.search_plane import find_bifurcation_curves
 
     with progress("following", 1, lines=False) as done:
-        found = find_bifurcation_curves(
+        curves_found = find_bifurcation_curves(
             plane.body,
             plane.motion,
             plane.parameters,
@@ -135,22 +135,22 @@ def curves(
             model=equations,
         )
         done("curves")
-    if not found.complete:
+    if not curves_found.complete:
         print(
             f"stopped at {max_curves} curves, or at {max_branches} branches of a line: there may "
             "be more; raise --max-curves or --max-branches, or lower --max-impacts",
             file=sys.stderr,
         )
     if output.csv is not None:
-        rows = ([row[name] for name in found.columns] for row in found.rows())
-        write_csv(output.csv, found.columns, rows)
+        rows = ([row[name] for name in curves_found.columns] for row in curves_found.rows())
+        write_csv(output.csv, curves_found.columns, rows)
     if output.plot is not None:
         from rocksteady.show.figures.single import curves_figure
 
-        write_figure(output.plot, curves_figure(found, page=output.page))
+        write_figure(output.plot, curves_figure(curves_found, page=output.page))
     if output.as_json:
-        print_json("curves", found.to_dict())
+        print_json("curves", curves_found.to_dict())
     else:
-        print_description(found.describe(), terminal.console())
-    if not found.complete:
+        print_description(curves_found.describe(), terminal.console())
+    if not curves_found.complete:
         raise typer.Exit(INCOMPLETE)

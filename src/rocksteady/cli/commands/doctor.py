@@ -33,9 +33,9 @@ def doctor(check: CheckFlag = False, as_json: options.Json = False) -> int:
     announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation
 
-    found = check_installation()
+    report = check_installation()
     if as_json:
-        print_json("doctor", found.to_dict())
+        print_json("doctor", report.to_dict())
     else:
-        print_description(found.describe(), terminal.console())
-    return DIFFERENT if check and not found.equal else 0
+        print_description(report.describe(), terminal.console())
+    return DIFFERENT if check and not report.equal else 0

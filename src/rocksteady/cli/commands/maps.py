@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from rocksteady.show.plots.map_quantities import Colouring
 
 HELP = (
-    "What the block settles to in every cell of a grid.\n\n"
+    "Attractor or fate of the block in every cell of a grid.\n\n"
     "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
     "bifurcation diagram. With --fate each motion is followed for --cycles periods only, to see "
     "whether the block falls. With --out the cells are kept on disk as they are finished, and "
@@ -52,8 +52,8 @@ FateFlag = Annotated[
     bool,
     typer.Option(
         "--fate",
-        help="Only whether the block still rocks, rests or has fallen after --cycles periods, and "
-        "not what it settles to.",
+        help="Compute whether the block still rocks, rests or has fallen after --cycles periods, "
+        "instead of its attractor.",
         rich_help_panel=options.START,
     ),
 ]
@@ -63,7 +63,7 @@ MapCycles = Annotated[
         "--cycles",
         metavar="N",
         help="Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
-        "by default; with --fate those that it is followed for, 200 by default.",
+        "by default; with --fate the largest number of them, 200 by default.",
         rich_help_panel=options.START,
     ),
 ]
@@ -135,7 +135,7 @@ def maps(
         start.as_typed(),
         sweeping("following motions", case.cells) as meter,
     ):
-        found = what(
+        dataset = what(
             case.body,
             series.of(case.motion) if series.given else None,
             axes={**case.axes, **case.fixed},
@@ -145,17 +145,17 @@ def maps(
             run=replace(run, progress=meter),
             **limit,
         )
-    description = found.rocksteady.describe()
+    description = dataset.rocksteady.describe()
     values = {"computed": meter.computed, **description.to_dict(), **case.values}
     values |= {"store": run.place and str(run.place.path), "seconds": meter.seconds}
     if output.csv is not None:
-        write_cells(output.csv, found)
+        write_cells(output.csv, dataset)
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found)
+        write_netcdf(sweep.netcdf, dataset)
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        write_figure(output.plot, map_figure(found, description.headline, output.page, colouring))
+        write_figure(output.plot, map_figure(dataset, description.headline, output.page, colouring))
     if output.as_json:
         print_json("map", values)
     else:

@@ -16,10 +16,10 @@ SEARCH = "Search"
 
 HELP = (
     "The periodic motions under harmonic shaking, stable and unstable, with their multipliers.\n\n"
-    "Symmetric ones with two impacts come in closed form, those that pass through the floor "
-    "included, or with --model nonlinear as the motions to which the closed forms lead; the others "
-    "are found by Newton's method from a grid of states, which is no proof that there are no more. "
-    "Of two mirror images one is listed."
+    "Symmetric ones with two impacts come in closed form, with solutions that pass through the "
+    "floor included, or with --model nonlinear as the motions to which the closed forms lead; the "
+    "others are found by Newton's method from a grid of states, which is no proof that there are "
+    "no more. One of two mirror images is listed."
 )
 EXAMPLES = (
     "Examples:\n\n"

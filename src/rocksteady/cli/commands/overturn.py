@@ -46,12 +46,12 @@ if TYPE_CHECKING:
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
-    "What overturns a block is no interval: it may fall after an impact, stand under a stronger "
-    "pulse and fall without an impact under a still stronger one. Each window has its number of "
-    "impacts; its ends are found to rounding, in the linear model or (--model nonlinear) with the "
-    "full equations. With --record or --records it is the factor of a record that is searched; "
-    "with --kick the least sudden change of the base velocity that overturns the block. Exit code "
-    "3 where an amplitude is undecided."
+    "The overturning amplitudes are not one interval: a block may fall after an impact, stand "
+    "under a stronger pulse and fall without an impact under a still stronger one. Each window "
+    "has its number of impacts; its ends are found to rounding, in the linear model or (--model "
+    "nonlinear) with the full equations. With --record or --records the factor of a record is "
+    "searched; with --kick the least sudden change of the base velocity that overturns the block. "
+    "Exit code 3 where an amplitude is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -179,21 +179,21 @@ def overturn(
     arguments = context.find_root().obj
     shaken = bool(recorded.record or suite.records)
     output.refuse_read([*recorded.files, *(suite.records or [])])
-    own: dict[str, object] = {
+    conflicting: dict[str, object] = {
         "--pulse": pulse.pulse,
         "-A": amplitude,
         "-W": frequency_ratio,
         "--accel-g": accel_g,
     }
-    own |= {"--freq-hz": freq_hz, "--phase": phase}
+    conflicting |= {"--freq-hz": freq_hz, "--phase": phase}
     of_kicks = {"--start": None if start == "rest" else start, "--at-s": at_s}
     if kick:
-        _refuse("--kick", {**own, "--scales": scales, "--resolution": resolution})
+        _refuse("--kick", {**conflicting, "--scales": scales, "--resolution": resolution})
         _find_kick(arguments, recorded, suite, reading, block, sweep, output, start, at_s, model)
         return
     _refuse("a search without --kick", of_kicks)
     if shaken:
-        _refuse("--record", {**own, "--scale": recorded.scale, "--pga-g": recorded.pga_g})
+        _refuse("--record", {**conflicting, "--scale": recorded.scale, "--pga-g": recorded.pga_g})
         _find_scales(
             arguments, recorded, suite, reading, block, sweep, output, scales, resolution, model
         )
@@ -231,7 +231,7 @@ def overturn(
         sweep.resumable(context.find_root().obj),
         sweeping("searching frequencies", len(ratios)) as meter,
     ):
-        found = find_overturning_windows(
+        windows = find_overturning_windows(
             body,
             shape,
             ratios,
@@ -240,22 +240,22 @@ def overturn(
             model=equations,
             run=replace(run, progress=meter),
         )
-    description = found.describe()
+    description = windows.describe()
     if output.csv is not None:
-        frame = found.to_dataframe()
+        frame = windows.to_dataframe()
         write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
+        write_netcdf(sweep.netcdf, windows.to_dataset())
     if output.plot is not None:
         from rocksteady.show.figures.single import overturning_figure
 
-        write_figure(output.plot, overturning_figure(found, description.headline, output.page))
+        write_figure(output.plot, overturning_figure(windows, description.headline, output.page))
     if output.as_json:
         store = run.place and str(run.place.path)
         print_json("overturn", {**description.to_dict(), "seconds": meter.seconds, "store": store})
     else:
         print_description(description, terminal.console(wrap=True))
-    if found.undecided.any():
+    if windows.undecided.any():
         raise typer.Exit(INCOMPLETE)
 
 
@@ -297,7 +297,7 @@ def _find_scales(
         sweep.resumable(arguments),
         sweeping("searching records", len(motions)) as meter,
     ):
-        found = find_overturning_scales(
+        result = find_overturning_scales(
             body,
             motions,
             within=within,
@@ -305,7 +305,7 @@ def _find_scales(
             model=equations,
             run=replace(run, progress=meter),
         )
-    _leave(found, sweep, output, run, meter.seconds)
+    _leave(result, sweep, output, run, meter.seconds)
 
 
 def _find_kick(
@@ -360,7 +360,7 @@ def _find_kick(
         sweep.resumable(arguments),
         sweeping("searching kicks", 2 * len(times)) as meter,
     ):
-        found = find_fatal_kick(
+        kicks = find_fatal_kick(
             body,
             start=Rest() if start == "rest" else state_from(start, None),
             motion=motion,
@@ -368,7 +368,7 @@ def _find_kick(
             model=equations_for(model, body, motion),
             run=replace(run, progress=meter),
         )
-    _leave(found, sweep, output, run, meter.seconds)
+    _leave(kicks, sweep, output, run, meter.seconds)
 
 
 def _motions(
@@ -386,20 +386,20 @@ def _motions(
         _refuse("--record", {"--pair": suite.pair or None})
         recorded.given(reading)
         body = recorded.block(block)
-        found = recorded.recordings(reading)
-        if recorded.vertical is not None and len(found) > 1:
+        recordings = recorded.recordings(reading)
+        if recorded.vertical is not None and len(recordings) > 1:
             raise FlagError(
                 "--vertical", recorded.vertical, "it belongs to one --record", "give one record"
             )
-        motions = [one.record for one in found]
-        vertical = recorded.vertical_recording(reading, found[0])
+        motions = [recording.record for recording in recordings]
+        vertical = recorded.vertical_recording(reading, recordings[0])
         if vertical is not None:
-            motions = [BaseMotion(found[0].record, vertical.record)]
+            motions = [BaseMotion(recordings[0].record, vertical.record)]
     return body, [motion.reversed() for motion in motions] if recorded.reverse else motions
 
 
 def _leave(
-    found: "OverturningScales | FatalKicks",
+    result: "OverturningScales | FatalKicks",
     sweep: SweepFlags,
     output: OutputFlags,
     run: "Run",
@@ -412,22 +412,22 @@ def _leave(
     Exit
         With code 3 where a fate could not be decided.
     """
-    description = found.describe()
+    description = result.describe()
     if output.csv is not None:
-        frame = found.to_dataframe()
+        frame = result.to_dataframe()
         write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
+        write_netcdf(sweep.netcdf, result.to_dataset())
     if output.plot is not None:
         from rocksteady.show.figures.single import fatal_figure
 
-        write_figure(output.plot, fatal_figure(found, description.headline, output.page))
+        write_figure(output.plot, fatal_figure(result, description.headline, output.page))
     if output.as_json:
         store = run.place and str(run.place.path)
         print_json("overturn", {**description.to_dict(), "seconds": seconds, "store": store})
     else:
         print_description(description, terminal.console(wrap=True))
-    if found.undecided.any():
+    if result.undecided.any():
         raise typer.Exit(INCOMPLETE)
 
 

@@ -33,7 +33,7 @@ HELP = (
     "What ground-motion files hold: format, samples, unit and warnings; peaks, "
     "durations and spectra, exact for an acceleration that is linear between its samples.\n\n"
     "A file with several channels is described channel by channel, unless --channel names one. "
-    "With a block come the measures that its size makes dimensionless."
+    "With a block, the dimensionless measures of its size are added."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -219,25 +219,25 @@ def course_rows(course: "IntegratedRecord", unit: str) -> Iterator[list[float]]:
 
 
 def all_recordings(files: list[Path], reading: ReadingFlags) -> "list[Recording]":
-    """Return the channels of all files; every file that cannot be read is said in a line.
+    """Return the channels of all files; a file that cannot be read has an error line.
 
     Raises
     ------
     InputError
         If there is one.
     """
-    found: list[Recording] = []
+    recordings: list[Recording] = []
     wrong: list[RecordFileError] = []
     for file in files:
         try:
-            found += reading.recordings(file)
+            recordings += reading.recordings(file)
         except RecordFileError as error:
             wrong.append(error)
     for earlier in wrong[:-1]:
         print(f"rocksteady: {earlier}", file=sys.stderr)
     if wrong:
         raise wrong[-1]
-    return found
+    return recordings
 
 
 def sized(block: BlockFlags) -> Block | None:
@@ -267,7 +267,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
     Raises
     ------
     InputError
-        If it is none of acceleration.
+        If the unit is no unit of acceleration.
     ModelError
         If there is one and no --csv.
     """

@@ -174,8 +174,8 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     """
     from rocksteady.dynamics.history.neighbours import check_neighbours
 
-    found = trajectory.describe()
-    facts, remarks = [*found.facts], [*found.notes]
+    description = trajectory.describe()
+    facts, remarks = [*description.facts], [*description.notes]
     if isinstance(trajectory.block, Block) and not isinstance(
         trajectory.motion, PeriodicMotion | Still
     ):
@@ -185,7 +185,7 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))
-    return replace(found, facts=facts, notes=remarks)
+    return replace(description, facts=facts, notes=remarks)
 
 
 def write_files(

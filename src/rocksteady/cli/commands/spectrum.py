@@ -42,9 +42,10 @@ HELP = (
     "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "
     "on recorded ground, over their size 2 pi/p and their slenderness.\n\n"
     "Each block is at rest when the record begins, and is followed to rest or proven overturning "
-    "by the full equations, or with --model linear in closed form. Of several records come median, "
-    "16 and 84 % as well, and the share that overturns. With --one-sided the blocks stand against "
-    "a wall; --reverse then gives another motion. Exit code 3 where a block is undecided."
+    "by the full equations, or with --model linear in closed form. For several records the "
+    "median, the 16 and 84 % quantiles and the share that overturns are added. With --one-sided "
+    "the blocks stand against a wall; --reverse then gives another motion. Exit code 3 where a "
+    "block is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -357,15 +358,15 @@ def _restitution(text: str | None) -> "Restitution":
     InputError
         If it is no number, or two.
     """
-    found = restitution_from(text, default="housner")
-    if impact_pair(found) is not None:
+    restitution = restitution_from(text, default="housner")
+    if impact_pair(restitution) is not None:
         raise InputError(
             "restitution",
             text,
             "both sides of a rectangle are alike",
             "give one number, 'housner' or 'housner*0.965'",
         )
-    return cast("Restitution", found)
+    return cast("Restitution", restitution)
 
 
 def _check_drawable(recorded: RecordFlags, slendernesses: int, sizes: int) -> None:

@@ -40,7 +40,7 @@ def steady(
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()
     body = block.described()
-    if not body.symmetric:  # told before the kernels are loaded
+    if not body.symmetric:  # refused before the kernels are loaded
         raise block.refuse_sides(
             valid="the closed forms are those of symmetric motions, and it has none",
             hint="ask for its periodic motions with `rocksteady orbits`",

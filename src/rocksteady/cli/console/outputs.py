@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 INCOMPLETE = 3
-"""Exit code of a command that could not decide what it was asked."""
+"""Exit code of a command that could not decide the question."""
 
 
 def announce_compilation(kernel: str) -> None:
@@ -36,35 +36,35 @@ def announce_compilation(kernel: str) -> None:
 
 
 def write_figure(file: Path, figure: "Figure") -> None:
-    """Save what --plot asks for."""
+    """Save the picture of --plot."""
     save_figure("--plot", file, figure)
     announce_file(file)
 
 
 def write_csv(file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """Save what --csv asks for."""
+    """Save the table of --csv."""
     save_csv("--csv", file, header, rows)
     announce_file(file)
 
 
-def write_cells(file: Path, found: "xarray.Dataset") -> None:
-    """Save what --csv asks for of a sweep: a row a cell."""
+def write_cells(file: Path, dataset: "xarray.Dataset") -> None:
+    """Save a sweep as the file of --csv: one row per cell."""
     from rocksteady.show.export.csv_files import save_cells
 
-    save_cells("--csv", file, found)
+    save_cells("--csv", file, dataset)
     announce_file(file)
 
 
-def write_netcdf(file: Path, found: "xarray.Dataset") -> None:
-    """Save what --netcdf asks for."""
+def write_netcdf(file: Path, dataset: "xarray.Dataset") -> None:
+    """Save the dataset of --netcdf."""
     from rocksteady.show.export.netcdf import save_netcdf
 
-    save_netcdf("--netcdf", file, found)
+    save_netcdf("--netcdf", file, dataset)
     announce_file(file)
 
 
 def write_film(file: Path, film: "Film") -> None:
-    """Save what --animate asks for."""
+    """Save the film of --animate."""
     from rocksteady.show.film.gif import save_gif
 
     with progress("drawing the film", film.frames, lines=False) as done:
@@ -73,7 +73,7 @@ def write_film(file: Path, film: "Film") -> None:
 
 
 def announce_file(file: Path) -> None:
-    """Say on standard error that a file is there."""
+    """Print the name of a written file on standard error."""
     print(f"wrote {printable(file)}", file=sys.stderr)
 
 

@@ -14,7 +14,7 @@ LINE_EVERY = 0.1
 LINE_AFTER = 30.0
 """Seconds after which one is due in any case."""
 QUIET = 2.0
-"""Seconds for which a sweep says no line: what is over by then needs none."""
+"""Seconds before a sweep prints its first line: a shorter one prints none."""
 LATELY = 30
 """Seconds over which the rate of a sweep is taken: cells are faster here and slower there."""
 
@@ -35,7 +35,7 @@ def progress(task: str, steps: int, *, lines: bool = True) -> Iterator[Done]:
     task
         What is being done.
     steps
-        How many steps it has.
+        Number of steps.
     lines
         Whether lines take the place of the bar where there is no terminal; not for what takes some
         seconds only.
@@ -96,25 +96,25 @@ def _lines(task: str, steps: int) -> Done:
 
 
 class Due:
-    """Tells when a line is due.
+    """Decides when a line is due.
 
     Parameters
     ----------
     steps
-        How many there are.
-    said
+        Number of steps.
+    shown
         Steps at which the last line was, or would have been.
     """
 
-    def __init__(self, steps: int, said: int = 0) -> None:
-        self._steps, self._said, self._since = steps, said, time.monotonic()
+    def __init__(self, steps: int, shown: int = 0) -> None:
+        self._steps, self._shown, self._since = steps, shown, time.monotonic()
 
     def __call__(self, passed: int) -> bool:
-        """Return whether one is due after so many steps; then the next one is not at once."""
+        """Return whether a line is due after a number of steps, and count from there if so."""
         late = time.monotonic() - self._since >= LINE_AFTER
-        due = passed - self._said >= LINE_EVERY * self._steps or late or passed == self._steps
+        due = passed - self._shown >= LINE_EVERY * self._steps or late or passed == self._steps
         if due:
-            self._said, self._since = passed, time.monotonic()
+            self._shown, self._since = passed, time.monotonic()
         return due
 
 
@@ -122,21 +122,21 @@ class Meter:
     """Counts the cells of a sweep and the time that they take.
 
     It is what `rocksteady.Run` takes as `progress`: called first with the number of
-    cells that are there already, then with those just finished.
+    cells that are done already, then with the number of newly finished ones.
 
     Parameters
     ----------
     cells
-        How many there are.
+        Number of cells.
     show
         Called with the meter whenever it has moved.
 
     Attributes
     ----------
     cells, passed
-        How many there are, and how many of them are done.
+        Number of cells, and of finished cells.
     there
-        How many of these were there before.
+        Number of cells that were done before.
     """
 
     def __init__(self, cells: int, show: "Callable[[Meter], None]") -> None:
@@ -205,7 +205,7 @@ def sweeping(task: str, cells: int) -> Iterator[Meter]:
     task
         What is being done.
     cells
-        How many cells it has.
+        Number of cells.
     """
     if sys.stderr.isatty():
         with _cells_bar(task, cells) as show:

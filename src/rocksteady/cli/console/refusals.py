@@ -26,7 +26,7 @@ class FlagError(ModelError):
     valid, hint
         As for `rocksteady.errors.RocksteadyError`.
     name, value
-        Likewise, where one flag is meant.
+        As for one flag, where only one is concerned.
     finding
         What is wrong, as a clause that names the flags, where no value is.
     """
@@ -67,39 +67,39 @@ class OncePerFlag(TyperCommand):
 
         def parsed(args: list[str]) -> Any:
             given = list(args)  # typer empties its own
-            found = parse(args)
+            values = parse(args)
             if not set(ctx.help_option_names) & set(given):
                 flags = {name for each in self.params for name in each.opts if name[:1] == "-"}
                 for flag, value in pairwise(given):
-                    if value in flags and flag in flags and value in _values_of(found[0]):
+                    if value in flags and flag in flags and value in _values_of(values[0]):
                         raise FlagError(
                             finding=f"{flag} is given without a value",
                             valid=f"{value} after it is a flag",
                             hint=f"give a value, or write {flag}={value} where that is one",
                         )
-                _check_paths(self, found[0])
-                for option, count in Counter(found[-1]).items():
+                _check_paths(self, values[0])
+                for option, count in Counter(values[-1]).items():
                     if count > 1 and _takes_one_value(option):
                         raise _repeated(option, given)
-            return found
+            return values
 
         parser.parse_args = parsed
         return parser
 
 
-def _values_of(found: dict[str, Any]) -> set[str]:
+def _values_of(arguments: dict[str, Any]) -> set[str]:
     """Return the texts that flags have taken."""
-    values = (value if isinstance(value, list) else [value] for value in found.values())
-    return {one for several in values for one in several if isinstance(one, str)}
+    values = (value if isinstance(value, list) else [value] for value in arguments.values())
+    return {value for several in values for value in several if isinstance(value, str)}
 
 
-def _check_paths(command: TyperCommand, found: dict[str, Any]) -> None:
+def _check_paths(command: TyperCommand, values: dict[str, Any]) -> None:
     """Refuse names of files that are empty, which would mean this folder, or too long for any."""
     for each in command.params:
         if not PATHS & set((each.metavar or "").split("|")):
             continue
         flag = each.opts[0] if each.param_type_name == "option" else str(command.name)
-        given = found.get(each.name)
+        given = values.get(each.name)
         for value in given if isinstance(given, list | tuple) else [given]:
             if value == "":
                 raise FlagError(

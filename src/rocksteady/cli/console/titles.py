@@ -37,17 +37,17 @@ def case_text(values: dict[str, Any]) -> str:
 
 
 def restitution_text(values: dict[str, Any]) -> str:
-    """Return what an impact leaves, of either impact where they differ; of a wall, its own."""
+    """Return what an impact leaves, of either impact where they differ; for a wall, its own."""
     if values.get("one_sided"):
         return f"against a wall, restitution {values['restitution']:.4g}"
-    other = values.get("negative_restitution")
-    if other is None:
+    negative = values.get("negative_restitution")
+    if negative is None:
         return f"restitution {values['restitution']:.4g}"
-    return f"restitution {values['restitution']:.3g}/{other:.3g}"
+    return f"restitution {values['restitution']:.3g}/{negative:.3g}"
 
 
 def block_text(block: dict[str, Any]) -> str:
     """Return slenderness and rate of a block; where its sides differ both slendernesses."""
-    if "negative" in block:  # four numbers leave no room for what else a title says
+    if "negative" in block:  # four numbers leave no room for the rest of the title
         return f"α = {block['alpha_rad']:.3g}/{block['negative']['alpha_rad']:.3g} rad"
     return f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s"

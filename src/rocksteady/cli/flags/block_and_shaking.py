@@ -85,24 +85,24 @@ class ShakingFlags:
                     valid=valid,
                     hint="give one",
                 )
-        found: dict[str, list[float]] = {}
+        axes_given: dict[str, list[float]] = {}
         if self.amplitude is not None:
-            found["amplitude"] = axis("amplitude", self.amplitude)
+            axes_given["amplitude"] = axis("amplitude", self.amplitude)
         if self.accel_g is not None and isinstance(block, Block):
             peaks = axis("--accel-g", self.accel_g)
             for end in (peaks[0], peaks[-1]):
                 non_negative("--accel-g", end, hint="give the peak in g; 0.3 is usual")
-            found["acceleration_m_s2"] = [min(g, LARGEST) * block.gravity for g in peaks]
+            axes_given["acceleration_m_s2"] = [min(g, LARGEST) * block.gravity for g in peaks]
         if self.accel_m_s2 is not None:
             peaks = axis("--accel-m-s2", self.accel_m_s2)
             for end in (peaks[0], peaks[-1]):
                 non_negative("--accel-m-s2", end, hint="give the peak in m/s^2; 3 is usual")
-            found["acceleration_m_s2"] = peaks
+            axes_given["acceleration_m_s2"] = peaks
         if self.frequency_ratio is not None:
-            found["frequency_ratio"] = axis("frequency_ratio", self.frequency_ratio)
+            axes_given["frequency_ratio"] = axis("frequency_ratio", self.frequency_ratio)
         if self.freq_hz is not None:
-            found["frequency_hz"] = axis("--freq-hz", self.freq_hz)
-        return found
+            axes_given["frequency_hz"] = axis("--freq-hz", self.freq_hz)
+        return axes_given
 
     def of(self, block: Block | DimensionlessBlock) -> tuple[list[float], list[float]]:
         """Return amplitudes A and frequency ratios for a block, each an axis or one value.
@@ -189,7 +189,7 @@ class PulseFlags:
 def _felt(
     block: Block | DimensionlessBlock, acceleration_m_s2: float, frequency_hz: float | None = None
 ) -> Harmonic:
-    """Return what a block feels of a ground of which only a part is asked for."""
+    """Return what a block feels of a ground of which only a part is needed."""
     assert isinstance(block, Block)
     hertz = block.p if frequency_hz is None else frequency_hz  # valid for every block
     return Harmonic.from_si(block, acceleration_m_s2=acceleration_m_s2, frequency_hz=hertz)
@@ -276,9 +276,11 @@ class BlockFlags:
         """Return the block of the sizes that are given; None where they are not those of one."""
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
-            own = None if self.restitution is None else ratio
+            restitution = None if self.restitution is None else ratio
             named = not sizes and not self.asymmetric and not self._moved
-            return named_block(self.block, restitution=own, gravity=gravity) if named else None
+            return (
+                named_block(self.block, restitution=restitution, gravity=gravity) if named else None
+            )
         if self._moved:
             return self._off_centre(sizes, ratio, gravity)
         whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
@@ -314,7 +316,7 @@ class BlockFlags:
         if centre is None:
             centre = 0.5 * height
         half = 0.5 * width
-        hint = "give metres from the middle of the base, positive to the left"
+        hint = "give metres from the middle of the base, positive to the right"
         in_range("--offset-m", offset, -half, half, "()", hint=hint)
         in_range(
             "--mass-centre-height-m", centre, 0.0, height, "(]", hint="give metres above the base"
@@ -323,8 +325,8 @@ class BlockFlags:
         if gyration is None and centre != 0.5 * height:  # else what `asymmetric` takes
             gyration = math.sqrt((width * width + height * height) / 12.0)
         return Block.asymmetric(
-            left=half - offset,
-            right=half + offset,
+            left=half + offset,
+            right=half - offset,
             height=2.0 * centre,
             gyration=gyration,
             restitution=ratio,

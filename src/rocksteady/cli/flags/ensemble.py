@@ -98,7 +98,7 @@ NoReverse = Annotated[
     bool,
     typer.Option(
         "--no-reverse",
-        help="Run the records as they are alone; by default reversed too.",
+        help="Run the records as recorded only; by default reversed too.",
         rich_help_panel=ENSEMBLE,
     ),
 ]
@@ -148,16 +148,16 @@ class SuiteFlags:
         FlagError
             If there is none, or a path does not exist.
         """
-        found: list[Path] = []
+        paths: list[Path] = []
         for path in self.records or []:
             if path.is_dir():
-                found += sorted(
+                paths += sorted(
                     each
                     for each in path.iterdir()
                     if each.is_file() and not each.name.startswith(".")
                 )
             elif path.exists():
-                found.append(path)
+                paths.append(path)
             else:
                 raise FlagError("--records", path, "it does not exist", "name a folder or a file")
         if not self.records:
@@ -166,7 +166,7 @@ class SuiteFlags:
                 valid="an ensemble needs ground motions",
                 hint="add --records DIR, or --example for synthetic ones",
             )
-        return list(dict.fromkeys(found))
+        return list(dict.fromkeys(paths))
 
     def suite(self, reading: ReadingFlags) -> Suite:
         """Return the motions of all files that can be read; the others are named on stderr.
@@ -211,13 +211,13 @@ class SuiteFlags:
         """Return the horizontal channels of a file."""
         from rocksteady.seismic.measures.time_course import refuse_extreme
 
-        found = reading.recordings(file)
-        across = [one for one in found if one.orientation != "vertical"]
-        for one in across:
-            refuse_extreme(one.record)
+        recordings = reading.recordings(file)
+        across = [recording for recording in recordings if recording.orientation != "vertical"]
+        for recording in across:
+            refuse_extreme(recording.record)
         if not across and not self.pair:
             suite.left_out.append((file, "its channel is vertical; --pair runs it with the others"))
-        return [one.record for one in across]
+        return [recording.record for recording in across]
 
     def _pair(self, files: list[Path], reading: ReadingFlags, suite: Suite) -> None:
         """Add the motions of paired channels."""
@@ -227,13 +227,13 @@ class SuiteFlags:
             for warning in group.warnings:
                 terminal.note(f"{group.name}: {warning}")
             if not group.horizontal:
-                for one in group.recordings:
-                    suite.left_out.append((one.path, "its station has no horizontal channel"))
+                for recording in group.recordings:
+                    suite.left_out.append((recording.path, "its station has no horizontal channel"))
                 continue
-            steps = {one.record.dt_s for one in group.recordings}
+            steps = {recording.record.dt_s for recording in group.recordings}
             ready = group.aligned("pad") if len(steps) == 1 else group
             suite.motions.extend(ready.motions())
-            suite.files.extend(one.path for one in ready.horizontal)
+            suite.files.extend(recording.path for recording in ready.horizontal)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -305,8 +305,8 @@ class EnsembleFlags:
             )
         from rocksteady.seismic.measures.free_sides import impact_ratios
 
-        ratio, other = impact_ratios(body)
-        if ratio != other:
+        ratio, negative = impact_ratios(body)
+        if ratio != negative:
             raise FlagError(
                 "--draws",
                 self.draws,

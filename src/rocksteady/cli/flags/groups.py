@@ -42,7 +42,7 @@ class OutputFlags:
         ------
         OutputError
             If a file exists and --force is off, its folder is missing or not writable, a figure's
-            format is unknown, or one file is asked for twice.
+            format is unknown, or one file is given twice.
         InputError
             If a width or the place of legends is not valid.
         ModelError
@@ -61,7 +61,7 @@ class OutputFlags:
             raise OutputError(
                 "--plot",
                 self.plot,
-                "the ending says the format: " + ", ".join(FIGURE_FORMATS),
+                "the extension sets the format: " + ", ".join(FIGURE_FORMATS),
                 "rename it",
             )
         if same_file(self.plot, self.csv):
@@ -86,7 +86,7 @@ class OutputFlags:
             If one of them is written too.
         """
         for name, file in {"plot": self.plot, "csv": self.csv, **more}.items():
-            if any(same_file(file, other) for other in read):
+            if any(same_file(file, earlier) for earlier in read):
                 raise OutputError(
                     f"--{name}", file, "the command reads this file", "name another one"
                 )
@@ -127,7 +127,7 @@ class AnimationFlags:
         ------
         OutputError
             If the file is no .gif, exists and --force is off, its folder is missing or not
-            writable, or it is asked for by another flag; if a file that is read is written over.
+            writable, or another flag names it too; if a file that is read is written over.
         InputError
             If the speed is not positive.
         InputError
@@ -147,7 +147,7 @@ class AnimationFlags:
             return
         if self.animate.suffix.lower() != ".gif":
             raise OutputError(
-                "--animate", self.animate, "the ending says the format: .gif", "rename it"
+                "--animate", self.animate, "the extension sets the format: .gif", "rename it"
             )
         for flag, file in (("--plot", output.plot), ("--csv", output.csv)):
             if same_file(self.animate, file):
@@ -164,14 +164,14 @@ def same_file(one: Path | None, other: Path | None) -> bool:
 
 def grouped(command: Callable[..., None]) -> Callable[..., None]:
     """Spread a command's parameters that are groups into one parameter for each of their flags."""
-    own = inspect.signature(command, eval_str=True)
+    signature = inspect.signature(command, eval_str=True)
     groups: dict[str, type[Any]] = {
         name: parameter.annotation
-        for name, parameter in own.parameters.items()
+        for name, parameter in signature.parameters.items()
         if isinstance(parameter.annotation, type) and is_dataclass(parameter.annotation)
     }
     spread: list[inspect.Parameter] = []
-    for name, parameter in own.parameters.items():
+    for name, parameter in signature.parameters.items():
         if name in groups:
             spread += inspect.signature(groups[name], eval_str=True).parameters.values()
         else:
@@ -186,6 +186,6 @@ def grouped(command: Callable[..., None]) -> Callable[..., None]:
         command(**collected, **values)
 
     # typer reads both.
-    run.__signature__ = own.replace(parameters=spread)  # type: ignore[attr-defined]
+    run.__signature__ = signature.replace(parameters=spread)  # type: ignore[attr-defined]
     run.__annotations__ = {parameter.name: parameter.annotation for parameter in spread}
     return run

@@ -55,7 +55,7 @@ KickAxis = Annotated[
     typer.Option(
         "--kick",
         metavar="K",
-        help="How far from an unstable steady state the block is set off, default 1e-6, or an "
+        help="Distance from an unstable steady state at the start, default 1e-6, or an "
         "axis: length of (phase \\[rad], velocity over the orbit's).",
         rich_help_panel=options.START,
     ),
@@ -84,8 +84,8 @@ class MapStartFlags:
             If one is neither an axis nor a number.
         """
         texts = {"phase": self.phase, "kick": self.kick}
-        found = {name: axis(name, text) for name, text in texts.items() if text is not None}
-        return found | self._state()
+        axes_given = {name: axis(name, text) for name, text in texts.items() if text is not None}
+        return axes_given | self._state()
 
     def _state(self) -> dict[str, list[float]]:
         """Return the two halves of --start U,V or U,tau=DU; nothing of another start."""
@@ -150,9 +150,9 @@ class MapStartFlags:
         ModelError
             If du/d(omega t) would be another du/d(pt) in each cell.
         """
-        found = self.parameters.get("velocity", [])
-        if not self._per_tau or not any(found):
-            return found
+        values = self.parameters.get("velocity", [])
+        if not self._per_tau or not any(values):
+            return values
         if not one_for_all:
             raise FlagError(
                 "start",
@@ -160,7 +160,7 @@ class MapStartFlags:
                 "where omega/p moves, du/d(omega t) is another velocity in each cell",
                 "give du/d(pt), as 0.4,0.1",
             )
-        return [velocity * shaking.frequency_ratio for velocity in found]
+        return [velocity * shaking.frequency_ratio for velocity in values]
 
 
 @dataclass(frozen=True, kw_only=True)

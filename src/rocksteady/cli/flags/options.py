@@ -156,8 +156,8 @@ HarmonicWaves = Annotated[
     typer.Option(
         "--harmonic",
         metavar="K,SIZE,PHASE",
-        help="A harmonic of periodic shaking: order K, size relative to -A, phase [rad]. Once for "
-        "each of them; -W is then that of the period. Without any, a single sinusoid.",
+        help="Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
+        "be repeated. -W is then that of the period. Default: a single sinusoid.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -327,9 +327,10 @@ OffsetM = Annotated[
     typer.Option(
         "--offset-m",
         metavar="M",
-        help="Move the mass centre off the middle of --width-m \\[m], positive to the left: "
-        "the left edge, the pivot of positive rotation, is then nearer; default 0. The radius of "
-        "gyration about the mass centre stays that of the homogeneous outline.",
+        help="Move the mass centre off the middle of --width-m \\[m], positive to the right, away "
+        "from the left edge, the pivot of positive rotation, as offset_m in files of objects; "
+        "default 0. The radius of gyration about the mass centre stays that of the homogeneous "
+        "outline.",
         rich_help_panel=BLOCK,
     ),
 ]

@@ -30,7 +30,7 @@ def decimal(text: str) -> float:
     Raises
     ------
     ValueError
-        If it is none.
+        If the text is no number.
     """
     if not text.isascii() or "_" in text:
         raise ValueError(text)

@@ -29,11 +29,11 @@ class Range:
     parameter
         "amplitude", "frequency_ratio" or "restitution".
     values
-        Of the axis, in ascending order.
+        Values of the axis, in ascending order.
     body
         The block; its restitution counts where that is not the axis.
     amplitude, frequency_ratio
-        Of the shaking; the one that is the axis has its first value.
+        Parameters of the shaking; the one on the axis has its first value.
     """
 
     parameter: str

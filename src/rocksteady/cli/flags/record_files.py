@@ -32,8 +32,7 @@ RecordFile = Annotated[
     typer.Option(
         "--record",
         metavar="FILE",
-        help="Shake a block of known size with the acceleration of a ground-motion file; the base "
-        "stands still after its end.",
+        help="Ground-motion file that shakes a block of known size; then the base stands still.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -169,7 +168,7 @@ class ReadingFlags:
         }
 
     def recordings(self, file: Path) -> "list[Recording]":
-        """Return the channels of a file, or the one that is chosen; their warnings are printed.
+        """Return the channels of a file, or the chosen channel; their warnings are printed.
 
         Raises
         ------
@@ -178,8 +177,9 @@ class ReadingFlags:
         """
         from rocksteady.records.read import chosen
 
-        found = self._channels(file)
-        return self._ready(file, found if self.channel is None else (chosen(found, self.channel),))
+        channels = self._channels(file)
+        wanted = channels if self.channel is None else (chosen(channels, self.channel),)
+        return self._ready(file, wanted)
 
     def read(self, file: Path) -> "Recording":
         """Return the one channel of a file, and print its warnings.
@@ -191,16 +191,15 @@ class ReadingFlags:
         """
         from rocksteady.records.read import chosen
 
-        found = self._channels(file)
-        if self.channel is None and len(found) > 1:
+        channels = self._channels(file)
+        if self.channel is None and len(channels) > 1:
             try:
-                one = chosen(found, None)
+                channel = chosen(channels, None)
             except InputError as error:
                 raise missing("--channel", valid=error.valid, hint=error.hint) from None
         else:
-            one = chosen(found, self.channel)
-        (ready,) = self._ready(file, (one,))
-        return ready
+            channel = chosen(channels, self.channel)
+        return self._ready(file, (channel,))[0]
 
     def read_vertical(self, file: Path) -> "Recording":
         """Return the vertical channel of a file: its one channel, or the vertical one of several.
@@ -208,21 +207,21 @@ class ReadingFlags:
         Raises
         ------
         InputError
-            If it cannot be read, or its channels do not say which one is vertical.
+            If it cannot be read, or no channel, or more than one, is marked as vertical.
         """
-        found = self._channels(file)
-        upright = tuple(one for one in found if one.orientation == "vertical")
-        if len(found) > 1 and len(upright) != 1:
+        channels = self._channels(file)
+        upright = tuple(channel for channel in channels if channel.orientation == "vertical")
+        if len(channels) > 1 and len(upright) != 1:
             raise InputError(
                 "--vertical",
                 file,
-                f"of its {len(found)} channels {len(upright)} are vertical",
+                f"of its {len(channels)} channels {len(upright)} are vertical",
                 "give a file with one channel",
             )
-        (one,) = self._ready(file, upright if len(found) > 1 else found)
-        if one.orientation is None:
+        (channel,) = self._ready(file, upright if len(channels) > 1 else channels)
+        if channel.orientation is None:
             warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
-        return one
+        return channel
 
     def _channels(self, file: Path) -> "tuple[Recording, ...]":
         """Return all channels of a file."""
@@ -241,13 +240,13 @@ class ReadingFlags:
             hint = _in_flags(error.hint)
             raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
 
-    def _ready(self, file: Path, found: "tuple[Recording, ...]") -> "list[Recording]":
+    def _ready(self, file: Path, channels: "tuple[Recording, ...]") -> "list[Recording]":
         """Return channels without their baseline, and print their warnings."""
         from rocksteady.records.processing import correct_baseline
 
-        for words in dict.fromkeys(words for one in found for words in one.warnings):
+        for words in dict.fromkeys(words for each in channels for words in each.warnings):
             warn(file, _in_flags(words))
-        return [_named(correct_baseline(one, self.baseline)) for one in found]
+        return [_named(correct_baseline(channel, self.baseline)) for channel in channels]
 
 
 def _named(one: "Recording") -> "Recording":
@@ -265,8 +264,8 @@ ASKED_FOR = re.compile(
 
 
 def _in_flags(words: str) -> str:
-    """Return a hint or a warning that asks for flags in place of arguments."""
-    return ASKED_FOR.sub(lambda found: FLAG_OF_ARGUMENT[found[0]], words)
+    """Return a hint or a warning with flags in place of arguments."""
+    return ASKED_FOR.sub(lambda match: FLAG_OF_ARGUMENT[match[0]], words)
 
 
 def warn(file: Path, words: str) -> None:
@@ -314,13 +313,13 @@ class RecordFlags:
             )
         if self.record:
             return True
-        own = {
+        flags = {
             "--reverse": (self.reverse and not pulse) or None,
             "--scale": self.scale,
             "--pga-g": self.pga_g,
             "--vertical": self.vertical,
         }
-        idle = reading.given | {flag: value for flag, value in own.items() if value is not None}
+        idle = reading.given | {flag: value for flag, value in flags.items() if value is not None}
         for flag, value in idle.items():
             raise FlagError(
                 flag,
@@ -338,11 +337,12 @@ class RecordFlags:
         InputError
             If a file cannot be read.
         """
-        found = [reading.read(file) for file in self.record or []]
-        for one in found:
-            if one.orientation == "vertical" and self.vertical is None:
-                warn(one.path, f"{one.component or 'its channel'} is vertical, and shakes across")
-        return found
+        recordings = [reading.read(file) for file in self.record or []]
+        for recording in recordings:
+            if recording.orientation == "vertical" and self.vertical is None:
+                name = recording.component or "its channel"
+                warn(recording.path, f"{name} is vertical, and shakes across")
+        return recordings
 
     def block(self, described: BlockFlags) -> Block:
         """Return the block that is shaken.
@@ -379,9 +379,9 @@ class RecordFlags:
                 valid="this command takes one",
                 hint="give one file",
             )
-        (one,) = self.recordings(reading)
-        scaled = self.scaled(self.at_pga(one).record)
-        return replace(one, record=scaled.reversed() if self.reverse else scaled)
+        (recording,) = self.recordings(reading)
+        scaled = self.scaled(self.at_pga(recording).record)
+        return replace(recording, record=scaled.reversed() if self.reverse else scaled)
 
     def at_pga(self, horizontal: "Recording") -> "Recording":
         """Return a horizontal channel scaled to --pga-g; its factor is kept for the vertical one.
@@ -428,15 +428,15 @@ class RecordFlags:
             return None
         from rocksteady.records.pairing import pair_doubts
 
-        one = reading.read_vertical(self.vertical)
-        if doubts := pair_doubts(horizontal, one):
+        recording = reading.read_vertical(self.vertical)
+        if doubts := pair_doubts(horizontal, recording):
             with_what = f"beside {horizontal.path.name} it may not belong"
             warn(self.vertical, f"{with_what}: {'; '.join(doubts)}")
         if self._to_pga:
-            one = replace(one, record=one.record.scaled(self._to_pga[0]))
+            recording = replace(recording, record=recording.record.scaled(self._to_pga[0]))
         if not self.reverse_vertical:
-            return one
-        return one.processed(one.record.reversed(), "sign changed: --reverse-vertical")
+            return recording
+        return recording.processed(recording.record.reversed(), "sign changed: --reverse-vertical")
 
     def scaled(self, record: "Record") -> "Record":
         """Return a record multiplied by --scale.
@@ -495,6 +495,6 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
             raise FlagError(
                 flag,
                 value,
-                "--record says how the base moves",
+                "--record sets the motion of the base",
                 "leave one of the two out; --scale makes a record stronger",
             )

@@ -129,14 +129,14 @@ class TableFlags:
             return [] if self.objects is None else [self.objects]
         return [self.tests, self.objects or self.tests.parent / "objects.csv"]
 
-    def record_files(self, found: "Observations") -> list[Path]:
+    def record_files(self, tests: "Observations") -> list[Path]:
         """Return the files of the records that were read."""
         if self.tests is None:
             return []
         beside = self.tests.parent / "records"
         folder = self.records or (beside if beside.is_dir() else self.tests.parent)
         tables = {file.name for file in self.files}
-        return [folder / name for name in found.sources if name not in tables]
+        return [folder / name for name in tests.sources if name not in tables]
 
     def observations(self) -> "Observations":
         """Return the tests with their objects.

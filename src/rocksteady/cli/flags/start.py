@@ -57,7 +57,7 @@ class StartFlags:
         Raises
         ------
         InputError
-            If the side is none.
+            If the side is neither +1 nor -1.
         ModelError
             If a steady start has a phase, or something needs shaking and there is none.
         """

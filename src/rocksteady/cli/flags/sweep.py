@@ -118,7 +118,7 @@ class SweepFlags:
     def check(self, output: OutputFlags) -> None:
         """Refuse, before anything is computed, a file that could not be written afterwards.
 
-        With --resume files that are there are written again: the command is given again as it was.
+        With --resume existing files are written again: the command is given again as it was.
 
         Raises
         ------
@@ -129,9 +129,9 @@ class SweepFlags:
         replace(output, force=output.force or self.resume).check()
         files = {"--plot": output.plot, "--csv": output.csv, "--netcdf": self.netcdf}
         files["--out"] = self.out
-        for (flag, file), (other, its) in combinations(files.items(), 2):
+        for (flag, file), (earlier_flag, its) in combinations(files.items(), 2):
             if same_file(file, its):
-                raise OutputError(other, its, f"{flag} writes the same file", "rename one")
+                raise OutputError(earlier_flag, its, f"{flag} writes the same file", "rename one")
         for flag, file in files.items():
             inside = None if file is None or self.out is None else place_of(file).parents
             if inside is not None and self.out is not None and place_of(self.out) in inside:
@@ -140,7 +140,7 @@ class SweepFlags:
             return
         if self.netcdf.suffix.lower() != ".nc":
             raise OutputError(
-                "--netcdf", self.netcdf, "the ending says the format: .nc", "rename it"
+                "--netcdf", self.netcdf, "the extension sets the format: .nc", "rename it"
             )
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
@@ -152,7 +152,7 @@ class SweepFlags:
         InputError, OutputError
             As for `rocksteady.Run`, and as for `rocksteady.Store` and its `check`.
         InputError
-            If something is said of a store and there is none.
+            If an option of a store is given without a store.
         """
         from rocksteady.sweep.run import Run
 
@@ -177,13 +177,13 @@ class SweepFlags:
         if impossible is not None:
             raise OutputError(self.STORE, self.out, impossible, "name another folder")
         if self.resume and force:
-            raise both("--resume", "--force", valid="a store is continued or begun anew")
+            raise both("--resume", "--force", valid="a store is continued or begun again")
         if is_store(self.out) and not (self.resume or force):
             raise OutputError(
                 self.STORE,
                 self.out,
                 "it exists",
-                "add --resume to continue it, or --force to begin anew",
+                "add --resume to continue it, or --force to begin again",
             )
         store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
         store.check()
@@ -196,7 +196,7 @@ class SweepFlags:
         Parameters
         ----------
         arguments
-            Of the program.
+            Arguments of the program.
         """
         from rocksteady.sweep.store.ownership import is_store
         from rocksteady.sweep.store.reading import finished_cells
@@ -245,9 +245,9 @@ def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
     Parameters
     ----------
     parts
-        Of the study.
+        Parts of the study.
     context
-        Of its command.
+        Context of the command.
     """
     try:
         yield

@@ -19,7 +19,7 @@ SINUSOID = SeriesFlags()
 
 @dataclass(frozen=True, kw_only=True)
 class SweepStart:
-    """Where each sweep begins; of several orders, the first is that of a steady state."""
+    """Where each sweep begins; for several orders, the first is that of a steady state."""
 
     start: options.SweepStart = AUTO
     order: options.Orders = None

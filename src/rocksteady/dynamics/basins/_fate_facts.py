@@ -17,47 +17,47 @@ CONFIDENCE = 0.95
 """Of the intervals of a description."""
 
 
-def fates_headline(found: Any) -> str:
+def fates_headline(fates: Any) -> str:
     """Return what the fates are of, in a line."""
-    words = motion_text(found.block, found.motion)
-    return f"Fates under {words}: {case_text(found.block)}, {found.model.name} model"
+    words = motion_text(fates.block, fates.motion)
+    return f"Fates under {words}: {case_text(fates.block)}, {fates.model.name} model"
 
 
-def fates_described(found: Any) -> Description:
+def fates_described(fates: Any) -> Description:
     """Return the facts of fates: shares, integrity, window and case."""
-    block = found.block
-    least, most = (lean_text(block, float(end)) for end in found.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in found.velocity[[0, -1]])
+    block = fates.block
+    least, most = (lean_text(block, float(end)) for end in fates.angle[[0, -1]])
+    slow, fast = (number(float(end)) for end in fates.velocity[[0, -1]])
     from_to = f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
     facts = [
         Fact("block", block.to_dict(), "block", block_text(block)),
-        Fact("motion", motion_text(found.block, found.motion), "base motion"),
-        *motion_facts(block, found.motion),
-        *_moment(found),
-        Fact("model", found.model.name, "model"),
-        Fact("", label="states", text=f"{found.fate.size:,} of {from_to}"),
-        Fact("safe_share", found.safe_share, "safe", f"{100.0 * found.safe_share:.2f} %"),
-        Fact("still_share", found.still_share),
+        Fact("motion", motion_text(fates.block, fates.motion), "base motion"),
+        *motion_facts(block, fates.motion),
+        *_moment(fates),
+        Fact("model", fates.model.name, "model"),
+        Fact("", label="states", text=f"{fates.fate.size:,} of {from_to}"),
+        Fact("safe_share", fates.safe_share, "safe", f"{100.0 * fates.safe_share:.2f} %"),
+        Fact("still_share", fates.still_share),
         Fact(
             "global_integrity",
-            _or_none(found.global_integrity),
+            _or_none(fates.global_integrity),
             "global integrity",
-            _text(found.global_integrity),
+            _text(fates.global_integrity),
         ),
         Fact(
             "integrity_factor",
-            _or_none(found.integrity_factor),
+            _or_none(fates.integrity_factor),
             "integrity factor",
-            _text(found.integrity_factor),
+            _text(fates.integrity_factor),
         ),
-        Fact("radius", found.radius),
-        Fact("still_radius", found.still_radius),
-        Fact("largest_safe_peak", _or_none(found.largest_safe_peak)),
+        Fact("radius", fates.radius),
+        Fact("still_radius", fates.still_radius),
+        Fact("largest_safe_peak", _or_none(fates.largest_safe_peak)),
         Fact("confidence", CONFIDENCE),
-        Fact("angles", _axis(found.angle)),
-        Fact("velocities", _axis(found.velocity)),
+        Fact("angles", _axis(fates.angle)),
+        Fact("velocities", _axis(fates.velocity)),
     ]
-    rows = [part.to_dict() for part in found.fractions(CONFIDENCE)]
+    rows = [part.to_dict() for part in fates.fractions(CONFIDENCE)]
     columns = [
         Column("name", "fate", left=True),
         Column("states", "states", lambda states: f"{states:,}"),
@@ -70,23 +70,23 @@ def fates_described(found: Any) -> Description:
     ]
     notes = ["Integrity is 1 on a still base: the safe area, and the radius of its largest circle."]
     rare = (Status.LOST_CONTACT, Status.UNDECIDED)
-    notes += [status.advice for status in rare if (found.fate == status).any()]
-    if (found.fate == Status.ROCKING).any():
+    notes += [status.advice for status in rare if (fates.fate == status).any()]
+    if (fates.fate == Status.ROCKING).any():
         notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
     return Description(
-        fates_headline(found), facts, [Table("fractions", rows), Table("", read, columns)], notes
+        fates_headline(fates), facts, [Table("fractions", rows), Table("", read, columns)], notes
     )
 
 
-def _moment(found: Any) -> list[Fact]:
+def _moment(fates: Any) -> list[Fact]:
     """Return the moment of the states, in seconds too where the block has a size."""
-    facts = [Fact("time_pt", found.time_pt)]
-    words = f"pt {number(found.time_pt)}"
-    if isinstance(found.block, Block):
-        seconds = found.time_pt / found.block.p
+    facts = [Fact("time_pt", fates.time_pt)]
+    words = f"pt {number(fates.time_pt)}"
+    if isinstance(fates.block, Block):
+        seconds = fates.time_pt / fates.block.p
         facts.append(Fact("time_s", seconds))
         words = f"{quantity(seconds, 's')} ({words})"
-    return [*facts, Fact("", label="states at", text=words)] if found.time_pt else facts
+    return [*facts, Fact("", label="states at", text=words)] if fates.time_pt else facts
 
 
 def _or_none(value: float) -> float | None:

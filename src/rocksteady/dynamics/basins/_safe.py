@@ -38,7 +38,7 @@ def safe_states(
     Parameters
     ----------
     sides
-        Of the block, as `rocksteady.dynamics.history.nonlinear_tables.sides_of` has them.
+        Sides of the block, as from `rocksteady.dynamics.history.nonlinear_tables.sides_of`.
     frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities
@@ -46,7 +46,7 @@ def safe_states(
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
     harmonics
-        Of a Fourier series; none of a single sinusoid.
+        Harmonics of a Fourier series; none for a single sinusoid.
     """
     axes = (("amplitudes", amplitudes), ("velocities", velocities), ("angles", angles))
     data = evaluate(

@@ -82,10 +82,10 @@ def basins_described(basins: Any) -> Description:
             row["between"] = f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"
         columns.insert(2, Column("between", f"{100.0 * CONFIDENCE:g} % interval"))
     notes = []
-    if any(one.kind is AttractorKind.APERIODIC for one in basins.attractors):
+    if any(attractor.kind is AttractorKind.APERIODIC for attractor in basins.attractors):
         notes.append(
             f"Aperiodic: not settled within {basins.max_cycles} periods, and neighbours part. More "
-            "periods tell chaos from a long way to something else."
+            "periods distinguish chaos from a long transient."
         )
     if basins.undecided and block.lossless:
         notes.append("Without loss (restitution 1) motions do not settle.")

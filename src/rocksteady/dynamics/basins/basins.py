@@ -65,11 +65,11 @@ class BasinFraction(Result):
     Attributes
     ----------
     label
-        Of the attractor.
+        Label of the attractor.
     states
         Initial states of the window that go there.
     share
-        Of all states of the window.
+        Share of all states of the window.
     low, high
         Wilson's interval of the share.
     """
@@ -102,7 +102,7 @@ class Basins(Result):
     Attributes
     ----------
     block, motion
-        What moves; the phase of `motion` is that of all initial states, in [0, 2 pi).
+        Block and base motion; the phase of `motion` is that of all initial states, in [0, 2 pi).
     angle
         u = theta/alpha, shape (n,).
     velocity
@@ -116,7 +116,7 @@ class Basins(Result):
     max_cycles
         Forcing periods after which a motion counted as aperiodic or undecided.
     seed
-        With which they were drawn; None for the points of the grid.
+        Seed with which they were drawn; None for the points of the grid.
     model
         Which equations of motion hold: `Linear` or `Nonlinear`.
     """
@@ -144,7 +144,7 @@ class Basins(Result):
 
         An orbit of n forcing periods is at n points, a block at rest at one; others at none.
         """
-        return tuple(states_at_phase(one, self.motion) for one in self.attractors)
+        return tuple(states_at_phase(attractor, self.motion) for attractor in self.attractors)
 
     def fractions(self, confidence: float = 0.95) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
@@ -157,7 +157,7 @@ class Basins(Result):
         Parameters
         ----------
         confidence
-            Of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1).
 
         Returns
         -------
@@ -176,10 +176,10 @@ class Basins(Result):
         from scipy.stats import binomtest
 
         level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
-        found = []
+        fractions = []
         for label, states in enumerate(self.states.tolist()):
             interval = binomtest(states, self.label.size).proportion_ci(level, method="wilson")
-            found.append(
+            fractions.append(
                 BasinFraction(
                     label=label,
                     states=states,
@@ -188,7 +188,7 @@ class Basins(Result):
                     high=float(interval.high),
                 )
             )
-        return tuple(found)
+        return tuple(fractions)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the labels as an xarray Dataset with dimensions velocity, angle and attractor.
@@ -270,7 +270,7 @@ class Basins(Result):
         )
 
     def entropy(self, box: int | Sequence[int] = BOX) -> BasinEntropy:
-        """Return the entropy of the basins, as `compute_basin_entropy` has it.
+        """Return the entropy of the basins, as from `compute_basin_entropy`.
 
         Parameters
         ----------
@@ -282,7 +282,7 @@ class Basins(Result):
     def uncertainty_exponent(
         self, sizes: Sequence[int] | None = None, *, by: Probe = "states"
     ) -> UncertaintyExponent:
-        """Return the exponent of the boundary, as `compute_uncertainty_exponent` has it.
+        """Return the exponent of the boundary, as from `compute_uncertainty_exponent`.
 
         Parameters
         ----------
@@ -296,7 +296,11 @@ class Basins(Result):
     @property
     def undecided(self) -> float:
         """Share of the states whose attractor is undecided."""
-        of = [one.label for one in self.attractors if one.kind is AttractorKind.UNDECIDED]
+        of = [
+            attractor.label
+            for attractor in self.attractors
+            if attractor.kind is AttractorKind.UNDECIDED
+        ]
         return float(self.states[of].sum() / self.label.size)
 
     def describe(self) -> Description:
@@ -304,7 +308,7 @@ class Basins(Result):
         return basins_described(self)
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a state: angle, velocity, label and name of its attractor."""
+        """Return one row per state: angle, velocity, label and name of its attractor."""
         import pandas as pd
 
         names = np.array([attractor.name for attractor in self.attractors])
@@ -335,8 +339,8 @@ def compute_basins(
     Each state is followed as by `find_attractor`; motions that settle to one orbit, whatever their
     shift in time by whole periods, go to one attractor.  Mirror images are two.  All motions that
     have not repeated within `max_cycles` and from which neighbours part count as one attractor,
-    aperiodic, and so do those undecided.  With little loss a long way to a periodic motion looks
-    like that too: more periods tell.
+    aperiodic, and so do those undecided.  With little loss a long transient looks like that too:
+    more periods decide.
 
     Parameters
     ----------
@@ -347,7 +351,7 @@ def compute_basins(
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
         of 200 cells up to 1 + A/sqrt(1 + Omega^2) on either side, beyond which |u + du/ds| on a
-        flight of the linear model grows for ever.  Against a wall, angles from 0 on.
+        flight of the linear model grows for ever.  Against a wall, angles of 0 or above.
     max_cycles
         Forcing periods after which a motion counts as aperiodic or undecided (default 500).
     seed

@@ -74,7 +74,7 @@ def settled_states(
         walled = only_side(sides) > 0
         angle, velocity = drawn_states(angles, velocities, number, seed, cell, walled=walled)
     count = len(number)
-    found = settled_cells(
+    attractors = settled_cells(
         np.full(count, motion.amplitude),
         np.full(count, motion.frequency_ratio),
         sides,
@@ -82,7 +82,7 @@ def settled_states(
         cycles,
         harmonics_of(motion),
     )
-    return {**found_in_cells(found), "start_angle": angle, "start_velocity": velocity}
+    return {**found_in_cells(attractors), "start_angle": angle, "start_velocity": velocity}
 
 
 def drawn_states(
@@ -101,9 +101,9 @@ def drawn_states(
     angles, velocities
         Middles of the cells, shape (cells,).
     number
-        Of the cells in the window.
+        Numbers of the cells in the window.
     seed
-        Of the draw.
+        Seed of the draw.
     cell
         Width of a cell in angle and in velocity.
     walled
@@ -111,10 +111,10 @@ def drawn_states(
     """
     part = uniform(seed, number, 2) - 0.5
     angle, velocity = angles + part[:, 0] * cell[0], velocities + part[:, 1] * cell[1]
-    # A cell begins at the wall but for a rounding.
+    # A cell begins at the wall, except for rounding.
     return (np.maximum(angle, TINY) if walled else angle), velocity
 
 
-def found_in_cells(found: Attractors) -> dict[str, NDArray[Any]]:
+def found_in_cells(attractors: Attractors) -> dict[str, NDArray[Any]]:
     """Return what `labelled` reads of the attractors of some cells."""
-    return {name: getattr(found, name) for name in CELL_ATTRACTOR}
+    return {name: getattr(attractors, name) for name in CELL_ATTRACTOR}

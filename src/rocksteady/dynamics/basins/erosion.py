@@ -63,9 +63,9 @@ class IntegrityDrop(Result):
     Attributes
     ----------
     measure, level
-        Which, and below what.
+        Name of the measure, and the level.
     low, high
-        The amplitudes between which it does.
+        The amplitudes between which the measure falls below the level.
     above, below
         The measure at these.
     """
@@ -100,8 +100,8 @@ class Erosion(Result):
     Attributes
     ----------
     block, motion
-        What moves; the phase of `motion` is that of all initial states, in [0, 2 pi), and its
-        amplitude the one that was given, in place of which `amplitude` holds.
+        Block and base motion; the phase of `motion` is that of all initial states, in [0, 2 pi),
+        and its amplitude, which was given, is replaced by `amplitude`.
     amplitude
         A = a_max/(alpha g), ascending, shape (amplitudes,).
     angle, velocity
@@ -109,13 +109,14 @@ class Erosion(Result):
     cycles
         Forcing periods that a safe state stands.
     safe
-        Which states do, shape (amplitudes, m, n).
+        Whether each state is safe, shape (amplitudes, m, n).
     safe_share
         Share of the window that is safe, shape (amplitudes,).
     radius
-        Of the largest circle of safe states, in the plane of u and du/d(p t), shape (amplitudes,).
+        Radius of the largest circle of safe states in the plane of u and du/d(pt), shape
+        (amplitudes,).
     still_share, still_radius
-        The same two on a still base (A = 0).
+        Share and radius on a still base (A = 0).
     model
         Which equations of motion hold: `Linear` or `Nonlinear`.
     """
@@ -149,7 +150,7 @@ class Erosion(Result):
     def heteroclinic(self) -> float | None:
         """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
 
-        Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
+        For a block whose sides differ, the lower one of both directions.  None in the nonlinear
         model and under a Fourier series, which have no closed form of it, and against a wall, where
         there is one saddle.
         """
@@ -162,7 +163,7 @@ class Erosion(Result):
 
     @cached_property
     def drops(self) -> "Mapping[str, IntegrityDrop | None]":
-        """Where each measure first falls below 0.5, by its name; computed when first read."""
+        """Amplitude at which each measure first falls below 0.5, by name; computed when read."""
         return {measure: self.drop(measure) for measure in MEASURES}
 
     def measure(self, name: str) -> Floats:
@@ -320,7 +321,7 @@ def compute_erosion(
     circle of safe states [2]_ in the plane of u = theta/alpha and du/d(pt): it sees the compact
     core alone.  For the rocking block erosion is discussed in [3]_.
 
-    Of a block against a wall there are states at angles above 0 alone, and the circle ends there.
+    For a block against a wall there are states at angles above 0 alone, and the circle ends there.
 
     The safe basin on a still base is a strip without end, so that the area depends on the window,
     whose edge does not count as safe.  A radius is known to about a cell.
@@ -373,7 +374,7 @@ def compute_erosion(
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     given_motion = periodic_motion(motion)
     ratio = given_motion.frequency_ratio
-    validated_grid(axis.points, ratio, 1.0, 1)  # the block knows its restitutions
+    validated_grid(axis.points, ratio, 1.0, 1)  # the block has its restitutions
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
@@ -403,7 +404,7 @@ def compute_erosion(
         run=how,
         harmonics=harmonics_of(given_motion),
     )
-    shares, radii = np.array([measured(one, angle.points, velocity.points) for one in safe]).T
+    shares, radii = np.array([measured(states, angle.points, velocity.points) for states in safe]).T
     if shares[0] == 0.0:
         raise ModelError(
             "angles",
@@ -440,10 +441,10 @@ def _half_width(sides: Floats, run: Run) -> float:
     radius = _still_radius(width, sides, run)
     while width < WIDEST:
         wider = WIDENING * width
-        there = _still_radius(wider, sides, run)
-        if there <= radius + 2.0 * wider / POINTS:  # but for a cell the same circle
+        still_radius = _still_radius(wider, sides, run)
+        if still_radius <= radius + 2.0 * wider / POINTS:  # the same circle to within a cell
             break
-        width, radius = wider, there
+        width, radius = wider, still_radius
     return width
 
 

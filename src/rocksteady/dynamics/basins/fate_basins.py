@@ -69,13 +69,13 @@ class FateFraction(Result):
     fate
         How the motions end.
     side
-        To which side they overturn, 1 or -1; 0 of every other fate.
+        Side to which they overturn, 1 or -1; 0 for every other fate.
     name
         Both in words.
     states
         Initial states of the window with this fate.
     share
-        Of all states of the window.
+        Share of all states of the window.
     low, high
         Wilson's interval of the share.
     """
@@ -197,7 +197,7 @@ class FateBasins(Result):
         Parameters
         ----------
         confidence
-            Of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1).
 
         Returns
         -------
@@ -213,13 +213,13 @@ class FateBasins(Result):
         from scipy.stats import binomtest
 
         level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
-        found = []
+        fractions = []
         for status, side, name in ORDER:
             states = int(np.count_nonzero((self.fate == status) & (self.side == side)))
             if not states:
                 continue
             interval = binomtest(states, self.fate.size).proportion_ci(level, method="wilson")
-            found.append(
+            fractions.append(
                 FateFraction(
                     fate=status,
                     side=side,
@@ -230,7 +230,7 @@ class FateBasins(Result):
                     high=float(interval.high),
                 )
             )
-        return tuple(found)
+        return tuple(fractions)
 
     def state(self, row: int, column: int) -> State:
         """Return the initial state of a cell, for `simulate` where `time_pt` is 0.
@@ -294,7 +294,7 @@ class FateBasins(Result):
         )
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a state: angle, velocity, fate, side, impacts and peak."""
+        """Return one row per state: angle, velocity, fate, side, impacts and peak."""
         import pandas as pd
 
         velocity, angle = np.meshgrid(self.velocity, self.angle, indexing="ij")
@@ -343,11 +343,11 @@ def compute_fate_basins(
         The block.
     motion
         Any base motion that ends: `Record`, `BaseMotion`, `Pulse`, `Impulses`, `Piecewise` and
-        sums of them, `SyntheticMotion`, `Still`; of endless shaking `cut_motion` takes a part.
+        sums of them, `SyntheticMotion`, `Still`; for endless shaking `cut_motion` takes a part.
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
         of 200 cells up to 1.5 on either side, or as far as the motion shifts the states that its
-        acceleration does not carry off.  Against a wall, angles from 0 on.
+        acceleration does not carry off.  Against a wall, angles of 0 or above.
     time_pt
         Pivot time p t of the motion at which the states are taken (default 0).  An impulse at that
         moment acts on them.
@@ -373,18 +373,18 @@ def compute_fate_basins(
     >>> import numpy as np
     >>> from rocksteady import DimensionlessBlock, Pulse, compute_fate_basins
     >>> window = np.linspace(-1.4, 1.4, 15)
-    >>> found = compute_fate_basins(
+    >>> basins = compute_fate_basins(
     ...     DimensionlessBlock(restitution=0.9),
     ...     Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0),
     ...     angles=window,
     ...     velocities=window,
     ... )
-    >>> for part in found.fractions():
+    >>> for part in basins.fractions():
     ...     print(part.name, part.states)
     at rest 60
     overturned, positive side 95
     overturned, negative side 70
-    >>> print(f"{found.global_integrity:.3f}")
+    >>> print(f"{basins.global_integrity:.3f}")
     0.779
     """
     chosen = chosen_model(model, block, motion)
@@ -414,11 +414,11 @@ def _fates(
     velocities: Floats, angles: Floats, *, table: Floats, sides: Floats
 ) -> dict[str, NDArray[Any]]:
     """Return the fates of some states, and whether they are safe on a still base."""
-    found = fates_of(table, sides, angles, velocities)
+    ends = fates_of(table, sides, angles, velocities)
     still = table[-1:].copy()
     still[:, JUMP] = 0.0
     standing = fates_of(still, sides, angles, velocities)["fate"]
-    return {**found, "still_safe": np.isin(standing, [int(status) for status in SAFE])}
+    return {**ends, "still_safe": np.isin(standing, [int(status) for status in SAFE])}
 
 
 def _reaches(table: Floats, sides: Floats) -> tuple[float, float]:

@@ -140,22 +140,22 @@ def labelled(
         `rocksteady.dynamics.batch.attractors.Attractors`.
     """
     kind = cells["kind"]
-    found: list[tuple[AttractorKind, Orbit | None, NDArray[np.bool_]]] = [
+    classes: list[tuple[AttractorKind, Orbit | None, NDArray[np.bool_]]] = [
         (which, None, kind == KINDS.index(which))
         for which in ORDER
         if which not in PERIODIC and (kind == KINDS.index(which)).any()
     ]
-    found += [
+    classes += [
         (AttractorKind(orbit.kind), orbit, of) for orbit, of in _orbits(block, motion, model, cells)
     ]
-    found.sort(key=lambda one: _order(one[0], one[1]))
-    names = attractor_names([(which, orbit) for which, orbit, _ in found])
+    classes.sort(key=lambda entry: _order(entry[0], entry[1]))
+    names = attractor_names([(which, orbit) for which, orbit, _ in classes])
     label = np.full(kind.shape, -1, dtype=np.int64)
-    for place, (_, _, of) in enumerate(found):
+    for place, (_, _, of) in enumerate(classes):
         label[of] = place
     return label, tuple(
         BasinAttractor(label=number, kind=which, name=name, orbit=orbit)
-        for number, ((which, orbit, _), name) in enumerate(zip(found, names, strict=True))
+        for number, ((which, orbit, _), name) in enumerate(zip(classes, names, strict=True))
     )
 
 
@@ -174,11 +174,11 @@ def _order(kind: AttractorKind, orbit: Orbit | None) -> tuple[object, ...]:
     )
 
 
-def attractor_names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
+def attractor_names(attractors: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
     """Yield a name for each attractor: kind and period, with a letter where several share them."""
     plain = [
         str(kind.value) if orbit is None else f"{kind.value}-{orbit.period}"
-        for kind, orbit in found
+        for kind, orbit in attractors
     ]
     several, before = Counter(plain), Counter[str]()
     for name in plain:
@@ -198,17 +198,17 @@ def _orbits(
     left = cells["period"] > 0
     while left.any():
         first = np.unravel_index(int(np.argmax(left)), left.shape)
-        one = {name: values[first].item() for name, values in cells.items()}
-        orbit = _orbit(block, motion, model, one)
+        cell = {name: values[first].item() for name, values in cells.items()}
+        orbit = _orbit(block, motion, model, cell)
         same = left.copy()
         for name in ("period", "passages", "rests"):
-            same &= cells[name] == one[name]
+            same &= cells[name] == cell[name]
         on = np.zeros_like(left)
         for state in orbit.states:
             on[same] |= near_state(
                 state, cells["side"][same], cells["phase"][same], cells["speed"][same]
             )
-        on[first] = True  # whatever rounding says
+        on[first] = True  # whatever rounding gives
         yield orbit, on
         left &= ~on
 
@@ -216,7 +216,7 @@ def _orbits(
 def near_state(
     state: ImpactState, side: Integers, phase: Floats, speed: Floats
 ) -> NDArray[np.bool_]:
-    """Return which states are one with another, as `rocksteady.dynamics.orbits.search` has it."""
+    """Return which states are one with another, as in `rocksteady.dynamics.orbits.search`."""
     apart = np.abs(phase - state.phase)
     apart = np.minimum(apart, TURN - apart)
     size = np.maximum(np.minimum(speed, state.speed), periodic.SMALLEST_SPEED)
@@ -235,7 +235,7 @@ def _orbit(
     """Return the orbit of a cell, started where it would be whichever cell had found it."""
     state = ImpactState(side=cell["side"], phase=cell["phase"], speed=cell["speed"])
     orbit = _through(block, motion, model, state, cell)
-    # A phase that is 0 but for a rounding may have come out as a whole turn; and an orbit with
+    # A phase that is 0 except for rounding may have come out as a whole turn; and an orbit with
     # rests is closed from an uplift on, whose speed is 0.
     begin = min(orbit.states, key=lambda here: (here.speed > 0.0, (here.phase + SAME) % TURN))
     return orbit if begin is orbit.states[0] else _through(block, motion, model, begin, cell)

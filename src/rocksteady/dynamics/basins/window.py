@@ -21,7 +21,7 @@ POINTS = 200
 DECIMALS = 12
 """Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
 BEHIND = (
-    "a block against a wall has angles from 0 on, and at angle 0 velocities from 0 on",
+    "a block against a wall has angles of 0 or above, and at angle 0 velocities of 0 or above",
     "give middles of cells, from half a step above 0 on",
 )
 """What is valid of the states of such a block, and what to give."""
@@ -47,9 +47,9 @@ def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[
     Parameters
     ----------
     sides
-        Of the block, as `rocksteady.dynamics.history.lowering.side_table` has them, shape (2, 3).
+        Sides of the block, as from `rocksteady.dynamics.history.lowering.side_table`, shape (2, 3).
     amplitude, frequency_ratio
-        Of the shaking; `reach` is counted in the units of each side.
+        Parameters of the shaking; `reach` is counted in the units of each side.
     """
     angle = velocity = 0.0
     for _, lean, rate in sides.tolist():
@@ -88,7 +88,7 @@ def window_axes(
     angles, velocities
         As they are given; None for middles of cells as far as `reaches`.
     reaches
-        How far in u and in du/d(pt) the default window reaches.
+        Extent of the default window in u and in du/d(pt).
     drawn
         Whether states are drawn in the cells around the values.
 

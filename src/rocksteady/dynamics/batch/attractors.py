@@ -58,7 +58,7 @@ class Attractors:
     lyapunov
         Per forcing period.
     after
-        Forcing periods until that was known.
+        Forcing periods until the attractor was known.
     """
 
     kind: NDArray[np.int8]
@@ -133,14 +133,14 @@ def settled_cells(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of all of them, or of each, as `dynamics.history.nonlinear_tables.sides_of` has
-        them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
+        Sides of the block of all cells, or of each, as `dynamics.history.nonlinear_tables.sides_of`
+        has them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
     begin
         Where they start.
     cycles
         Forcing periods after which a motion counts as unsettled.
     harmonics
-        Of a Fourier series, which the amplitudes scale; a single sinusoid without.
+        Harmonics of a Fourier series, scaled by the amplitudes; by default a single sinusoid.
     """
     cells = len(amplitude)
     whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
@@ -160,7 +160,7 @@ def settled_cells(
             tables[left],
             begin.taken(left),
         )
-        found = whole[left], real[left]
+        parts = whole[left], real[left]
         if harmonics:
             total, shares = shares_of(harmonics)
             column.settle_series_cells(
@@ -174,7 +174,7 @@ def settled_cells(
                 start.half_cycles,
                 start.phase,
                 cycles,
-                *found,
+                *parts,
             )
         elif in_lanes:
             lane_attractors(
@@ -187,7 +187,7 @@ def settled_cells(
                 start.half_cycles,
                 start.phase,
                 cycles,
-                *found,
+                *parts,
             )
         else:
             column.settle_cells(
@@ -200,9 +200,9 @@ def settled_cells(
                 start.half_cycles,
                 start.phase,
                 cycles,
-                *found,
+                *parts,
             )
-        whole[left], real[left] = found
+        whole[left], real[left] = parts
     kind = kind_codes(
         whole[:, column.OUTCOME],
         whole[:, column.SYMMETRIC],
@@ -245,7 +245,7 @@ class InitialStates:
     angle, velocity
         theta/alpha, and its derivative by pivot time.
     half_cycles, phase
-        Of the shaking: whole half periods, and the rest in [0, pi).
+        Time of the shaking: whole half periods, and the rest in [0, pi).
     """
 
     side: Integers
@@ -297,7 +297,7 @@ def batch_size(cycles: int) -> int:
 
 
 def outputs_of_orbits() -> tuple[Output, ...]:
-    """Return what a grid of attractors says of each cell, by the names of `Attractors`."""
+    """Return the values of a grid of attractors in each cell, by the names of `Attractors`."""
     integer: dict[str, Any] = {"dtype": np.int32}
     return (
         KIND_OUTPUT,

@@ -42,7 +42,7 @@ def ends_of(
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
-    Motions are followed side by side, but for those of blocks against a wall, and of unsymmetric
+    Motions are followed side by side, except motions of blocks against a wall, and of unsymmetric
     blocks in the linear model: a cell's answer depends on nothing but the cell.
 
     Parameters
@@ -50,20 +50,20 @@ def ends_of(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of each cell, as `dynamics.history.nonlinear_tables.sides_of` has them, shape
+        Sides of the block of each cell, as from `dynamics.history.nonlinear_tables.sides_of`, shape
         (cells, 2, 3), or (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.
     cycles
         Forcing periods that they are followed for, at most.
     harmonics
-        Of a Fourier series, which the amplitudes scale; a single sinusoid without.
+        Harmonics of a Fourier series, scaled by the amplitudes; by default a single sinusoid.
 
     Returns
     -------
     status, impacts
-        Codes of `ENDS`, and impacts until then; of the infinitely many before a rest those that
-        came before it was proved.
+        Codes of `ENDS`, and impacts until then; of the infinitely many before a rest the number
+        before it was proved.
     """
     count = len(amplitude)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
@@ -105,17 +105,17 @@ def ends_of(
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
             continue
-        found = np.empty((2, np.count_nonzero(cells)), dtype=np.int64)
-        final = np.empty((found.shape[1], 3))
+        codes = np.empty((2, np.count_nonzero(cells)), dtype=np.int64)
+        final = np.empty((codes.shape[1], 3))
         shaken = amplitude[cells], frequency_ratio[cells]
         begin = angle[cells], velocity[cells], phase[cells]
-        ends, counts = found
+        ends, counts = codes
         if in_lanes:
             ratio = sides[cells, 0, RESTITUTION]
             lane_fates(*shaken, ratio, *begin, cycles, True, MOST_IMPACTS, ends, counts, final)
         else:
             fates_of_sides(*shaken, sides[cells], *begin, cycles, MOST_IMPACTS, ends, counts, final)
-        status[cells], impacts[cells] = found
+        status[cells], impacts[cells] = codes
     return status, impacts
 
 

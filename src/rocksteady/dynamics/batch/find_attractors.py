@@ -65,10 +65,10 @@ def find_attractors(
     Examples
     --------
     >>> from rocksteady import AttractorKind, find_attractors
-    >>> found = find_attractors([0.5, 2.0, 6.0], 4.0, 0.8, velocity=0.2)
-    >>> found.labels.tolist(), found.period.tolist()
+    >>> attractors = find_attractors([0.5, 2.0, 6.0], 4.0, 0.8, velocity=0.2)
+    >>> attractors.labels.tolist(), attractors.period.tolist()
     (['rest', 'symmetric', 'overturned'], [0, 1, 0])
-    >>> found.are(AttractorKind.REST)
+    >>> attractors.are(AttractorKind.REST)
     array([ True, False, False])
     """
     bounce = restitution if not one_sided else 1.0

@@ -71,7 +71,7 @@ def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> F
     segments
         Table of the motion, with the still base after it.
     sides
-        Of the block, shape (2, 3) or (2, 5).
+        Sides of the block, shape (2, 3) or (2, 5).
     angle, velocity
         theta/alpha and its derivative by pivot time, before an impulse of the base at time 0.
     """

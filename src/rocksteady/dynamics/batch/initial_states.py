@@ -23,7 +23,7 @@ def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> InitialStates:
     angle, velocity
         theta/alpha, and its derivative by pivot time, shape (cells,).
     phase
-        Of the shaking [rad], shape (cells,).
+        Phase of the shaking [rad], shape (cells,).
 
     Examples
     --------
@@ -53,9 +53,9 @@ def on_orbits(
     start
         Its branch, order and side count.
     kick
-        In place of its own, shape (cells,).
+        Kicks in place of the start's own, shape (cells,).
     amplitude, frequency_ratio
-        Of the shaking, shape (cells,).
+        Parameters of the shaking, shape (cells,).
     sides
         As `dynamics.history.nonlinear_tables.sides_of` has them, shape (cells, 2, 3) or
         (cells, 2, 5) in the nonlinear model.
@@ -81,12 +81,12 @@ def on_orbits(
     states = find_steady_states(amplitude, frequency_ratio, restitution, order=start.order)
     assert states.admissible is not None
     which = start.branch - 1
-    there = states.admissible[which].copy()
-    phase = np.where(there, states.phase[which], 0.0)
-    velocity = np.where(there, states.velocity[which], 0.0)
-    unstable = there & ~(states.stable[which] | states.neutral[which])
+    admissible = states.admissible[which].copy()
+    phase = np.where(admissible, states.phase[which], 0.0)
+    velocity = np.where(admissible, states.velocity[which], 0.0)
+    unstable = admissible & ~(states.stable[which] | states.neutral[which])
     # All others of the linear model are known already.
-    left = there if sides.shape[2] > SIDE_COLUMNS else unstable
+    left = admissible if sides.shape[2] > SIDE_COLUMNS else unstable
     for cell in np.flatnonzero(left).tolist():
         try:
             phase[cell], velocity[cell] = set_off(
@@ -100,6 +100,6 @@ def on_orbits(
                 unstable=unstable.item(cell),
                 away=start.side * kick.item(cell),
             )
-        except ModelError:  # there is none, or no number says how it is left
-            there[cell] = False
-    return np.where(there, velocity, 0.0), np.where(there, phase, 0.0), there
+        except ModelError:  # there is none, or no number determines how it is left
+            admissible[cell] = False
+    return np.where(admissible, velocity, 0.0), np.where(admissible, phase, 0.0), admissible

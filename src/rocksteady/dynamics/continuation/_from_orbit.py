@@ -69,7 +69,7 @@ def chain_of(orbit: Orbit) -> Chain:
     for number, state in enumerate(states):
         at = section_of(state)
         if number:
-            # A flight alone knows how many periods it takes.
+            # Only a flight has the number of periods it takes.
             before = section_of(states[number - 1])
             passed = 0.0
             if orbit.admissible:

@@ -80,14 +80,15 @@ def follow_branch(
         Whether the branch is followed on where the solution passes through the floor; without, it
         ends at the graze before.
     largest_step
-        Of arclength, in parts of the range and of pi of mean phase.
+        Largest step of arclength, in parts of the range and of pi of mean phase.
     most_points
         Regular points after which the branch ends.
 
     Yields
     ------
     BranchPoint
-        The origin, then one after another.  The type of the last one says why the branch ends.
+        The origin, then one after another.  The type of the last one is the reason why the branch
+        ends.
 
     Raises
     ------

@@ -33,7 +33,7 @@ BARE = DimensionlessBlock(restitution=1.0)
 
 
 def model_text(block: AnyBlock, model: Model) -> str:
-    """Return the equations of motion; of the nonlinear ones with the slenderness that they know."""
+    """Return the equations of motion, the nonlinear ones with the slenderness of the block."""
     name = f"{model.name} model"
     if isinstance(model, Linear) or not isinstance(block, Block):
         return name
@@ -42,7 +42,7 @@ def model_text(block: AnyBlock, model: Model) -> str:
 
 
 def model_facts(block: AnyBlock, model: Model) -> list[Fact]:
-    """Return the equations of motion and what they know of a block beside its restitution."""
+    """Return the equations of motion and what they need of a block beside its restitution."""
     facts = []
     bare = block.dimensionless()
     if isinstance(model, Nonlinear) and isinstance(block, Block):
@@ -50,10 +50,10 @@ def model_facts(block: AnyBlock, model: Model) -> list[Fact]:
         text = "/".join(dict.fromkeys(f"{lean:.6g}" for lean in leans)) + " rad"
         facts.append(Fact("alpha_rad", leans[0] if leans[0] == leans[1] else leans, "alpha", text))
     if not block.symmetric:
-        (first, _, _), (other, lean, rate) = bare.sides
-        if other != first:
-            text = f"restitution {other:.6g}"
-            facts.append(Fact("negative_restitution", other, "negative side", text))
+        (first, _, _), (second, lean, rate) = bare.sides
+        if second != first:
+            text = f"restitution {second:.6g}"
+            facts.append(Fact("negative_restitution", second, "negative side", text))
         facts += [
             Fact("alpha_ratio", lean, "alpha, negative / positive side", f"{lean:.6g}"),
             Fact("p_ratio", rate, "p, negative / positive side", f"{rate:.6g}"),
@@ -74,13 +74,13 @@ def block_fact(block: Block, moving: Sequence[str]) -> Fact:
 
 def model_facts_over(block: AnyBlock, model: Model, moving: Sequence[str]) -> list[Fact]:
     """Return the facts of the model beside those of parameters that move and of `block_fact`."""
-    told = block.with_restitution(1.0) if "restitution" in moving else block
+    block_named = block.with_restitution(1.0) if "restitution" in moving else block
     sized = isinstance(block, Block)
-    return [fact for fact in model_facts(told, model) if fact.key == "model" or not sized]
+    return [fact for fact in model_facts(block_named, model) if fact.key == "model" or not sized]
 
 
 def kept_text(block: AnyBlock) -> str:
-    """Return the restitution of a block, of unlike impacts both."""
+    """Return the restitution of a block; both values where its impacts differ."""
     kept = [side[0] for side in block.dimensionless().sides]
     return "/".join(dict.fromkeys(f"{each:.6g}" for each in kept))
 
@@ -88,9 +88,9 @@ def kept_text(block: AnyBlock) -> str:
 def point_case(point: Any) -> str:
     """Return restitution and equations of motion of a point in a few words."""
     kept = f"{point.restitution:.8g}"
-    other = point.block.dimensionless().sides[1][0]
-    if other != point.restitution and not point.block.symmetric:
-        kept += f"/{other:.8g}"
+    negative = point.block.dimensionless().sides[1][0]
+    if negative != point.restitution and not point.block.symmetric:
+        kept += f"/{negative:.8g}"
     model = model_text(point.block, point.model)
     return f"restitution {kept}{orders_text(point.chain.harmonics)}, {model}"
 
@@ -166,7 +166,7 @@ def case_facts(
 
 
 def _fixed(block: AnyBlock, motion: PeriodicMotion, parameter: str) -> dict[str, float | None]:
-    """Return the three parameters; None for the one that moves."""
+    """Return the three parameters; None for the varied parameter."""
     return {
         "amplitude": motion.amplitude,
         "frequency_ratio": motion.frequency_ratio,
@@ -254,7 +254,7 @@ def branch_values(branch: Any) -> dict[str, Any]:
 
 
 def range_text(low: float, high: float) -> str:
-    """Return a range; of one too narrow for five digits its lower end and its width."""
+    """Return a range; for one too narrow for five digits its lower end and its width."""
     first, last = f"{low:.5g}", f"{high:.5g}"
     return f"{low:.7g} + {high - low:.0e}" if first == last else f"{first} to {last}"
 
@@ -345,7 +345,7 @@ def cascade_table(cascade: dict[str, Any], parameter: str) -> Table:
 
 
 def cascade_notes(cascade: dict[str, Any]) -> list[str]:
-    """Return what the distances of a cascade say of its limit."""
+    """Return what follows from the distances of a cascade for its limit."""
     if not cascade["ratios"]:
         return ["fewer than three doublings have no ratio"]
     limit = f"limit {cascade['limit']:.12f}, if the distances go on shrinking by the last ratio"

@@ -35,7 +35,7 @@ NEAR = 0.02
 SAME_PLACE = 1e-7
 """Difference of a parameter, relative to its range, up to which two bifurcations are one."""
 PLACES = 9
-"""Values over the range at which closed forms are asked for orbits, or a search of a block whose
+"""Values over the range at which orbits are computed in closed form, or a search of a block whose
 sides differ."""
 SEEDS = 24
 """Of phase and of speed each, of that search."""
@@ -43,9 +43,9 @@ DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.
 
 
 MOST_CYCLES = 1_000_000
-"""Of a sweep's value, as `find_attractor` has it."""
+"""Limit of a sweep's value, as for `find_attractor`."""
 MOST = 1000
-"""Of periods and impacts, as `find_orbits` has it."""
+"""Limits of periods and impacts, as for `find_orbits`."""
 
 
 @checked
@@ -62,12 +62,12 @@ class BranchSearch:
         Longest orbits that are branched off to [forcing periods, impacts]; by default 4 times the
         largest order, and 12.
     max_branches
-        After so many (default 100) no further one is begun at a bifurcation.
+        Number of branches (default 100) after which no further one begins at a bifurcation.
     everywhere
         Whether to start also from all motions that `find_orbits` finds at both ends of the range
         and in its middle; they may be many.
     doublings
-        Of the longest cascade (default 6, at most 8); 0 follows none.
+        Number of doublings of the longest cascade (default 6, at most 8); 0 follows none.
     max_cycles
         Forcing periods at each value of a sweep (default 2000), as for `find_attractor`.
 
@@ -119,9 +119,10 @@ def find_branches(
 ) -> tuple[Branch, ...]:
     """Follow orbits over a parameter in both directions, and all branches that bifurcate from them.
 
-    Of mirror images one is followed; a block whose sides differ has none.  At a graze branches
-    begin with the two new impacts in every half of a symmetric orbit and in one alone, and in every
-    period or in every other; branches with one touch in three periods or more are not looked for.
+    One of each pair of mirror images is followed; a block whose sides differ has none.  At a graze
+    branches begin with the two new impacts in every half of a symmetric orbit and in one alone, and
+    in every period or in every other; branches with one touch in three periods or more are not
+    looked for.
 
     Parameters
     ----------
@@ -136,7 +137,7 @@ def find_branches(
         Longest orbits that are branched off to [forcing periods, impacts]: doublings and grazes
         make them longer without end.
     max_branches
-        After so many no further one is begun.
+        Number of branches after which no further one begins.
     largest_step
         As for `follow_branch`.
 
@@ -148,7 +149,7 @@ def find_branches(
     Raises
     ------
     InputError, ModelError
-        If a value is outside its range, or an origin is none for `follow_branch`.
+        If a value is outside its range, or `follow_branch` refuses an origin.
 
     Examples
     --------
@@ -172,13 +173,13 @@ def find_branches(
     )
     if not isinstance(origins, Iterable):
         raise InputError("origins", origins, "it must be a list of orbits", "put it into a list")
-    found = _Found(parameter, within, longest, most, count, largest_step)
+    collection = _Found(parameter, within, longest, most, count, largest_step)
     for origin in origins:
         chain = chain_at(origin)
         checked_ranges(chain, (parameter,), (within,))
-        if origin.admissible and not found.holds(chain):
-            found.follow(origin)
-    return tuple(found.branches)
+        if origin.admissible and not collection.holds(chain):
+            collection.follow(origin)
+    return tuple(collection.branches)
 
 
 class _Found:
@@ -224,8 +225,8 @@ class _Found:
         """Return whether an orbit, or its mirror image, lies on a branch."""
         index = PARAMETERS.index(self.parameter)
         for branch in self.branches:
-            for one, other in pairwise(branch.points):
-                near = _between(one.chain, other.chain, chain, index)
+            for earlier, later in pairwise(branch.points):
+                near = _between(earlier.chain, later.chain, chain, index)
                 if near is not None and chain.repeats(near, NEAR, mirrors=True):
                     return True
         return False
@@ -372,10 +373,10 @@ def settled_orbits(sweeps: Iterable[AttractorSweep], search: BranchSearch) -> li
 
     Those that come to rest have no branch.
     """
-    found = [run[len(run) // 2].orbit for sweep in sweeps for _, _, run in sweep.runs()]
+    orbits = [run[len(run) // 2].orbit for sweep in sweeps for _, _, run in sweep.runs()]
     fitting = [
         (orbit.period, orbit.impacts, orbit)
-        for orbit in found
+        for orbit in orbits
         if orbit is not None and orbit.impacts is not None
     ]
     return [

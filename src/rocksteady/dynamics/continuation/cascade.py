@@ -55,7 +55,7 @@ class DoublingCascade(Result):
     Attributes
     ----------
     parameter
-        In which they follow one another.
+        Parameter over which they follow one another.
     points
         The doublings, in order.
     """
@@ -165,13 +165,13 @@ def find_cascade(
     Parameters
     ----------
     origin
-        An orbit whose branch comes to a doubling, or to a breaking of its symmetry first.
+        An orbit whose branch has a doubling, or first a symmetry breaking.
     parameter, within, direction
         As for `follow_branch`.
     doublings
-        How many to look for, up to 8; fewer are returned where a branch comes to none.
+        Largest number of doublings, up to 8; fewer are returned where a branch has fewer.
     largest_step
-        Of arclength, on the first branch.
+        Largest step of arclength, on the first branch.
 
     Returns
     -------
@@ -193,8 +193,8 @@ def find_cascade(
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
-    >>> found = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
-    >>> print([f"{value:.7f}" for value in found.values], [f"{r:.3f}" for r in found.ratios])
+    >>> cascade = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
+    >>> print([f"{value:.7f}" for value in cascade.values], [f"{r:.3f}" for r in cascade.ratios])
     ['1.7892720', '1.7746913', '1.7723039', '1.7718153'] ['6.107', '4.887']
     """
     count = whole_number(
@@ -204,10 +204,10 @@ def find_cascade(
         at_most=MOST_DOUBLINGS,
         hint="give the number of doublings to look for",
     )
-    found: list[BranchPoint] = []
+    points: list[BranchPoint] = []
     here, switch, step = origin, False, largest_step
     impacts = chain_at(origin).impacts
-    while len(found) < count:
+    while len(points) < count:
         followed = follow_branch(
             here, parameter, within, direction=direction, switch=switch, largest_step=step
         )
@@ -220,22 +220,22 @@ def find_cascade(
             ),
             None,
         )
-        # A branch may turn back into the one that it comes from, and end at what is doubled there.
+        # A branch may turn back into its parent, and end at what is doubled there.
         if ahead is None or ahead.chain.impacts < impacts:
             break
         if ahead.type is PointType.PERIOD_DOUBLING:
-            found.append(ahead)
+            points.append(ahead)
             step *= SHRINKING
         here, switch = ahead, True
         impacts = 2 * impacts
-    if not found:
+    if not points:
         raise ModelError(
             "origin",
             Words("is an orbit"),
-            f"its branch comes to no period doubling within {within}",
+            f"its branch has no period doubling within {within}",
             "widen the range, or follow it in the other direction",
         )
-    return DoublingCascade(parameter=parameter, points=tuple(found))
+    return DoublingCascade(parameter=parameter, points=tuple(points))
 
 
 def longest_cascade(
@@ -255,7 +255,7 @@ def longest_cascade(
     Returns
     -------
     DoublingCascade or None
-        None where no branch comes to a doubling.
+        None where no branch has a doubling.
     """
     best = None
     for branch in branches:
@@ -264,13 +264,13 @@ def longest_cascade(
             continue
         for direction in (1, -1):
             try:
-                found = find_cascade(
+                cascade = find_cascade(
                     middle, branch.parameter, within, direction=direction, doublings=doublings
                 )
-            except ModelError:  # it comes to none
+            except ModelError:  # it has none
                 continue
-            if best is None or len(found.points) > len(best.points):
-                best = found
+            if best is None or len(cascade.points) > len(best.points):
+                best = cascade
             if len(best.points) >= min(ENOUGH, doublings):
                 return best
     return best

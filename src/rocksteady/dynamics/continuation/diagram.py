@@ -65,7 +65,7 @@ class Bifurcation:
     branches
         Their numbers, from 1.
     highest, lowest
-        Extrema of u = theta/alpha; of two mirror images those of the one that leans to the
+        Extrema of u = theta/alpha; of two mirror images, of the orbit that leans to the
         positive side.
     """
 
@@ -83,17 +83,17 @@ class BifurcationDiagram(Result):
     Attributes
     ----------
     block, motion
-        What moves, and by what; their own value of the parameter does not count.
+        Block and base motion; their own value of the parameter does not count.
     parameter, within
-        What moves, and its range.
+        Parameter and its range.
     search
-        Which branches there are.
+        Options of the search for branches.
     branches
         In the order in which they were found: a branch comes after the one it branches off.
     sweeps
         Upwards and downwards; none without values.
     cascade
-        The longest; None where no branch comes to a period doubling, or `doublings` is 0.
+        The longest; None where no branch has a period doubling, or `doublings` is 0.
     complete
         Whether all branches were followed: False where `max_branches` ended the work.
     resting
@@ -142,7 +142,7 @@ class BifurcationDiagram(Result):
         return value
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Yield a row a point of each branch, in SI too where the block has a size."""
+        """Yield one row per point of each branch, in SI too where the block has a size."""
         for place, branch in enumerate(self.branches, start=1):
             for point in branch.points:
                 row = point_row(place, point, branch.lean, self.block)
@@ -157,7 +157,7 @@ class BifurcationDiagram(Result):
         return next((list(row) for row in self.rows()), ["branch"])
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point of each branch, in SI too where the block has a size."""
+        """Return one row per point of each branch, in SI too where the block has a size."""
         import pandas as pd
 
         return pd.DataFrame(list(self.rows()), columns=self.columns)
@@ -215,7 +215,7 @@ class BifurcationDiagram(Result):
             }
             for sweep in self.sweeps
         ]
-        found = (
+        summary = (
             f"{plural(len(branches), 'branch').replace('branchs', 'branches')} up to "
             f"{plural(int(search.max_period or 0), 'period')} and "
             f"{plural(search.max_impacts, 'impact')}, {plural(len(points), 'bifurcation')}"
@@ -227,7 +227,7 @@ class BifurcationDiagram(Result):
             Fact("max_impacts", search.max_impacts),
             Fact("max_branches", search.max_branches),
             Fact("complete", self.complete),
-            Fact("", label="found", text=found),
+            Fact("", label="found", text=summary),
         ]
         tables = [
             bifurcations_table(points, parameter, self.block, key="points"),
@@ -241,13 +241,13 @@ class BifurcationDiagram(Result):
             cascade = None if self.cascade is None else self.cascade.values_by_name()
             facts.append(Fact("cascade", cascade))
             if cascade is None:
-                notes.append("no cascade: no branch comes to a period doubling in this range")
+                notes.append("no cascade: no branch has a period doubling in this range")
             else:
                 tables.append(cascade_table(cascade, parameter))
                 notes += cascade_notes(cascade)
         unit = "" if isinstance(self.block, Block) else "Angles are in units of alpha. "
         images = (
-            "Of mirror images one is followed. "
+            "One of each pair of mirror images is followed. "
             if has_mirror_images(self.block, self.motion)
             else ""
         )
@@ -265,5 +265,5 @@ class BifurcationDiagram(Result):
     def __repr__(self) -> str:
         """Return one line, with the numbers of branches and bifurcations."""
         branches = "1 branch" if len(self.branches) == 1 else f"{len(self.branches)} branches"
-        found = f"{branches}, {plural(len(self.points), 'bifurcation')}"
-        return f"<{type(self).__name__}: {self._headline}, {found}>"
+        summary = f"{branches}, {plural(len(self.points), 'bifurcation')}"
+        return f"<{type(self).__name__}: {self._headline}, {summary}>"

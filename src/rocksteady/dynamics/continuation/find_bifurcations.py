@@ -55,10 +55,11 @@ def find_bifurcations(
     Branches start from the symmetric motions in closed form, or those of the nonlinear model to
     which they lead, and from what two sweeps, upwards and downwards, settle to.  They are followed
     around their folds, and so is every branch that begins at a bifurcation.  Orbits that come to
-    rest are found over the whole range (`find_resting_branches`).  Of mirror images one is
-    followed.  A block whose sides differ has neither symmetric motions nor mirror images: in their
-    place a search finds motions with two impacts at several values.  So it does under a Fourier
-    series, which has no closed form; orbits that come to rest are not followed under one.
+    rest are found over the whole range (`find_resting_branches`).  One of each pair of
+    mirror images is followed.  A block whose sides differ has neither symmetric motions nor mirror
+    images: in their place a search finds motions with two impacts at several values.  So it does
+    under a Fourier series, which has no closed form; orbits that come to rest are not followed
+    under one.
 
     Parameters
     ----------
@@ -71,9 +72,9 @@ def find_bifurcations(
     within
         Its range (low, high); by default the ends of `values`, or from half to twice its own value.
     values
-        Of the sweeps: their number (default 400; 0 for no sweeps), or the values themselves.
+        Values of the sweeps: their number (default 400; 0 for no sweeps), or the values themselves.
     start
-        Of each sweep; by default the steady state, or rest where there is none.
+        Start of each sweep; by default the steady state, or rest where there is none.
     search
         Which branches are followed, and for how long the sweeps wait; by default `BranchSearch()`.
     model
@@ -129,7 +130,7 @@ def find_bifurcations(
         max_impacts=asked.max_impacts,
         max_branches=asked.max_branches + 1,
     )
-    complete = len(branches) <= asked.max_branches  # one more says that more would have begun
+    complete = len(branches) <= asked.max_branches  # one more shows that more would have begun
     branches = branches[: asked.max_branches]
     cascade = longest_cascade(branches, (low, high), asked.doublings) if asked.doublings else None
     return BifurcationDiagram(
@@ -176,7 +177,7 @@ def _range_of(
     Raises
     ------
     InputError
-        If they are none, or too many.
+        If they are not valid, or too many.
     """
     chosen = VALUES if values is None else values
     given, count = np.atleast_1d(real_array("values", chosen)), np.ndim(chosen) == 0
@@ -200,8 +201,12 @@ def _range_of(
         steps = np.sort(given)
     else:
         hint = "give a number of values, as 400, or 0 for no sweeps"
-        many = whole_number("values", np.asarray(chosen).item(), at_least=0, hint=hint)
-        steps = np.linspace(low, high, min(many, LONGEST_SWEEP + 1)) if many else np.zeros(0)
+        value_count = whole_number("values", np.asarray(chosen).item(), at_least=0, hint=hint)
+        steps = (
+            np.linspace(low, high, min(value_count, LONGEST_SWEEP + 1))
+            if value_count
+            else np.zeros(0)
+        )
     if steps.size > LONGEST_SWEEP:
         raise InputError(
             "values", steps.size, f"sweeps go through at most {LONGEST_SWEEP}", "take fewer"

@@ -65,7 +65,7 @@ class BranchPoint(Result):
     Attributes
     ----------
     type
-        What is special about it.
+        Type of the point.
     amplitude, frequency_ratio, restitution
         Where it is.
     arclength
@@ -125,7 +125,7 @@ class BranchPoint(Result):
 
     @property
     def kind(self) -> str:
-        """Symmetric or unsymmetric, in that word."""
+        """Symmetry in a word: "symmetric" or "unsymmetric"."""
         return "symmetric" if self.symmetric else "unsymmetric"
 
     @cached_property
@@ -268,7 +268,7 @@ class Branch(Result):
     Attributes
     ----------
     parameter
-        What it was followed in.
+        Parameter over which it was followed.
     points
         In order of arclength; the special ones stand among the regular ones.
     """
@@ -335,18 +335,18 @@ class Branch(Result):
         """Return 1, or -1 where the branch leans to the negative side.
 
         `rocksteady.find_orbits` lists the orbits that lean to the positive side: the mirror images.
-        Of a block whose sides differ, and under even orders, there are none, and it is 1.
+        For a block whose sides differ, and under even orders, there are none, and it is 1.
         """
         if not self.points[0].chain.alike:
             return 1.0
         return 1.0 if np.nanmax(self.peaks) >= -np.nanmin(self.peaks) else -1.0
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a row a point."""
+        """Return one row per point."""
         return [point_row(1, point, self.lean, BARE) for point in self.points]
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point."""
+        """Return one row per point."""
         import pandas as pd
 
         return pd.DataFrame(self.rows())
@@ -359,7 +359,7 @@ class Branch(Result):
         xarray.Dataset
             The columns of `to_dataframe` over point, in order of arclength: the three parameters as
             coordinates, ``type`` with flags, multipliers by their parts.  ``peaks`` over point and
-            flight: extreme theta/alpha, nan of a flight that is none.
+            flight: extreme theta/alpha, nan for a missing flight.
 
         Examples
         --------
@@ -426,7 +426,7 @@ class Branch(Result):
         return tuple(stretches)
 
     def _decided(self, index: int) -> bool:
-        """Return whether the multipliers of a point say what is stable beside it.
+        """Return whether the multipliers of a point determine what is stable beside it.
 
         Not where one lies on the unit circle, nor at a graze, next to which they grow without
         bound.

@@ -59,8 +59,8 @@ def valued(samples: Floats, phase: ArrayLike) -> Floats:
         weights[-1] = 1.0
     angle = np.multiply.outer(np.asarray(phase, dtype=np.float64), orders)
     real, imaginary = weights * coefficients.real, weights * coefficients.imag
-    found: Floats = (cos(angle) * real - sin(angle) * imaginary).sum(axis=-1)
-    return found
+    values: Floats = (cos(angle) * real - sin(angle) * imaginary).sum(axis=-1)
+    return values
 
 
 def extrema_of(course: Course) -> tuple[float, float]:
@@ -79,25 +79,25 @@ def linear_course(swing: float, turn: float) -> Course:
     """Return the motion of the linear model, in the units of its side."""
     phase = 2.0 * math.pi / FEWEST * np.arange(FEWEST)
     beta = swing / (1.0 + turn * turn)
-    one = np.ones(FEWEST)
-    return Course(1.0 - beta * sin(phase), -beta * turn * cos(phase), one, -one)
+    unit = np.ones(FEWEST)
+    return Course(1.0 - beta * sin(phase), -beta * turn * cos(phase), unit, -unit)
 
 
 def nonlinear_course(swing: float, turn: float, alpha: float) -> tuple[Course, float] | None:
     """Return the motion of the nonlinear model in the units of its side; None where none."""
     count = FEWEST
     while count <= MOST:
-        found = _sought(swing, turn, alpha, count)
-        if found is not None:
-            course, _ = found
+        solved = _sought(swing, turn, alpha, count)
+        if solved is not None:
+            course, _ = solved
             if all(_resolved(each) for each in (course.angle, course.leaving, course.entering)):
-                return found
+                return solved
         count *= 2
     return None
 
 
 def _sought(swing: float, turn: float, alpha: float, count: int) -> tuple[Course, float] | None:
-    """Return the motion as it is found from so many phases."""
+    """Return the motion as it follows from a number of phases."""
     phase = 2.0 * math.pi / count * np.arange(count)
     shaking = swing * sin(phase)
     slope = turn * _derivative(count)

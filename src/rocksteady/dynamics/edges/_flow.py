@@ -44,7 +44,7 @@ class Reached(NamedTuple):
     angle, velocity
         u and du/d(pt); nan where the block has fallen to the ground.
     phase
-        Of the shaking, as unbounded as that of the start.
+        Phase of the shaking, as unbounded as that of the start.
     side
         +1, -1, or 0 at rest.
     impacts
@@ -70,7 +70,7 @@ class Flow:
     Parameters
     ----------
     block, motion, model
-        What moves; the phase of `motion` does not count.
+        Block and base motion; the phase of `motion` does not count.
     backward
         Whether time runs backward; default False.
 
@@ -106,10 +106,10 @@ class Flow:
         angle, velocity
             u and du/d(pt) at the start; at angle 0 just after an impact in the flow's direction.
         phase, end
-            Of the shaking at the start and at the end [rad], unbounded; the end is later, of a flow
-            backward earlier.
+            Phases of the shaking at the start and at the end [rad], unbounded; the end is later, of
+            a flow backward earlier.
         side
-            To which a block with angle and velocity 0 lifts off; default at rest.
+            Side to which a block with angle and velocity 0 lifts off; default at rest.
         """
         begin = self._begin(angle, velocity, phase, side)
         stop_half, stop_phase = clock(math.pi - end if self.backward else end)
@@ -141,7 +141,7 @@ class Flow:
         angle, velocity, phase
             As for `carried`.
         impacts
-            How many, 1 or more.
+            Number of impacts, 1 or more.
         longest
             Phase of the shaking within which they must come [rad].
         """
@@ -177,7 +177,7 @@ class Flow:
         limit: int,
         rows: Floats,
     ) -> tuple[int, columns.March]:
-        found: tuple[int, columns.March] = march(
+        result: tuple[int, columns.March] = march(
             self.segments,
             self.sides,
             begin,
@@ -188,7 +188,7 @@ class Flow:
             rows,
             NO_PEAKS,
         )
-        return found
+        return result
 
     def _falling(
         self, begin: columns.March, stop_half: int, stop_phase: float, flights: int
@@ -221,7 +221,7 @@ def inverse_sides(sides: Floats) -> Floats:
     ModelError
         If an impact leaves nothing of the velocity.
     """
-    found = sides.copy()
+    inverse = sides.copy()
     ratios = sides[:, columns.RESTITUTION]
     if ratios[0] <= 0.0:  # a wall's
         ratios = ratios[:1]
@@ -233,7 +233,7 @@ def inverse_sides(sides: Floats) -> Floats:
             "give a restitution above 0, or ask for the unstable manifold",
         )
     if len(ratios) == 1:
-        found[0, columns.RESTITUTION] = 1.0 / ratios[0]
+        inverse[0, columns.RESTITUTION] = 1.0 / ratios[0]
     else:
-        found[:, columns.RESTITUTION] = 1.0 / ratios[::-1]
-    return found
+        inverse[:, columns.RESTITUTION] = 1.0 / ratios[::-1]
+    return inverse

@@ -2,7 +2,7 @@
 
 A manifold at a phase of the shaking is one curve for each point of the saddle there and each sign:
 the states that motions have reached which were at a small distance from the saddle a time before.
-The label p of a point is that time in periods of the saddle, but for a constant, so that the map
+The label p of a point is that time in periods of the saddle, up to a constant, so that the map
 over such a period takes the point p exactly to the point p + 1, and every point of the manifold has
 one label.  Each is computed by itself, from beside the saddle: errors do not add up along the
 curve.  Motions set off within 1e-6 of the saddle on the straight line along its direction, which
@@ -50,7 +50,7 @@ class Images(NamedTuple):
     impacts
         Between leaving the saddle and the point.
     side
-        To which the block leans, or goes.
+        Side to which the block leans, or goes.
     fallen
         Whether the block has overturned (of a stable manifold: has never had an impact before).
     """
@@ -235,22 +235,22 @@ def impacting(leaving: Departures, labels: Floats, place: int, forward: Floats) 
     leaving, labels
         The motions.
     place
-        Of an orbit, the number of the state near which the curve begins; of a hilltop saddle, the
+        For an orbit, the number of the state near which the curve begins; for a hilltop saddle, the
         number of impacts since, or until.
     forward
         Side table of the block, forward in time.
     """
     reached = []
     for label in labels.tolist():
-        found = leaving.after_impacts(label, place)
-        velocity = abs(found.velocity)
-        side = found.side
+        images = leaving.after_impacts(label, place)
+        velocity = abs(images.velocity)
+        side = images.side
         if leaving.backward and math.isfinite(velocity):
             # Just before the impact in forward time: multiplied by the restitution just after it.
             ratio = float(forward[0 if side > 0 else 1, columns.RESTITUTION])
             velocity *= abs(ratio)
             side = side if forward[0, columns.RESTITUTION] <= 0.0 else -side
-        reached.append(found._replace(angle=found.phase % TURN, velocity=velocity, side=side))
+        reached.append(images._replace(angle=images.phase % TURN, velocity=velocity, side=side))
     return _images(reached)
 
 

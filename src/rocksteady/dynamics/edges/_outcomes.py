@@ -1,4 +1,4 @@
-"""How motions end, told apart as far as an edge needs it."""
+"""How motions end, distinguished as far as an edge needs it."""
 
 import math
 from dataclasses import replace
@@ -24,9 +24,9 @@ class Outcome(NamedTuple):
     falls
         Whether it overturns.
     number
-        Of the orbit among those seen; +1 or -1 of the side of a fall; 0 otherwise.
+        Number of the orbit among those seen; +1 or -1, the side of a fall; 0 otherwise.
     attractor
-        What `find_attractor` says of it.
+        Result of `find_attractor`.
     """
 
     name: str
@@ -45,7 +45,7 @@ class Outcomes:
     Parameters
     ----------
     flow
-        Of the block, forward in time.
+        Flow of the block, forward in time.
     max_cycles
         Forcing periods for which a motion is followed.
     """
@@ -64,26 +64,26 @@ class Outcomes:
         """Return the outcome of a state."""
         self.asked += 1
         flow = self.flow
-        found = find_attractor(
+        attractor = find_attractor(
             flow.block,
             replace(flow.motion, phase=phase % TURN),
             start=State(angle=angle, velocity=velocity),
             max_cycles=self.max_cycles,
             model=flow.model,
         )
-        if found.kind is AttractorKind.OVERTURNED:
-            end = phase + TURN * (found.after + 2)
+        if attractor.kind is AttractorKind.OVERTURNED:
+            end = phase + TURN * (attractor.after + 2)
             side = flow.carried(angle, velocity, phase, end).side
             word = "positive" if side > 0 else "negative"
-            return Outcome(f"overturned to the {word} side", True, side, found)
-        if found.orbit is None:
-            return Outcome(str(found.kind.value), False, 0, found)
-        orbit = found.orbit
+            return Outcome(f"overturned to the {word} side", True, side, attractor)
+        if attractor.orbit is None:
+            return Outcome(str(attractor.kind.value), False, 0, attractor)
+        orbit = attractor.orbit
         name = f"{orbit.kind} orbit of period {orbit.period}"
-        return Outcome(name, False, self._number(orbit), found)
+        return Outcome(name, False, self._number(orbit), attractor)
 
     def _number(self, orbit: Orbit) -> int:
-        """Return the number of an orbit among those seen, from 1 on."""
+        """Return the number of an orbit among those seen, from 1."""
         begin = orbit.states[0]
         for number, known in enumerate(self.orbits, start=1):
             if known.period != orbit.period:

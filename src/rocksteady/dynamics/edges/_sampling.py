@@ -34,7 +34,7 @@ class Plane(NamedTuple):
     Attributes
     ----------
     middle, half
-        Of the window, shape (2,).
+        Middle and half widths of the window, shape (2,).
     turn
         Period of the first coordinate; 0 for none.
     """
@@ -59,8 +59,8 @@ class Plane(NamedTuple):
         near = np.abs(points - self.middle) <= self.half
         if self.turn:
             near[:, 0] = np.isfinite(points[:, 0])
-        found: Bools = near[:, 0] & near[:, 1]
-        return found
+        inside: Bools = near[:, 0] & near[:, 1]
+        return inside
 
     def chords(self, seen: Floats) -> Floats:
         """Return the differences of neighbours, the shortest way round."""
@@ -139,9 +139,9 @@ def sampled(
         if not wanted.any() or len(labels) >= most:
             return Sampled(labels, images, gaps if wanted.any() else broken, not wanted.any())
         new = 0.5 * (labels[:-1] + labels[1:])[wanted]
-        both = np.concatenate([labels, new])
-        order = np.argsort(both, kind="stable")
-        labels, images = both[order], joined(images, curve(new), order)
+        labels_sampled = np.concatenate([labels, new])
+        order = np.argsort(labels_sampled, kind="stable")
+        labels, images = labels_sampled[order], joined(images, curve(new), order)
 
 
 def _coarse(plane: Plane, images: Images, spacing: float) -> tuple[Bools, Bools]:

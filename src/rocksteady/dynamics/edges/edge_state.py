@@ -32,7 +32,7 @@ MEANING = {
     "orbit": "On the edge the block rocks for ever in an unstable orbit.",
     "aperiodic": (
         "The tracked motion has not repeated: the edge is fractal with a chaotic motion in it, or "
-        "the motion is slow. More periods, or other states, tell."
+        "the motion is slow. More periods, or other states, decide."
     ),
 }
 
@@ -45,8 +45,8 @@ class EdgeState(Result):
     Attributes
     ----------
     block, motion
-        What moves; the phase of `motion` is that of `start`, `other`, `boundary` and of the tracked
-        states, in [0, 2 pi).
+        Block and base motion; the phase of `motion` is that of `start`, `other`, `boundary` and of
+        the tracked states, in [0, 2 pi).
     kind
         "hilltop" or "orbit" for a saddle of that kind; "aperiodic" without one.
     saddle
@@ -105,7 +105,7 @@ class EdgeState(Result):
         return self.kick * self.block.uplift_acceleration / self.block.p
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a tracked state: forcing periods since the boundary, angle and velocity."""
+        """Return one row per tracked state: periods since the boundary, angle and velocity."""
         import pandas as pd
 
         return pd.DataFrame(

@@ -78,11 +78,11 @@ def compute_manifold(
         "phase" (default) for states (u, du/d(pt)) at a phase of the shaking; "impacts" for states
         (phase, speed) just after an impact.
     phase
-        Of the shaking [rad]; by default that of the saddle's motion.
+        Phase of the shaking [rad]; by default that of the saddle's motion.
     length
-        Of each branch inside the window, in half widths of it; default 20.
+        Length of each branch inside the window, in half widths of it; default 20.
     impacts
-        Of a hilltop saddle over impacts: how many since or until, from 1 (default) to this number.
+        For a hilltop saddle over impacts: how many since or until, from 1 (default) to this number.
     window
         Half widths in u and du/d(pt) in which lengths count; by default that of `compute_basins`.
         Over impacts the second one is that of the speed.
@@ -92,7 +92,7 @@ def compute_manifold(
     Returns
     -------
     Manifold
-        Two branches a point of the saddle.
+        Two branches per point of the saddle.
 
     Raises
     ------
@@ -109,8 +109,8 @@ def compute_manifold(
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_hilltop_saddles
     >>> motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
     >>> saddle, _ = find_hilltop_saddles(DimensionlessBlock(restitution=0.9), motion)
-    >>> found = compute_manifold(saddle, "unstable", length=3.0)
-    >>> for branch in found.branches:
+    >>> manifold = compute_manifold(saddle, "unstable", length=3.0)
+    >>> for branch in manifold.branches:
     ...     print(branch.sign, branch.ended)
     1 far
     -1 length

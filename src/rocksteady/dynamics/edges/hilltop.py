@@ -40,7 +40,7 @@ from rocksteady.results.result import Result
 Floats = NDArray[np.float64]
 
 LONGEST_ROW = 1.0
-"""Pivot time after which a trajectory is taken from the saddle anew: it grows as e^s."""
+"""Pivot time after which a trajectory is restarted from the saddle: it grows as e^s."""
 
 
 @checked_result
@@ -51,7 +51,7 @@ class HilltopSaddle(Result):
     Attributes
     ----------
     block, motion
-        What moves; the phase of `motion` is that of `start`.
+        Block and base motion; the phase of `motion` is that of `start`.
     side
         +1 or -1.
     course
@@ -117,7 +117,7 @@ class HilltopSaddle(Result):
         kind
             "unstable" or "stable".
         phase
-            Of the shaking [rad].
+            Phase of the shaking [rad].
 
         Raises
         ------
@@ -140,7 +140,7 @@ class HilltopSaddle(Result):
         return State(angle=float(angle), velocity=float(velocity))
 
     def trajectory(self) -> Trajectory:
-        """Return one period of the motion, taken anew from the saddle after each pt = 1.
+        """Return one period of the motion, restarted from the saddle after each pt = 1.
 
         A run from its start leaves it at the rate of the multiplier.
         """
@@ -208,10 +208,10 @@ class HilltopSaddle(Result):
 def find_hilltop_saddles(
     block: Block | DimensionlessBlock, motion: Harmonic, *, model: Model | None = None
 ) -> tuple[HilltopSaddle, ...]:
-    """Return the unstable motions about the upright balance, one a side.
+    """Return the unstable motions about the upright balance, one per side.
 
     In the linear model ``u = sigma - beta sin(Omega s + phi)`` with beta = A/(1 + Omega^2), and
-    multipliers exp(+-2 pi/Omega); of an asymmetric block in the units of either side.  Where it
+    multipliers exp(+-2 pi/Omega); for an asymmetric block in the units of either side.  Where it
     would pass through the base, beta >= 1, there is none.
 
     Parameters
@@ -249,7 +249,7 @@ def find_hilltop_saddles(
     bare, shaken = bare_block(block), harmonic(motion)
     equations = chosen_model(model, block)
     table = sides_of(block, equations)
-    found = []
+    saddles = []
     for side in (1,) if bare.one_sided else (1, -1):
         row = table[0 if side > 0 else 1]
         lean, rate = float(row[columns.LEAN]), float(row[columns.RATE])
@@ -266,7 +266,7 @@ def find_hilltop_saddles(
             continue
         ends = sorted((side * lean * least, side * lean * most))
         exponent = 2.0 * math.pi / turn * float(course.leaving.mean())
-        found.append(
+        saddles.append(
             HilltopSaddle(
                 block=block,
                 motion=shaken,
@@ -279,4 +279,4 @@ def find_hilltop_saddles(
                 model=equations,
             )
         )
-    return tuple(found)
+    return tuple(saddles)

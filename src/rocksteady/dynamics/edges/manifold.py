@@ -37,7 +37,7 @@ Over = Literal["phase", "impacts"]
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ManifoldBranch:
-    """One branch of a manifold: a curve from beside the saddle on.
+    """One branch of a manifold: a curve that begins beside the saddle.
 
     Attributes
     ----------
@@ -45,10 +45,10 @@ class ManifoldBranch:
         u and du/d(pt) at the phase, or phase in [0, 2 pi) [rad] and speed just after an impact,
         shape (points,).
     label
-        Periods of the saddle for which the motion through each point has been away from it, but
-        for a constant: the map over such a period adds 1, or of a stable manifold takes 1 off.
+        Periods of the saddle for which the motion through each point has been away from it, up
+        to a constant: the map over such a period adds 1, or of a stable manifold takes 1 off.
     impacts
-        Of that motion since.
+        Number of impacts of that motion since.
     side
         +1 or -1 to which the block leans at a point, or goes from an impact; 0 at rest.
     arclength
@@ -103,11 +103,11 @@ class Manifold(Result):
     over
         "phase": states at a phase of the shaking; "impacts": states just after an impact.
     phase
-        Of the shaking [rad], in [0, 2 pi); nan over impacts.
+        Phase of the shaking [rad], in [0, 2 pi); nan over impacts.
     branches
-        Curves from beside the saddle on.
+        Curves that begin beside the saddle.
     window
-        Half widths of the window in which lengths count, about (0, 0).
+        Half widths of the window, about (0, 0), in which lengths count.
     spacing
         Largest distance of neighbours, in those half widths.
     """
@@ -143,7 +143,7 @@ class Manifold(Result):
     def nearest(self, angle: float, velocity: float) -> tuple[float, float]:
         """Return the point of the manifold nearest to a state, between its points on chords.
 
-        Of a stable manifold that parts standing from overturning it is the least perturbation of
+        For a stable manifold that parts standing from overturning it is the least perturbation of
         any direction in (u, du/d(pt)) that lets the block fall (Halekotte and Feudel 2020).
 
         Parameters
@@ -174,7 +174,7 @@ class Manifold(Result):
                 "states of angle and velocity are near one over a phase",
                 "compute it over a phase",
             )
-        best, found = math.inf, (math.nan, math.nan)
+        best, nearest_state = math.inf, (math.nan, math.nan)
         for branch in self.branches:
             for part in branch.pieces:
                 path = np.column_stack([branch.first[part], branch.second[part]])
@@ -187,8 +187,8 @@ class Manifold(Result):
                 least = int(np.argmin(apart))
                 if apart[least] < best:
                     best = float(apart[least])
-                    found = float(closest[least, 0]), float(closest[least, 1])
-        return found
+                    nearest_state = float(closest[least, 0]), float(closest[least, 1])
+        return nearest_state
 
     @property
     def coordinates(self) -> tuple[str, str]:
@@ -196,7 +196,7 @@ class Manifold(Result):
         return ("angle", "velocity") if self.over == "phase" else ("phase", "speed")
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point, in order of the branches; `piece` counts parts without a jump."""
+        """Return one row per point, in order; `piece` counts parts without a jump."""
         import pandas as pd
 
         first, second = self.coordinates

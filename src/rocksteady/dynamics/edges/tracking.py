@@ -183,12 +183,12 @@ def find_edge_state(
         low, high = _fatal(flow, here, phase, direction, limits["max_cycles"])
         size = direction * 0.5 * (low + high)
         near = _kicked(flow.sides, here, direction * low)
-        there = _kicked(flow.sides, here, direction * high)
+        far = _kicked(flow.sides, here, direction * high)
     else:
-        near, there = here, _second(other, bare)
-    ends = outcomes.of(*here, phase), outcomes.of(*there, phase)
+        near, far = here, _second(other, bare)
+    ends = outcomes.of(*here, phase), outcomes.of(*far, phase)
     border = _Border(outcomes, *ends)
-    pair = border.bisected(Pair(near, there), phase)
+    pair = border.bisected(Pair(near, far), phase)
     tracked = border.track(pair, phase, limits["max_periods"])
     return EdgeState(
         block=block,
@@ -196,7 +196,7 @@ def find_edge_state(
         kind=_kind(tracked.saddle),
         saddle=tracked.saddle,
         start=State(angle=here[0], velocity=here[1]),
-        other=State(angle=there[0], velocity=there[1]),
+        other=State(angle=far[0], velocity=far[1]),
         attractors=(ends[0].attractor, ends[1].attractor),
         outcomes=(ends[0].name, ends[1].name),
         boundary=State(angle=pair.middle[0], velocity=pair.middle[1]),
@@ -257,9 +257,9 @@ class _Border:
     Parameters
     ----------
     outcomes
-        Of states.
+        Outcomes of states.
     first, second
-        Of the two states between which it lies.
+        Outcomes of the two states between which the border lies.
     """
 
     def __init__(self, outcomes: Outcomes, first: Outcome, second: Outcome) -> None:
@@ -304,10 +304,10 @@ class _Border:
             for step in range(count):
                 begin = phase + TURN * (step / count)
                 end = phase + TURN * ((step + 1) / count)
-                one, two = (self.flow.carried(*point, begin, end) for point in pair)
-                pair = Pair((one.angle, one.velocity), (two.angle, two.velocity))
-                bounced += one.impacts
-                apart += one.impacts - two.impacts
+                first, two = (self.flow.carried(*point, begin, end) for point in pair)
+                pair = Pair((first.angle, first.velocity), (two.angle, two.velocity))
+                bounced += first.impacts
+                apart += first.impacts - two.impacts
                 if not math.isfinite(pair.distance):
                     raise ModelError(
                         "other",
@@ -372,8 +372,8 @@ class _Border:
         passages, shortest = periodic.primitive(table, impacts, period)
         table = table[:passages].copy()
         orbit = orbit_from(flow.block, flow.motion, table, shortest, fixed.residual, flow.model)
-        one, two = (abs(complex(value)) for value in orbit.multipliers)
-        return orbit if one > 1.0 > two else None
+        first_modulus, second_modulus = (abs(complex(value)) for value in orbit.multipliers)
+        return orbit if first_modulus > 1.0 > second_modulus else None
 
 
 def _distance(orbit: Orbit, point: Point, phase: float) -> float:
@@ -442,10 +442,10 @@ def _fatal(
     )
     falls = np.flatnonzero(status == int(Status.OVERTURNED))
     if not len(falls) or falls[0] == 0:
-        found = "overturns without a kick" if len(falls) else "stands under every kick"
+        reason = "overturns without a kick" if len(falls) else "stands under every kick"
         raise ModelError(
             "start",
-            Words(f"{found} up to {MOST_KICK:g} alpha g/p"),
+            Words(f"{reason} up to {MOST_KICK:g} alpha g/p"),
             "the least fatal kick is sought from a state that stands, towards one that falls",
             "give another start, the other sign of the kick, or a second state as other",
         )

@@ -55,7 +55,7 @@ def growth_of(course: Course, impacts: Impacts) -> float:
     sinh/rho], [rho sinh, cosh]]`` of ``rho t``, whatever the base does; in the nonlinear one K
     follows the motion (`_nonlinear_flights`).  Through an impact they follow ``[[r, 0], [(b - r
     a)/v, r]]``, with the velocity v before it, the restitution r, and the block's acceleration a
-    before and b after it.  Of a block against a wall r is minus the wall's, and b is a.
+    before and b after it.  For a block against a wall r is minus the wall's, and b is a.
 
     Parameters
     ----------
@@ -67,26 +67,26 @@ def growth_of(course: Course, impacts: Impacts) -> float:
     nonlinear = is_nonlinear(course.sides)
     flights = _nonlinear_flights(course) if nonlinear else _linear_flights(course)
     turns = _impacts(course, impacts)
-    one, other = (1.0, 0.0), (0.0, 1.0)  # images of a unit of angle and of velocity
+    first, second = (1.0, 0.0), (0.0, 1.0)  # images of a unit of angle and of velocity
     gone = largest = 0.0  # logarithms: of what has been divided out, and of the growth
     resting = (course.rows[:, columns.ROW_SIDE] == 0.0).tolist()
     for row, (left_out, (a, b, c, d)) in enumerate(flights):
         if resting[row]:
-            one, other, gone = (1.0, 0.0), (0.0, 1.0), 0.0
+            first, second, gone = (1.0, 0.0), (0.0, 1.0), 0.0
             continue
         gone += left_out
-        one, other = ((a * u + b * v, c * u + d * v) for u, v in (one, other))
+        first, second = ((a * u + b * v, c * u + d * v) for u, v in (first, second))
         if row in turns:
             ratio, kink = turns[row]
             if ratio == 0.0 and resting[row + 1 : row + 2] == [True]:
                 continue  # a wall that takes all of the velocity keeps the block, and no difference
-            one, other = ((ratio * u, kink * u + ratio * v) for u, v in (one, other))
-        (u, v), (x, y) = one, other
+            first, second = ((ratio * u, kink * u + ratio * v) for u, v in (first, second))
+        (u, v), (x, y) = first, second
         size = math.sqrt(u * u + v * v + x * x + y * y)
         if not 0.0 < size < math.inf:
             return math.inf
         gone += log(size)
-        one, other = (u / size, v / size), (x / size, y / size)
+        first, second = (u / size, v / size), (x / size, y / size)
         largest = max(largest, gone)
     return exp(largest) if largest < LARGEST_LOGARITHM else math.inf
 
@@ -219,9 +219,11 @@ def _impacts(course: Course, impacts: Impacts) -> dict[int, tuple[float, float]]
         shares, pulls = cos(alpha), pulls * sin(alpha) / alpha
     squares = np.square(sides[:, columns.RATE])
     base = (before / squares[here] + impacts.side * weight * pulls[here]) / shares[here]
-    there = here if only_side(sides) else 1 - here
+    side_after = here if only_side(sides) else 1 - here
     back = 1.0 if only_side(sides) else -1.0  # the side after the impact over that before it
-    after = squares[there] * (base * shares[there] - back * impacts.side * weight * pulls[there])
+    after = squares[side_after] * (
+        base * shares[side_after] - back * impacts.side * weight * pulls[side_after]
+    )
     ratios = sides[here, columns.RESTITUTION]
     with np.errstate(divide="ignore", invalid="ignore"):
         kinks = (after - ratios * before) / impacts.velocity_before

@@ -130,7 +130,7 @@ def _peaks(run: Described) -> Iterator[Fact]:
 
 
 def _restitutions(run: Described) -> Iterator[Fact]:
-    """Yield the restitution, or that of either impact where they differ; of a wall, its own."""
+    """Yield the restitution, or that of either impact where they differ; for a wall, its own."""
     if run.block.one_sided:
         yield Fact("restitution", run.block.restitution)
         yield Fact("one_sided", True)

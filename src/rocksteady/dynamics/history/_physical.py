@@ -165,8 +165,8 @@ class Physical:
     ) -> State:
         """Return the state at a time, from which another run can start.
 
-        It has the phase of harmonic shaking then, so that the run goes on as this one does.  Any
-        other motion begins anew.
+        It has the phase of harmonic shaking then, so that the run continues as this one does.  Any
+        other motion begins again.
 
         Parameters
         ----------
@@ -196,7 +196,7 @@ class Physical:
             raise ModelError(
                 "pt, t_s, tau",
                 Words(f"are given as {' and '.join(names)}" if names else "are all missing"),
-                "exactly one says at which time",
+                "exactly one sets the time",
                 "give pt=..., t_s=... or tau=...",
             )
         time = finite(names[0], given[names[0]], hint="give one time")
@@ -252,7 +252,7 @@ class Physical:
 
         The largest ratio of horizontal and vertical force at the pivot while the block rocks, up
         to overturning; infinite where the vertical force vanishes.  None where `uplift_g` is, or
-        if the block never rocks.  Impacts count in no block.  Of one against a wall, what the wall
+        if the block never rocks.  Impacts count in no block.  For one against a wall, what the wall
         takes of the base shear while the block rests on it does not either.
         """
         if self._shaken_block is None:

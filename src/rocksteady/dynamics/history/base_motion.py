@@ -84,8 +84,8 @@ def base_course(segments: Floats, s: Floats) -> tuple[Floats, Floats]:
     """
     starts = segment_starts(segments)[1:]
     starts = starts[(starts > s[0]) & (starts <= s[-1])]
-    both = np.union1d(s, np.concatenate([starts, np.nextafter(starts, 0.0)]))
-    return both, base_acceleration(segments, both)
+    times = np.union1d(s, np.concatenate([starts, np.nextafter(starts, 0.0)]))
+    return times, base_acceleration(segments, times)
 
 
 def impulses(segments: Floats) -> tuple[Floats, Floats]:

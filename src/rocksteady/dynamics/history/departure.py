@@ -33,25 +33,25 @@ def set_off(
     Parameters
     ----------
     amplitude, frequency_ratio
-        Of the shaking.
+        Parameters of the shaking.
     sides
-        Of the block, both alike, as `dynamics.history.nonlinear_tables.sides_of` has them.
+        Sides of the block, both alike, as from `dynamics.history.nonlinear_tables.sides_of`.
     order, branch
-        Of the steady state.
+        Order and branch of the steady state.
     phase, velocity, unstable
         What it is in the linear model: phase of the shaking [rad], d(theta/alpha)/d(p t), and
         whether it is unstable.  In the nonlinear model the search for its own begins there.
     away
-        How far along its unstable direction an unstable one is left; of either sign.
+        Distance along its unstable direction at which an unstable one is left; of either sign.
 
     Raises
     ------
     ModelError
-        If the nonlinear model has no such state, or no number says how it is left.
+        If the nonlinear model has no such state, or no number determines how it is left.
     """
     turn = rate = 0.0
     if is_nonlinear(sides):
-        found = nonlinear_half(
+        start_state = nonlinear_half(
             amplitude,
             frequency_ratio,
             sides,
@@ -60,7 +60,7 @@ def set_off(
             phase=phase,
             velocity=velocity,
         )
-        if not found.found:
+        if not start_state.found:
             alpha = float(sides[0, ALPHA])
             raise ModelError(
                 "start",
@@ -69,7 +69,7 @@ def set_off(
                 f"alpha = {alpha:.6g}",
                 "take the other branch, another amplitude, or a State to start from",
             )
-        state, jacobian = found.state, found.jacobian
+        state, jacobian = start_state.state, start_state.jacobian
         phase, velocity = state.half_cycles * math.pi + state.phase, state.speed
         trace = jacobian.phase_by_phase + jacobian.speed_by_speed
         restitution = float(sides[0, RESTITUTION])
@@ -103,7 +103,7 @@ def nonlinear_half(
 def unstable_direction(
     amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
 ) -> tuple[float, float]:
-    """Return how an unstable steady state of the linear model is left, as `growing` has it."""
+    """Return how an unstable steady state of the linear model is left, as in `growing`."""
     orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
     velocity = frequency_ratio * orbit.velocity
     jacobian = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
@@ -121,9 +121,9 @@ def growing(
     Parameters
     ----------
     jacobian
-        Of the half cycle by (phase, d(theta/alpha)/d(p t)), row by row.
+        Derivative of the half cycle by (phase, d(theta/alpha)/d(p t)), row by row.
     velocity
-        Of the orbit, d(theta/alpha)/d(p t).
+        Velocity of the orbit, d(theta/alpha)/d(p t).
     order, branch, frequency_ratio
         Named in an error.
 
@@ -144,7 +144,7 @@ def growing(
         raise ModelError(
             "start",
             Words(f"is of order {order}, branch {branch}"),
-            f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
+            f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number determines "
             "how it is left",
             "take a lower order, or a State to start from",
         )

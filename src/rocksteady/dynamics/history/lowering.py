@@ -180,19 +180,19 @@ def symmetric_sides(restitution: Floats) -> Floats:
 def side_attributes(block: Block | DimensionlessBlock) -> dict[str, float]:
     """Return restitution and ratios of a block's sides, as a dataset names them.
 
-    Of a block against a wall the restitution is the wall's, and ``one_sided`` is 1.
+    For a block against a wall the restitution is the wall's, and ``one_sided`` is 1.
     """
     if block.one_sided:
         return {"restitution": block.restitution, "one_sided": 1.0}
     (first, _, _), (second, alpha_ratio, p_ratio) = block.dimensionless().sides
-    found = {"restitution": first}
+    attributes = {"restitution": first}
     if not block.symmetric:
-        found |= {
+        attributes |= {
             "negative_restitution": second,
             "alpha_ratio": alpha_ratio,
             "p_ratio": p_ratio,
         }
-    return found
+    return attributes
 
 
 def alike(sides: Floats) -> NDArray[np.bool_]:

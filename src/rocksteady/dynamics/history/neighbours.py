@@ -50,7 +50,7 @@ class Neighbour:
     scale
         Factor of the horizontal motion.
     restitution, alpha
-        Of the positive side, or of the wall; alpha in radians.
+        Restitution and alpha [rad] of the positive side, or restitution of the wall.
     sign
         +1, or -1 where the horizontal motion is reversed.
     status
@@ -192,8 +192,8 @@ def check_neighbours(trajectory: Trajectory) -> Neighbours:
     >>> from rocksteady import Block, Pulse, check_neighbours, simulate
     >>> block = Block.rectangle(width=0.6, height=1.8)
     >>> pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=12.0, frequency_hz=1.0)
-    >>> found = check_neighbours(simulate(block, pulse))
-    >>> print(found.fall, "of", found.runs)
+    >>> neighbours = check_neighbours(simulate(block, pulse))
+    >>> print(neighbours.fall, "of", neighbours.runs)
     26 of 26
     """
     block, motion = trajectory.block, trajectory.motion
@@ -250,8 +250,10 @@ def _with_restitutions(block: Block, change: float) -> Block:
 
 def _with_slenderness(block: Block, factor: float) -> Block:
     """Return the block with other alphas, the height of its mass centre and its gyration kept."""
-    one, other = (_tilted(side, factor, block.gravity) for side in (block.positive, block.negative))
-    return replace(block, positive=one, negative=other)
+    positive, negative = (
+        _tilted(side, factor, block.gravity) for side in (block.positive, block.negative)
+    )
+    return replace(block, positive=positive, negative=negative)
 
 
 def _tilted(side: Side, factor: float, gravity: float) -> Side:

@@ -48,11 +48,11 @@ def sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
 
 
 def attributes_of(block: Block | DimensionlessBlock, model: Model) -> dict[str, float | str]:
-    """Return what a dataset says of its block, and of its model where it is not the linear one."""
-    found: dict[str, float | str] = {**side_attributes(block)}
+    """Return the attributes of a dataset for its block, and for its model if not linear."""
+    attributes: dict[str, float | str] = {**side_attributes(block)}
     if isinstance(model, Nonlinear):
-        found |= {"model": model.name, "alpha": slender_block(block).positive.alpha}
-    return found
+        attributes |= {"model": model.name, "alpha": slender_block(block).positive.alpha}
+    return attributes
 
 
 def nonlinear_side_table(block: Block | DimensionlessBlock, tolerance: float) -> Floats:

@@ -64,7 +64,7 @@ def simulate(
     Parameters
     ----------
     block
-        A `Block`, or a `DimensionlessBlock` where only restitution matters.  Of one whose sides
+        A `Block`, or a `DimensionlessBlock` where only restitution matters.  For one whose sides
         differ, alpha and p of the positive side are the units.
     motion
         The base motion: `Harmonic`, `Pulse`, `Impulses`, `Piecewise`, `SyntheticMotion`, `Still`,
@@ -84,15 +84,15 @@ def simulate(
     Returns
     -------
     Trajectory
-        Evaluable at any time; its status says how it ended.
+        Evaluable at any time; its status is how it ended.
 
     Raises
     ------
     InputError
-        If a number is outside its range, or an argument is not what its name says.
+        If a number is outside its range, or an argument is of another type.
     ModelError
         If the start does not fit the motion, a record or the nonlinear model meets a dimensionless
-        block, or the linear model a vertical motion, of which its equations know nothing.
+        block, or the linear model a vertical motion, for which its equations have no term.
 
     Examples
     --------

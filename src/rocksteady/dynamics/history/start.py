@@ -54,7 +54,7 @@ class State:
     Parameters
     ----------
     angle
-        u = theta/alpha, with alpha of the positive side whichever way it leans.
+        u = theta/alpha, with alpha of the positive side for both signs.
     velocity
         du/d(pt).  `per_tau` takes du/d(omega t), the paper's.
     phase
@@ -117,7 +117,7 @@ class Steady:
     order
         n = 1, 3, 5, ...
     kick
-        How far from an unstable orbit the block is set off: the length of (phase shift [rad],
+        Distance from an unstable orbit at which the block starts: the length of (phase shift [rad],
         velocity shift / velocity of the orbit), above 0 and up to 0.1.
     side
         +1 or -1, the side on which an unstable orbit is left.
@@ -203,7 +203,7 @@ def validated_start(start: object) -> Start:
     Raises
     ------
     InputError
-        If it is none.
+        If the value is no start.
     """
     if not isinstance(start, Rest | State | Steady | ImpactState):
         raise InputError(
@@ -239,7 +239,7 @@ def refuse_behind_wall(
             name,
             Words(f"has angle {angle:g} and velocity {velocity:g}"),
             "a block against a wall rocks on its positive side alone",
-            "give an angle above 0, or angle 0 with a velocity from 0 on",
+            "give an angle above 0, or angle 0 with a velocity of 0 or above",
         )
 
 
@@ -258,9 +258,9 @@ def initial_march(
     block, motion
         What moves.
     sides
-        Of the block in the nonlinear model, shape (2, 5): its steady states are another's, and an
-        impulse at the start turns it by the part that its angle lets act.  None in the linear
-        model.
+        Sides of the block in the nonlinear model, shape (2, 5): its steady states are another's,
+        and an impulse at the start turns it by the part that its angle lets act.  None in the
+        linear model.
 
     Raises
     ------
@@ -320,7 +320,7 @@ def set_going(angle: float, velocity: float, jump: float, sides: Floats) -> tupl
     jump
         The impulse of the base at that moment, in units of alpha g/p.
     sides
-        Of the block, shape (2, 3) or (2, 5).
+        Sides of the block, shape (2, 3) or (2, 5).
     """
     leaning = angle or velocity + jump
     row = 0 if leaning > 0.0 else 1

@@ -110,7 +110,7 @@ class Trajectory(Described):
 
     @cached_property
     def _last_duration(self) -> float:
-        """Duration of the last row; of an endless fall, until |u| = `OVERTURNED_SHOWN_TO`."""
+        """Duration of the last row; for an endless fall, until |u| = `OVERTURNED_SHOWN_TO`."""
         duration = float(self.rows[-1, columns.ROW_DURATION])
         if self.status is not Status.OVERTURNED or math.isfinite(duration):
             return duration
@@ -126,9 +126,9 @@ class Trajectory(Described):
     def end_time_pt(self) -> float:
         """Pivot time up to which the trajectory reaches.
 
-        Of a block that overturns it is when it passes twice its slenderness (or, if its last flight
-        began further out, one slenderness more than that); where the proof came at the end of a
-        segment of the base motion, it is that end.
+        For a block that overturns it is when it passes twice its slenderness (or, if its last
+        flight began further out, one slenderness more than that); where the proof came at the end
+        of a segment of the base motion, it is that end.
         """
         return float(self.flights.pt[-1]) + self._last_duration
 
@@ -139,11 +139,11 @@ class Trajectory(Described):
         The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
         Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
         after the last recorded impact and the base acceleration a towards the side of the next
-        bounce; what this leaves out is of the order of v times that.  Of a block whose sides differ
-        1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.  In the
-        nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in the
-        vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side, and
-        those still to come last ``2 v/((1 - a) (1 - r))``.
+        bounce; what this leaves out is of the order of v times that.  For a block whose sides
+        differ 1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.
+        In the nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in
+        the vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side,
+        and those still to come last ``2 v/((1 - a) (1 - r))``.
         """
         if self.status is not Status.AT_REST:
             return None
@@ -158,10 +158,10 @@ class Trajectory(Described):
             lost = 1.0 - self.block.restitution
             return start + 2.0 * velocity / (self._pull(0, start, -towards) * lost)
         last = 0 if self.flights.side[first - 1] > 0 else 1
-        here, there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
+        here, ratio_there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
         near, far = self._pull(1 - last, start, towards), self._pull(last, start, -towards)
         # The loss of two impacts, 1 - here there, in a form that does not cancel.
-        lost = (1.0 - here) * (1.0 + there) + (here - there)
+        lost = (1.0 - here) * (1.0 + ratio_there) + (here - ratio_there)
         return start + 2.0 * velocity * (1.0 / near + here / far) / lost
 
     def _pull(self, row: int, s: float, push: float) -> float:
@@ -171,8 +171,8 @@ class Trajectory(Described):
             return float(rate * rate * (lean - push))
         alpha = float(self.sides[row, columns.ALPHA])
         weight = 1.0 + base_motion.lift(self.segments, s)
-        own = lean * (weight * sin(alpha) / alpha)
-        return float(rate * rate * (own - push * cos(alpha)))
+        moment = lean * (weight * sin(alpha) / alpha)
+        return float(rate * rate * (moment - push * cos(alpha)))
 
     @cached_property
     def _overturning(self) -> tuple[int, float] | None:
@@ -280,7 +280,7 @@ class Trajectory(Described):
     def growth(self) -> float:
         """Largest factor by which a small difference at the start has grown on the way.
 
-        Exact derivatives through flights and impacts, looked at after each impact and counted anew
+        Exact derivatives through flights and impacts, looked at after each impact and counted again
         after a rest, which forgets what came before; infinite after a graze.  Above some 1e12
         rounding decides how the run goes on, and another way of computing it may end otherwise.
         """
@@ -312,7 +312,7 @@ class Trajectory(Described):
             Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1, and
             per period of a pulse while it lasts.
         span
-            Pivot times between which they lie; from 0 to `shown_to_pt` without.
+            Pivot times between which they lie; default: from 0 to `shown_to_pt`.
 
         Raises
         ------
@@ -338,7 +338,7 @@ class Trajectory(Described):
         return span_value("span", span, 0.0, self.end_time_pt, hint="give pivot times of the run")
 
     def _times(self, pt: ArrayLike) -> Floats:
-        """Return finite times from 0 on."""
+        """Return finite times, 0 or above."""
         times = real_array("pt", pt)
         if not ((times >= 0.0) & (times <= LARGEST)).all():
             raise InputError("pt", pt, f"it must lie in [0, {LARGEST:g}]", "give pivot times p t")
@@ -381,10 +381,10 @@ class Trajectory(Described):
 
     def _energy(self, angle: Floats, velocity: Floats) -> Floats:
         """Return kinetic and potential energy above rest."""
-        own = self.sides[np.where(angle < 0.0, 1, 0)]
-        lean, square = own[..., columns.LEAN], np.square(own[..., columns.RATE])
+        rows = self.sides[np.where(angle < 0.0, 1, 0)]
+        lean, square = rows[..., columns.LEAN], np.square(rows[..., columns.RATE])
         if is_nonlinear(self.sides):
-            alpha, tilt = own[..., columns.ALPHA], np.abs(angle) / lean
+            alpha, tilt = rows[..., columns.ALPHA], np.abs(angle) / lean
             # cos x - cos y as a product, which keeps the digits of small angles.
             raised = sin(alpha * (1.0 - 0.5 * tilt)) * sin(0.5 * alpha * tilt)
             potential = 2.0 * square * np.square(lean) * raised / np.square(alpha)
@@ -457,7 +457,7 @@ class Trajectory(Described):
 
         table = self.to_columns(samples)
         times = table.pop("pt")
-        found = xarray.Dataset({name: ("pt", values) for name, values in table.items()})
-        return found.assign_coords(pt=times).assign_attrs(
+        dataset = xarray.Dataset({name: ("pt", values) for name, values in table.items()})
+        return dataset.assign_coords(pt=times).assign_attrs(
             title=self.describe().headline, model=self.model.name, status=self.status.label
         )

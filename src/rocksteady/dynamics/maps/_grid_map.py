@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class Question:
-    """What is asked in each cell of a map.
+    """What is computed in each cell of a map.
 
     Attributes
     ----------

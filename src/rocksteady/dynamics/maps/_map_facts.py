@@ -60,8 +60,8 @@ def headline(dataset: "xr.Dataset") -> str:
         parts.append(_text("frequency_hz", given))
     restitution = given.get("restitution")
     if restitution is not None:
-        other = given.get("negative_restitution")
-        parts.append(ratio_words(restitution) + (f"/{other:.4g}" if other else ""))
+        negative = given.get("negative_restitution")
+        parts.append(ratio_words(restitution) + (f"/{negative:.4g}" if negative else ""))
     if _against_wall(dataset):
         parts.append("against a wall")
     parts += [

@@ -23,7 +23,7 @@ HOMOGENEOUS = 1e-9
 
 
 def sizes_with(names: Sequence[str]) -> tuple[str, ...]:
-    """Return the two sizes that say what block it is where these parameters are given.
+    """Return the two sizes that determine the block where these parameters are given.
 
     Width and height keep each other; the slenderness keeps the half-diagonal, and a half-diagonal
     or a frequency parameter keeps the slenderness.  Empty where no size is given.
@@ -49,8 +49,9 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
     ------
     ModelError
         If one of them has units and the block no size, a size is moved of what is no homogeneous
-        rectangle (how p follows, only its maker knows), or a ratio of its sides of a block with a
-        size, whose sides follow from its shape, or of one against a wall, which has one side.
+        rectangle (how p follows depends on its constructor), or a ratio of its sides of a block
+        with a size, whose sides follow from its shape, or of one against a wall, which has one
+        side.
     """
     for name in names:
         if name in ASYMMETRY and block.one_sided:
@@ -106,7 +107,7 @@ def block_of(
     block
         Its gravity stays.
     sizes
-        What `sizes_with` says; without any the block keeps its own.
+        Sizes from `sizes_with`; without any the block keeps its own.
     given
         Values of these sizes, and of ratios of its sides, by their names.
     restitution
@@ -193,8 +194,8 @@ def measures_of(
     --------
     >>> block = Block.rectangle(width=0.4, height=1.2)
     >>> given = {"height": 1.2, "width": np.array([0.5, 0.3])}
-    >>> found = measures_of(block, ("width", "height"), given, housner=1.0)
-    >>> print(found.p.round(4), found.restitution.round(4))
+    >>> sizes = measures_of(block, ("width", "height"), given, housner=1.0)
+    >>> print(sizes.p.round(4), sizes.restitution.round(4))
     [3.3638 3.4485] [0.7781 0.9118]
     """
     if not sizes:

@@ -88,7 +88,7 @@ class Scenario:
         Names from `rocksteady.dynamics.parameters.AXES`, one or more.
     block
         What is neither axis nor fixed keeps the value that it has here, in the measures in which it
-        is given here; `sizes_with` says which of the sizes.
+        is given here; `sizes_with` lists the sizes that remain.
     motion
         None only where amplitude and frequency are axes or fixed.
     start
@@ -149,7 +149,7 @@ class Scenario:
 
     @property
     def sizes(self) -> tuple[str, ...]:
-        """The two sizes that say what block it is; empty where it keeps its own."""
+        """The two sizes that determine the block; empty where it keeps its own."""
         return sizes_with(self.given)
 
     @cached_property
@@ -159,56 +159,64 @@ class Scenario:
         Without the restitution where it follows from the slenderness of each cell.
         """
         block, given = self.block, set(self.given)
-        found: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
+        attributes: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
         if self.housner is None and (block.symmetric or block.one_sided):
-            found["restitution"] = block.restitution
+            attributes["restitution"] = block.restitution
         elif self.housner is not None and isinstance(block, Block) and not self.sizes:
-            found["restitution"] = block.with_restitution(("housner", self.housner)).restitution
+            attributes["restitution"] = block.with_restitution(
+                ("housner", self.housner)
+            ).restitution
         if not isinstance(self.start, Steady):  # which decides on the phase
-            found["phase"] = 0.0 if self.motion is None else self.motion.phase
+            attributes["phase"] = 0.0 if self.motion is None else self.motion.phase
         if self.motion is not None and not given & AMPLITUDES:
-            found["amplitude"] = self.motion.amplitude
+            attributes["amplitude"] = self.motion.amplitude
         if self.motion is not None and not given & FREQUENCIES:
-            found["frequency_ratio"] = self.motion.frequency_ratio
+            attributes["frequency_ratio"] = self.motion.frequency_ratio
         if isinstance(self.start, Steady):
-            found["kick"] = self.start.kick
+            attributes["kick"] = self.start.kick
         elif isinstance(self.start, State):
-            found.update(angle=self.start.angle, velocity=self.start.velocity)
+            attributes.update(angle=self.start.angle, velocity=self.start.velocity)
         elif STATE & given:
-            found.update(angle=0.0, velocity=0.0)
-        found.update(self.fixed)
-        return {name: value for name, value in found.items() if name not in self.axes}
+            attributes.update(angle=0.0, velocity=0.0)
+        attributes.update(self.fixed)
+        return {name: value for name, value in attributes.items() if name not in self.axes}
 
     @property
     def attributes(self) -> dict[str, float | int | str]:
         """What a dataset over the axes was computed from: numbers and words."""
-        found: dict[str, float | int | str] = {**self.kept}
+        attributes: dict[str, float | int | str] = {**self.kept}
         if isinstance(self.block, Block):
-            found["gravity"] = self.block.gravity
+            attributes["gravity"] = self.block.gravity
             if not self.sizes:
-                found.update({name: getattr(self.block, name) for name in ("alpha", "radius", "p")})
+                attributes.update(
+                    {name: getattr(self.block, name) for name in ("alpha", "radius", "p")}
+                )
         if self.block.one_sided:
-            found["one_sided"] = 1
+            attributes["one_sided"] = 1
         elif not self.block.symmetric:
             (first, _, _), (second, alpha_ratio, p_ratio) = self.block.dimensionless().sides
-            found.setdefault("alpha_ratio", alpha_ratio)
-            found.setdefault("p_ratio", p_ratio)
+            attributes.setdefault("alpha_ratio", alpha_ratio)
+            attributes.setdefault("p_ratio", p_ratio)
             if "restitution" not in self.given:
-                found.update(restitution=first)
-                found.setdefault("negative_restitution", second)
-            found = {name: value for name, value in found.items() if name not in self.axes}
+                attributes.update(restitution=first)
+                attributes.setdefault("negative_restitution", second)
+            attributes = {
+                name: value for name, value in attributes.items() if name not in self.axes
+            }
         if self.housner is not None:
-            found.setdefault("restitution", form_text(self.housner))
+            attributes.setdefault("restitution", form_text(self.housner))
         if isinstance(self.start, Steady):
             steady = self.start
-            found.update(start="steady", branch=steady.branch, order=steady.order, side=steady.side)
+            attributes.update(
+                start="steady", branch=steady.branch, order=steady.order, side=steady.side
+            )
         else:
             moved = isinstance(self.start, State) or STATE & set(self.given)
-            found["start"] = "state" if moved else "rest"
+            attributes["start"] = "state" if moved else "rest"
         if isinstance(self.motion, FourierSeries):
-            found["harmonics"] = str(self.motion.harmonics)
-        found["model"] = self.model.name
-        return found
+            attributes["harmonics"] = str(self.motion.harmonics)
+        attributes["model"] = self.model.name
+        return attributes
 
     def at(
         self, cell: Mapping[str, float]
@@ -223,8 +231,8 @@ class Scenario:
         given = {**self.kept, **cell}
         factor = 1.0 if self.housner is None else self.housner
         like = self.block.symmetric or self.block.one_sided
-        own: Restitution | None = ("housner", factor) if like else None
-        restitution: Restitution | None = given.get("restitution", own)
+        block_restitution: Restitution | None = ("housner", factor) if like else None
+        restitution: Restitution | None = given.get("restitution", block_restitution)
         block = block_of(self.block, self.sizes, given, restitution)
         shaking: PeriodicMotion = shaking_of(block, given)
         if isinstance(self.motion, FourierSeries):
@@ -256,7 +264,7 @@ class Scenario:
             self.at(dict(zip(values, corner, strict=True)))
 
     def cells(self, coordinates: Mapping[str, Floats]) -> Cells:
-        """Return many cells as arrays; each to the last bit what `at` says of it.
+        """Return many cells as arrays; each to the last bit as from `at`.
 
         Parameters
         ----------
@@ -278,10 +286,10 @@ class Scenario:
         sides = self._sides(full, count)
         shaken = full["amplitude"], full["frequency_ratio"], sides
         upright = np.zeros(count)
-        there = np.ones(count, dtype=np.bool_)
+        exists = np.ones(count, dtype=np.bool_)
         if isinstance(self.start, Steady):
             angle = upright
-            velocity, phase, there = on_orbits(self.start, full["kick"], *shaken)
+            velocity, phase, exists = on_orbits(self.start, full["kick"], *shaken)
         else:
             angle, velocity = full.get("angle", upright), full.get("velocity", upright)
             phase = full["phase"]
@@ -292,14 +300,14 @@ class Scenario:
             angle=angle,
             velocity=velocity,
             phase=phase,
-            there=there,
+            there=exists,
         )
 
     def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
         """Return the sides of the blocks of many cells."""
-        own = sides_of(self.block, self.model)
-        sides = np.empty((count, *own.shape))
-        sides[:] = own
+        rows = sides_of(self.block, self.model)
+        sides = np.empty((count, *rows.shape))
+        sides[:] = rows
         if "restitution" in given and self.block.one_sided:
             sides[:, 0, RESTITUTION] = -given["restitution"]
         elif "restitution" in given:

@@ -80,7 +80,7 @@ def map_attractors(
     -------
     xarray.Dataset
         ``kind`` with flags (-1: no start exists), ``period`` [forcing periods], ``impacts`` in a
-        period (-1: infinitely many), ``highest``, ``lowest``, ``lyapunov`` and ``after``; of a
+        period (-1: infinitely many), ``highest``, ``lowest``, ``lyapunov`` and ``after``; for a
         refined map ``met``: whether a cell was computed.  Its ``rocksteady`` accessor has summary()
         and plot().
 
@@ -114,9 +114,9 @@ def map_attractors(
 def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
     """Return what the cells of a map settle to."""
     cells = scenario.cells(coordinates)
-    there = cells.there
-    found = settled_cells(
-        np.where(there, cells.amplitude, 0.0),  # nothing to follow where there is no start
+    exists = cells.there
+    attractors = settled_cells(
+        np.where(exists, cells.amplitude, 0.0),  # nothing to follow where there is no start
         cells.frequency_ratio,
         cells.sides,
         cells.begin,
@@ -124,13 +124,13 @@ def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[
         harmonics_of(scenario.motion),
     )
     return {
-        "kind": np.where(there, found.kind, np.int8(NO_START)),
-        "period": found.period,
-        "impacts": found.impacts,
-        "highest": np.where(there, found.highest, np.nan),
-        "lowest": np.where(there, found.lowest, np.nan),
-        "lyapunov": found.lyapunov,
-        "after": found.after,
+        "kind": np.where(exists, attractors.kind, np.int8(NO_START)),
+        "period": attractors.period,
+        "impacts": attractors.impacts,
+        "highest": np.where(exists, attractors.highest, np.nan),
+        "lowest": np.where(exists, attractors.lowest, np.nan),
+        "lyapunov": attractors.lyapunov,
+        "after": attractors.after,
     }
 
 

@@ -60,7 +60,7 @@ def flags_of_cells(kind: "xarray.DataArray") -> dict[int, CellClass]:
     unknown = [word for word in words if word not in MEANINGS]
     if unknown or not words:
         raise InputError(
-            "found",
+            "dataset",
             unknown[0] if unknown else "kind without flag_meanings",
             f"the kinds of a map are {', '.join(MEANINGS)}",
             "give what the map returned, attributes included",
@@ -89,13 +89,13 @@ def classes_of(
         If there is a kind without a flag.
     """
     classes = np.full(kind.shape, CellClass.NOT_COMPUTED, dtype=np.int8)
-    for code, one in flags.items():
-        classes[kind == code] = one
+    for code, cell_class in flags.items():
+        classes[kind == code] = cell_class
     left = kind[classes == CellClass.NOT_COMPUTED]
     strange = left[(left != BLANK) & ~np.isnan(left)]
     if strange.size:
         raise InputError(
-            "found",
+            "dataset",
             strange[0].item(),
             f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
             "give what the map returned, unchanged",
@@ -114,7 +114,7 @@ def counts_of(classes: Classes) -> dict[CellClass, int]:
     computed, undecided or without a start.
     """
     counts = np.bincount(classes.ravel(), minlength=len(CellClass))
-    return {one: int(counts[one]) for one in CellClass}
+    return {cell_class: int(counts[cell_class]) for cell_class in CellClass}
 
 
 def map_counts(dataset: "xarray.Dataset") -> tuple[dict[str, int], dict[str, int]]:
@@ -142,15 +142,15 @@ def map_counts(dataset: "xarray.Dataset") -> tuple[dict[str, int], dict[str, int
     if periods:
         words[CellClass.SUBHARMONIC] = "subharmonic"
     words[CellClass.NOT_COMPUTED] = "not-computed"
-    counts = dict.fromkeys((one for one in CellClass if one in words), 0)
+    counts = dict.fromkeys((cell_class for cell_class in CellClass if cell_class in words), 0)
     longer = dict.fromkeys(flags, 0)
     for kind, *rest in slabs(dataset, name, *periods):
         classes = classes_of(np.asarray(kind), np.asarray(rest[0]) if rest else None, flags)
-        for one, count in counts_of(classes).items():
-            if one in counts:
-                counts[one] += count
+        for cell_class, count in counts_of(classes).items():
+            if cell_class in counts:
+                counts[cell_class] += count
         again = kind[classes == CellClass.SUBHARMONIC]
         for code in longer:
             longer[code] += int(np.count_nonzero(again == code))
-    found = {words[flags[code]]: count for code, count in longer.items() if count}
-    return {words[one]: count for one, count in counts.items()}, found
+    long_counts = {words[flags[code]]: count for code, count in longer.items() if count}
+    return {words[cell_class]: count for cell_class, count in counts.items()}, long_counts

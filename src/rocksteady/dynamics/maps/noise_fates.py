@@ -72,7 +72,7 @@ class NoiseFates(Result):
     Attributes
     ----------
     block, motion, noise
-        What moves, and what is added; realisation i of the noise has its number i.
+        Block, base motion and noise; realisation i of the noise has its number i.
     start
         `Rest` or `State` at pivot time 0.
     scale
@@ -111,8 +111,8 @@ class NoiseFates(Result):
     @property
     def rms(self) -> Floats:
         """Rms of the noise in units of alpha g, shape (levels,)."""
-        found: Floats = self.level * self.noise.rms
-        return found
+        rms: Floats = self.level * self.noise.rms
+        return rms
 
     @cached_property
     def overturned(self) -> NDArray[np.int64]:
@@ -123,8 +123,8 @@ class NoiseFates(Result):
     @property
     def share(self) -> Floats:
         """Share of the realisations under which the block overturns, shape (scales, levels)."""
-        found: Floats = self.overturned / self.draws
-        return found
+        share: Floats = self.overturned / self.draws
+        return share
 
     def interval(self, confidence: float = 0.95) -> tuple[Floats, Floats]:
         """Return Wilson's score interval of the probability of overturning.
@@ -135,7 +135,7 @@ class NoiseFates(Result):
         Parameters
         ----------
         confidence
-            Of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1).
 
         Returns
         -------
@@ -153,8 +153,8 @@ class NoiseFates(Result):
         certain = in_range("confidence", confidence, 0.0, 1.0, "()", hint=hint)
         ends = np.empty((2, *self.overturned.shape))
         for cell, count in np.ndenumerate(self.overturned):
-            found = binomtest(int(count), self.draws).proportion_ci(certain, method="wilson")
-            ends[(slice(None), *cell)] = found.low, found.high
+            interval = binomtest(int(count), self.draws).proportion_ci(certain, method="wilson")
+            ends[(slice(None), *cell)] = interval.low, interval.high
         ends[:, :, self.rms == 0.0] = self.share[np.newaxis, :, self.rms == 0.0]
         return ends[0], ends[1]
 
@@ -172,7 +172,7 @@ class NoiseFates(Result):
 
         cells, plane = ("scale", "level", "draw"), ("scale", "level")
         flags = OUTPUTS[0].flags
-        found: dict[str, Any] = {
+        columns: dict[str, Any] = {
             output.name: (
                 cells,
                 getattr(self, output.name),
@@ -180,13 +180,13 @@ class NoiseFates(Result):
             )
             for output in OUTPUTS
         }
-        found["fate"][2].update(
+        columns["fate"][2].update(
             flag_values=np.array(list(flags), dtype=np.int8), flag_meanings=" ".join(flags.values())
         )
         low, high = self.interval()
         return xarray.Dataset(
             {
-                **found,
+                **columns,
                 "share": (plane, self.share, {"long_name": "share that overturns", "units": "1"}),
                 "share_low": (plane, low, {"units": "1"}),
                 "share_high": (plane, high, {"units": "1"}),
@@ -332,14 +332,14 @@ def compute_noise_fates(
     A pulse that the block survives alone, and with noise less and less often:
 
     >>> from rocksteady import BandNoise, DimensionlessBlock, Pulse, compute_noise_fates
-    >>> found = compute_noise_fates(
+    >>> fates = compute_noise_fates(
     ...     DimensionlessBlock(restitution=0.9),
     ...     Pulse(shape="one-sine", amplitude=5.0, frequency_ratio=4.0),
     ...     BandNoise(rms=1.0, band=(0.5, 10.0), duration=15.0, seed=1),
     ...     axes={"level": [0.0, 0.05, 0.1, 0.2]},
     ...     draws=40,
     ... )
-    >>> print(found.overturned)
+    >>> print(fates.overturned)
     [[ 0  1 14 23]]
     """
     chosen = chosen_model(model, block, motion)
@@ -429,7 +429,7 @@ def _fates(
     sides = sides_of(block, model)
     scaled: dict[float, tuple[Floats, Floats | None]] = {}
     alone: dict[float, Fate] = {}
-    found = []
+    fates = []
     for factor, share, which in zip(scale.tolist(), level.tolist(), draw.tolist(), strict=True):
         if factor not in scaled:
             lifting = None if vertical is None else _scaled(vertical, factor, block)
@@ -437,16 +437,16 @@ def _fates(
         table, lifted = scaled[factor]
         rms = share * noise.rms
         if rms == 0.0 and factor in alone:
-            found.append(alone[factor])
+            fates.append(alone[factor])
             continue
         summed = _with_noise(table, noise.realisation(int(which), rms=rms)) if rms else table
         if isinstance(model, Nonlinear):
             assert isinstance(block, Block)
             summed = lifted_table(summed, lifted, block.positive.alpha)
-        found.append(fate_of(summed, sides, *start))
+        fates.append(fate_of(summed, sides, *start))
         if rms == 0.0:
-            alone[factor] = found[-1]
-    return collected(found)
+            alone[factor] = fates[-1]
+    return collected(fates)
 
 
 def _plain(part: Motion | Record) -> Record | Floats:
@@ -469,8 +469,8 @@ def _scaled(part: Record | Floats, factor: float, block: Block | DimensionlessBl
 def _with_noise(table: Floats, noise: BandNoise) -> Floats:
     """Return the table of a motion with noise: to the last bit that of `add_noise`."""
     summed = with_lines(table[:, ORDER], noise.samples, noise.step)
-    found = np.zeros((len(summed), columns.SEGMENT_COLUMNS))
-    found[:, ORDER] = summed
-    found[:, columns.CEILING] = ceilings(found)
-    found[:, columns.ALIKE] = samples_alike(found)
-    return found
+    segments = np.zeros((len(summed), columns.SEGMENT_COLUMNS))
+    segments[:, ORDER] = summed
+    segments[:, columns.CEILING] = ceilings(segments)
+    segments[:, columns.ALIKE] = samples_alike(segments)
+    return segments

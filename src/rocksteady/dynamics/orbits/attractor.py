@@ -62,7 +62,7 @@ ROUNDED = 1e12
 MEANING = {
     "symmetric": "Half of the motion is the mirror image of the other half.",
     "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
-    "asymmetric block": "The motion repeats; of a block whose sides differ none is symmetric.",
+    "asymmetric block": "The motion repeats; for a block whose sides differ none is symmetric.",
     "one-sided block": "The motion repeats, on the one side that the wall leaves to the block.",
     "even orders": "The motion repeats; shaking with even orders has no mirror images of motions.",
     "rest": "The block comes to rest, and the shaking does not lift it again.",
@@ -114,7 +114,7 @@ class Attractor(Result):
     Attributes
     ----------
     block, motion
-        What moves; the phase of `motion` is that at the start.
+        Block and base motion; the phase of `motion` is that at the start.
     kind
         What it is.
     orbit
@@ -122,7 +122,7 @@ class Attractor(Result):
     lyapunov
         Largest Lyapunov exponent per forcing period; nan for rest and overturned.
     after
-        Forcing periods until that was known.
+        Forcing periods until the attractor was known.
     growth
         Largest growth of a small difference on the way there.  Where it is above 1e12, a rounding
         may have decided which of several attractors was reached.
@@ -178,7 +178,7 @@ class Attractor(Result):
         Parameters
         ----------
         last
-            Of a run without an orbit: the last so many forcing periods alone.
+            Number of last forcing periods of a run without an orbit.
 
         Returns
         -------
@@ -199,23 +199,23 @@ class Attractor(Result):
         run = simulate(self.block, self.motion, start=self.initial, cycles=cycles, model=self.model)
         if last is None:
             return run
-        many = whole_number("last", last, at_least=1, hint="give a number of forcing periods")
-        span = many * 2.0 * math.pi / self.motion.frequency_ratio
+        periods = whole_number("last", last, at_least=1, hint="give a number of forcing periods")
+        span = periods * 2.0 * math.pi / self.motion.frequency_ratio
         if run.end_time_pt <= span:
             return run
         since = run.end_time_pt - span
-        there = run(since)
+        trajectory = run(since)
         turned = run.motion.phase + self.motion.frequency_ratio * since  # type: ignore[union-attr]
         return simulate(
             self.block,
             replace(self.motion, phase=math.fmod(turned, 2.0 * math.pi)),
-            start=State(angle=float(there.angle), velocity=float(there.velocity)),
-            cycles=many,
+            start=State(angle=float(trajectory.angle), velocity=float(trajectory.velocity)),
+            cycles=periods,
             model=self.model,
         )
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a row an impact: of an orbit's period, or of the second half of a long run."""
+        """Return one row per impact: of an orbit's period, or of the second half of a long run."""
         states: Sequence[ImpactState] = ()
         if self.orbit is not None:
             states = self.orbit.states
@@ -233,7 +233,7 @@ class Attractor(Result):
         return [section_row(state, self.block) for state in states]
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row an impact: of an orbit's period, or of the second half of a long run."""
+        """Return one row per impact: of an orbit's period, or of the second half of a long run."""
         import pandas as pd
 
         return pd.DataFrame(self.rows(), columns=self.columns)
@@ -340,8 +340,8 @@ def find_attractor(
     >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = find_attractor(block, motion, start=Steady(side=-1))
-    >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
+    >>> attractor = find_attractor(block, motion, start=Steady(side=-1))
+    >>> print(attractor.kind, attractor.period, [round(peak, 5) for peak in attractor.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """
     bare, shaken = bare_block(block), periodic_motion(motion)
@@ -355,7 +355,7 @@ def find_attractor(
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
     )
     system = make_system(block, shaken, equations)
-    found = for_system(kernel.settle, system)(
+    settled = for_system(kernel.settle, system)(
         system,
         begin.side,
         begin.half_cycles,
@@ -367,23 +367,23 @@ def find_attractor(
         table,
     )
     orbit = None
-    if found.outcome == kernel.PERIODIC:
+    if settled.outcome == kernel.PERIODIC:
         orbit = orbit_from(
-            block, shaken, table[: found.passages], found.periods, found.residual, equations
+            block, shaken, table[: settled.passages], settled.periods, settled.residual, equations
         )
     symmetric = orbit is not None and orbit.symmetric
     least = min(abs(restitution) for restitution, _, _ in bare.sides)  # a wall's is negative
-    kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]
+    kind = KINDS[int(kind_codes(settled.outcome, symmetric, settled.least, least))]
     return Attractor(
         block=block,
         motion=shaken,
         kind=kind,
         orbit=orbit,
-        lyapunov=found.lyapunov,
-        after=found.after,
-        growth=exp(min(found.growth, 700.0)),
-        reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
-        state=state_of(found.state) if found.state.side != 0 else None,
+        lyapunov=settled.lyapunov,
+        after=settled.after,
+        growth=exp(min(settled.growth, 700.0)),
+        reason=_reason(settled, bare) if kind is AttractorKind.UNDECIDED else "",
+        state=state_of(settled.state) if settled.state.side != 0 else None,
         initial=initial,
         model=equations,
     )
@@ -402,31 +402,31 @@ def cycles_value(cycles: object) -> int:
     )
 
 
-def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
+def _reason(end: kernel.Settled, block: DimensionlessBlock) -> str:
     """Return why a motion is undecided, and what to do."""
     if block.lossless:
         return "without loss (restitution 1) motions do not settle"
-    if found.after == 0:
+    if end.after == 0:
         return "the block balances upright, and nothing brings it down"
-    if found.passages > 0 and found.passages <= kernel.LONGEST_ORBIT:
+    if end.passages > 0 and end.passages <= kernel.LONGEST_ORBIT:
         return (
-            f"it rests again and again, the last time after {found.passages} impacts in "
-            f"{found.periods} forcing periods, on which a small difference may grow "
-            f"{exp(min(found.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
+            f"it rests again and again, the last time after {end.passages} impacts in "
+            f"{end.periods} forcing periods, on which a small difference may grow "
+            f"{exp(min(end.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
         )
-    if found.passages > 0:
+    if end.passages > 0:
         return (
-            f"from one rest to the same again it has {found.passages} impacts in {found.periods} "
+            f"from one rest to the same again it has {end.passages} impacts in {end.periods} "
             f"forcing periods, more than an orbit may have, {kernel.LONGEST_ORBIT}: it repeats "
             "itself, and no more cycles help"
         )
-    start = f"no repetition within {found.after} forcing periods"
-    if math.isnan(found.lyapunov):
+    start = f"no repetition within {end.after} forcing periods"
+    if math.isnan(end.lyapunov):
         return (
             f"{start}, too few, or with rests too near the end, for a Lyapunov exponent: follow "
             "more cycles"
         )
     return (
-        f"{start}, and a Lyapunov exponent of {found.lyapunov:.2g} a period, too small or too "
+        f"{start}, and a Lyapunov exponent of {end.lyapunov:.2g} a period, too small or too "
         "unsteady for chaos: follow more cycles"
     )

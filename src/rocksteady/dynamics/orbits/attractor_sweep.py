@@ -78,9 +78,9 @@ class AttractorSweep(Result):
     values
         In the order in which they were gone through, shape (values,).
     attractors
-        One a value.
+        One per value.
     peaks
-        Extreme u = theta/alpha of each flight with its side, one array a value: of a periodic
+        Extreme u = theta/alpha of each flight with its side, one array per value: of a periodic
         motion those of a period, of an aperiodic one those of its next 200 flights; empty at rest
         and of a fall.
     """
@@ -96,7 +96,7 @@ class AttractorSweep(Result):
 
     @property
     def direction(self) -> str:
-        """Up or down, in that word."""
+        """Direction in a word: "up" or "down"."""
         return "up" if self.values[-1] > self.values[0] else "down"
 
     def runs(self) -> Iterator[tuple[float, float, list[Attractor]]]:
@@ -104,17 +104,17 @@ class AttractorSweep(Result):
         pairs = zip(self.values.tolist(), self.attractors, strict=True)
         for _, same in groupby(pairs, key=lambda pair: _kind_of(pair[1])):
             run = list(same)
-            yield run[0][0], run[-1][0], [found for _, found in run]
+            yield run[0][0], run[-1][0], [attractor for _, attractor in run]
 
     @property
     def kinds(self) -> list[str]:
         """Kind of attractor at each value."""
-        return [found.kind.value for found in self.attractors]
+        return [attractor.kind.value for attractor in self.attractors]
 
     @property
     def periods(self) -> list[int | None]:
         """Forcing periods of the orbit at each value; None without one."""
-        return [found.period for found in self.attractors]
+        return [attractor.period for attractor in self.attractors]
 
     @property
     def start_text(self) -> str:
@@ -122,27 +122,27 @@ class AttractorSweep(Result):
         return start_text(self.start)
 
     def run_rows(self) -> list[dict[str, Any]]:
-        """Return a row a run of neighbouring values that settle to one kind of motion."""
+        """Return one row per run of neighbouring values that settle to one kind of motion."""
         rows = []
-        for first, last, found in self.runs():
-            orbit = found[0].orbit
+        for first, last, attractors in self.runs():
+            orbit = attractors[0].orbit
             rows.append(
                 {
                     "from": first,
                     "to": last,
-                    "values": len(found),
-                    "kind": found[0].kind.value,
-                    "period": found[0].period,
+                    "values": len(attractors),
+                    "kind": attractors[0].kind.value,
+                    "period": attractors[0].period,
                     "impacts_per_period": None if orbit is None else orbit.impacts,
                 }
             )
         return rows
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a value: what the motion settles to there, and its extremes."""
+        """Return one row per value: what the motion settles to there, and its extremes."""
         import pandas as pd
 
-        peaks = [found.peaks or (math.nan, math.nan) for found in self.attractors]
+        peaks = [attractor.peaks or (math.nan, math.nan) for attractor in self.attractors]
         frame = pd.DataFrame(peaks, columns=["highest", "lowest"])
         frame.insert(0, self.parameter, self.values)
         frame.insert(1, "kind", self.kinds)
@@ -176,14 +176,14 @@ class AttractorSweep(Result):
 
         rows = [
             {
-                "kind": found.kind.value,
-                "period": found.period,
-                "impacts": _impacts_code(found),
-                **dict(zip(EXTREMES, found.peaks or (math.nan, math.nan), strict=True)),
-                "lyapunov": found.lyapunov,
-                "after": found.after,
+                "kind": attractor.kind.value,
+                "period": attractor.period,
+                "impacts": _impacts_code(attractor),
+                **dict(zip(EXTREMES, attractor.peaks or (math.nan, math.nan), strict=True)),
+                "lyapunov": attractor.lyapunov,
+                "after": attractor.after,
             }
-            for found in self.attractors
+            for attractor in self.attractors
         ]
         name, flight = self.parameter, ("flight",)
         words = {"long_name": "extreme theta/alpha of each flight, with its side", "units": "1"}
@@ -242,15 +242,19 @@ class AttractorSweep(Result):
         )
 
 
-def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
-    return (found.kind.value, found.period, None if found.orbit is None else found.orbit.impacts)
+def _kind_of(attractor: Attractor) -> tuple[str, int | None, int | None]:
+    return (
+        attractor.kind.value,
+        attractor.period,
+        None if attractor.orbit is None else attractor.orbit.impacts,
+    )
 
 
-def _impacts_code(found: Attractor) -> int:
+def _impacts_code(attractor: Attractor) -> int:
     """Return the impacts in a period as maps code them."""
-    if found.orbit is None:
+    if attractor.orbit is None:
         return 0
-    return INFINITELY_MANY if found.orbit.impacts is None else found.orbit.impacts
+    return INFINITELY_MANY if attractor.orbit.impacts is None else attractor.orbit.impacts
 
 
 @checked
@@ -273,7 +277,7 @@ def sweep_attractor(
     Parameters
     ----------
     block, motion
-        What moves, and by what; their own value of the parameter does not count.
+        Block and base motion; their own value of the parameter does not count.
     parameter
         "amplitude", "frequency_ratio" or "restitution".
     values
@@ -284,7 +288,7 @@ def sweep_attractor(
     Returns
     -------
     AttractorSweep
-        One attractor a value.
+        One attractor per value.
 
     Raises
     ------
@@ -321,7 +325,7 @@ def sweep_attractor(
         raise InputError("values", values, valid, "use numpy.linspace")
     periods = cycles_value(max_cycles)
     begin = Rest() if start is None else start
-    found: list[Attractor] = []
+    attractors: list[Attractor] = []
     carried: ImpactState | None = None
     for value in steps.tolist():
         body, shaken = moved_to(body, shaken, parameter, value)
@@ -329,7 +333,7 @@ def sweep_attractor(
             last = _from_start(body, shaken, begin, periods, equations)
         else:
             last = find_attractor(body, shaken, start=carried, max_cycles=periods, model=equations)
-        found.append(last)
+        attractors.append(last)
         if last.kind is AttractorKind.REST:
             begin = Rest()
         carried = last.state if last.kind in CARRIED else None
@@ -338,8 +342,8 @@ def sweep_attractor(
     return AttractorSweep(
         parameter=parameter,
         values=steps,
-        attractors=tuple(found),
-        peaks=tuple(flight_peaks(each) for each in found),
+        attractors=tuple(attractors),
+        peaks=tuple(flight_peaks(each) for each in attractors),
         block=block,
         motion=motion,
         start=Rest() if start is None else start,
@@ -361,25 +365,25 @@ def _from_start(
         return find_attractor(block, motion, max_cycles=cycles, model=model)
 
 
-def flight_peaks(found: Attractor) -> Floats:
+def flight_peaks(attractor: Attractor) -> Floats:
     """Return the extreme u = theta/alpha of each flight of an attractor, with its side.
 
     Parameters
     ----------
-    found
-        Of a periodic motion the flights of one period are taken, of an aperiodic one the next 200.
+    attractor
+        Attractor; the flights are those of one period, or the next 200 of an aperiodic motion.
 
     Returns
     -------
     ndarray, shape (flights,)
         Empty at rest and of a fall.  Before a rest the first bounce to either side stands for all.
     """
-    if found.orbit is not None:
-        return _peaks_of(found.orbit)
-    if found.state is None or found.kind not in CARRIED:
+    if attractor.orbit is not None:
+        return _peaks_of(attractor.orbit)
+    if attractor.state is None or attractor.kind not in CARRIED:
         return np.zeros(0)
-    system = make_system(found.block, found.motion, found.model)
-    here, peaks = section_of(found.state), []
+    system = make_system(attractor.block, attractor.motion, attractor.model)
+    here, peaks = section_of(attractor.state), []
     for _ in range(SHOWN_FLIGHTS):
         step = for_system(next_passage, system)(system, here, -1.0)
         if step.kind in (FALL, STAY, STUCK):

@@ -57,14 +57,14 @@ class Orbit(Result):
     Attributes
     ----------
     block, motion
-        What moves, as it was given; the phase of `motion` is that at the first of `states`.
+        Block and base motion as given; the phase of `motion` is that at the first of `states`.
     period
         Forcing periods of the whole orbit; above 1 it is subharmonic.
     states
         The orbit just after each of its impacts and at each uplift from rest, in order.  With a
         rest they stand for infinitely many: impacts are listed until their end is proved.
     rest_phases
-        Times it comes to rest within a period of its own.
+        Number of rests in a period of the orbit.
     symmetric
         Whether half of it is the mirror image of the other half; never where the block's sides
         differ.
@@ -103,7 +103,7 @@ class Orbit(Result):
 
     @property
     def kind(self) -> str:
-        """Symmetric or unsymmetric, in that word."""
+        """Symmetry in a word: "symmetric" or "unsymmetric"."""
         return "symmetric" if self.symmetric else "unsymmetric"
 
     @property
@@ -187,8 +187,8 @@ class Orbit(Result):
 
         A run from the first state, ``simulate(block, orbit.motion, start=orbit.start)``,
         multiplies its rounding with the orbit's multipliers, and leaves an unstable orbit in time.
-        Here every flight begins anew, so that the course closes as exactly as the states are known.
-        Before a rest every bounce that one can see is a flight too.
+        Here every flight starts from a stored state, so that the course closes as exactly as the
+        states are known. Before a rest every bounce that one can see is a flight too.
 
         Returns
         -------
@@ -240,7 +240,7 @@ class Orbit(Result):
         )
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row an impact, in order."""
+        """Return one row per impact, in order."""
         import pandas as pd
 
         return pd.DataFrame([section_row(state, self.block) for state in self.states])
@@ -261,20 +261,20 @@ def orbit_from(
     block, motion
         What moves.
     table
-        One row a passage, shape (passages, ORBIT_COLUMNS).
+        One row per passage, shape (passages, ORBIT_COLUMNS).
     periods
         Forcing periods of the orbit.
     residual
-        With which it was found.
+        Residual with which it was found.
     model
-        In which.
+        Model of the orbit.
     """
     system, passages = make_system(block, motion, model), len(table)
     fixed = for_system(periodic.measured, system)(system, passages, periods, table)
     for_system(periodic.fill_peaks, system)(system, passages, table)
     states = tuple(state_of(periodic.state_at(table, k)) for k in range(passages))
     positive = table[:, periodic.SIDE] > 0.0
-    peak, other = table[:, periodic.PEAK], table[:, periodic.OTHER_PEAK]
+    peak, other_peak = table[:, periodic.PEAK], table[:, periodic.OTHER_PEAK]
     determinant = for_system(periodic.loss, system)(system, states[0].side, passages, fixed.rests)
     return Orbit(
         block=block,
@@ -283,8 +283,8 @@ def orbit_from(
         states=states,
         rest_phases=fixed.rests,
         symmetric=bool(for_system(periodic.is_symmetric, system)(system, table, passages, periods)),
-        highest=float(np.where(positive, peak, other).max()),
-        lowest=0.0 - float(np.where(positive, other, peak).max()),
+        highest=float(np.where(positive, peak, other_peak).max()),
+        lowest=0.0 - float(np.where(positive, other_peak, peak).max()),
         multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),
         residual=residual,
         model=model,
@@ -312,7 +312,7 @@ def ordered(first: complex, second: complex) -> NDArray[np.complex128]:
 
 
 def _course(orbit: Orbit) -> Iterator[list[float]]:
-    """Yield the rows of a trajectory's table, one a flight and the state at the end."""
+    """Yield the rows of a trajectory's table, one per flight and the state at the end."""
     system = make_system(orbit.block, orbit.motion, orbit.model)
     begin = section_of(orbit.states[0])
     half, phase = begin.half_cycles, begin.phase

@@ -37,11 +37,11 @@ class Passage:
     Attributes
     ----------
     kind
-        What the last step was.
+        Event that ended the last step.
     state
-        After it; None where no impact follows.
+        State after the last step; None where no impact follows.
     impacts, uplifts
-        How many of each there were on the way.
+        Numbers of impacts and of uplifts on the way.
     phase
         Phase of the shaking that has passed [rad].
     time
@@ -70,7 +70,7 @@ class ReturnMap:
     Parameters
     ----------
     block
-        Its sides and their restitution count; in the nonlinear model their slenderness too.
+        Block; its sides and their restitution count; in the nonlinear model their slenderness too.
     motion
         Harmonic shaking or a Fourier series.  Its phase does not count: the states have theirs.
     model
@@ -79,7 +79,7 @@ class ReturnMap:
     Raises
     ------
     InputError, ModelError
-        If the block is none, or has no slenderness for the nonlinear model, the motion is not
+        If `block` is no block, or has no slenderness for the nonlinear model, the motion is not
         periodic, or there is no such model.
 
     Examples
@@ -174,7 +174,7 @@ def bare_block(block: object) -> DimensionlessBlock:
     Raises
     ------
     InputError
-        If it is none.
+        If the value is no block.
     """
     if not isinstance(block, Block | DimensionlessBlock):
         raise InputError(

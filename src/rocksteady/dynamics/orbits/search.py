@@ -72,7 +72,7 @@ def find_orbits(
     (eqs 19, 21, 22); orbits that would pass through the base are included, marked inadmissible.
     Orbits with a rest are followed from their uplift; there is at most one for each side.  All
     others are found by Newton's method from a grid of states after an impact, which is a search,
-    not a proof that there are no more.  Of two mirror images only the one that leans to the
+    not a proof that there are no more.  Of two mirror images only the orbit that leans to the
     positive side is returned; `Orbit.mirrored` is the other.  A block whose sides differ has
     neither symmetric orbits nor mirror images, nor has one against a wall: all of its orbits come
     from the search.
@@ -133,13 +133,13 @@ def find_orbits(
             ("seeds", seeds, "give a number, as 96"),
         )
     )
-    found: list[Orbit] = []
+    orbits: list[Orbit] = []
     mirrors = has_mirror_images(block, shaken)
     if block.symmetric and isinstance(shaken, Harmonic):
         if isinstance(equations, Linear):
-            found += _symmetric_orbits(block, shaken, system, longest)
+            orbits += _symmetric_orbits(block, shaken, system, longest)
         else:
-            found += _nonlinear_symmetric_orbits(block, shaken, equations, system, longest)
+            orbits += _nonlinear_symmetric_orbits(block, shaken, equations, system, longest)
     searched = [
         orbit_from(block, shaken, table, periods, residual, equations)
         for table, periods, residual in (
@@ -148,13 +148,13 @@ def find_orbits(
         )
     ]
     for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
-        known = [orbit]
+        images = [orbit]
         if mirrors:
             leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
-            known = [leaning, leaning.mirrored]
-        if not any(_same(one, other) for one in known for other in found):
-            found.append(known[0])
-    return tuple(sorted(found, key=_order))
+            images = [leaning, leaning.mirrored]
+        if not any(_same(image, known) for image in images for known in orbits):
+            orbits.append(images[0])
+    return tuple(sorted(orbits, key=_order))
 
 
 def describe_orbits(
@@ -315,7 +315,7 @@ def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
         if step.kind != UPLIFT:
             continue
         whole = nothing
-        # An uplift is known by its side alone; of a block with two sides one must come again.
+        # An uplift is known by its side alone; for a block with two sides one must come again.
         earlier = [
             k for k, s in enumerate(states[:-1]) if s.speed == 0.0 and s.side == step.state.side
         ]
@@ -357,17 +357,17 @@ def _searched_orbits(
     steps = np.arange(seeds, dtype=np.float64)
     phases: Floats = steps * (2.0 * math.pi / seeds)
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
-    found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
+    states, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
     table = np.zeros((most, periodic.ORBIT_COLUMNS))
     count = 0
     for column in range(seeds):
         for row in range(seeds):  # one state at a time, so that an interruption is heard
             phase, speed = phases[column : column + 1], speeds[row : row + 1]
             count = for_system(periodic.search, system)(
-                system, phase, speed, most, longest, mirrors, table, found, shape, count
+                system, phase, speed, most, longest, mirrors, table, states, shape, count
             )
     for (turn, rate), (passages, periods) in zip(
-        found[:count].tolist(), shape[:count].tolist(), strict=True
+        states[:count].tolist(), shape[:count].tolist(), strict=True
     ):
         begin = section_of(ImpactState(side=1, phase=turn, speed=rate))
         fixed = for_system(periodic.polish, system)(system, begin, passages, periods, table)

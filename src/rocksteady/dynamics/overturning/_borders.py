@@ -1,10 +1,10 @@
-"""Amplitudes to be tried next between two of unlike fate, so that few bring a border to rounding.
+"""Amplitudes to try next between two of different fate, to locate a border in few steps.
 
 Where the block falls at one end of an interval and stands at the other, the margin has a zero
 inside, to which its chord leads.  With s the chord's slope and q the part of it by which those of
 the two intervals beside it differ from s, the zero of a smooth margin is no further from that of
 the chord than q/4 of the interval.  Two amplitudes, 4 q of the interval before the chord's zero and
-4 q after it, enclose it with room to spare; of a short interval q is as small as the interval, so
+4 q after it, enclose it with room to spare; for a short interval q is as small as the interval, so
 that the next two enclose it to rounding.
 
 Where the slopes differ much (a kink, a wide interval, rounding) the interval is halved.  Two more

@@ -33,8 +33,8 @@ MOST_LINES = 1000
 ROUGH = 1e-4
 """Tolerance of the straight lines of a wavelet in such a search; its borders are found without.
 
-The windows of lines that differ so little are the same but for those that are about as narrow.  The
-linear model is fast enough without.
+The windows of lines that differ so little are the same, except windows that are about as narrow.
+The linear model is fast enough without.
 """
 ROUGH_LEFT_OUT = 1e-9
 """What a step may leave out of the motion in such a search."""
@@ -61,11 +61,11 @@ def windows_at(
         lines, _ = _tables(block, model, replace(pulse, tolerance=tolerance))
         quick = sides.copy()
         quick[:, LEFT_OUT] = np.maximum(sides[:, LEFT_OUT], ROUGH_LEFT_OUT)
-    found = nothing_found(len(frequency_ratio))
+    windows_found = nothing_found(len(frequency_ratio))
     for cell, ratio in enumerate(frequency_ratio.tolist()):
         exact, rough = (
-            functools.partial(follow, ratio=ratio, table=rows, sides=own)
-            for rows, own in ((table, sides), (lines, quick))
+            functools.partial(follow, ratio=ratio, table=rows, sides=lanes)
+            for rows, lanes in ((table, sides), (lines, quick))
         )
         windows = scan(
             exact,
@@ -77,8 +77,8 @@ def windows_at(
             rough=None if lines is table else rough,
             closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
         )
-        keep(found, cell, windows, MOST_WINDOWS)
-    return found
+        keep(windows_found, cell, windows, MOST_WINDOWS)
+    return windows_found
 
 
 def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:
@@ -94,6 +94,6 @@ def _tables(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> tu
     if isinstance(model, Linear):
         return np.ascontiguousarray(segment_table(pulse)[:-1]), sides
     table = np.ascontiguousarray(nonlinear_segment_table(pulse, block)[:-1])
-    # A ceiling ends a march that is lost before it lies; the margin asks at what speed it will.
+    # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
     table[:, CEILING] = math.inf
     return table, sides

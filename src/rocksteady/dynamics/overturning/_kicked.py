@@ -32,7 +32,7 @@ class Kicked:
     still
         The still base after it.
     sides
-        Of the block.
+        Sides of the block.
     """
 
     angle: float

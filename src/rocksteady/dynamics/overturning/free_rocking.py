@@ -35,7 +35,7 @@ def free_rocking_period(
     all of it, or after half of it where a wall turns it back there.  The smaller the amplitude the
     shorter the period; towards 1 it grows without bound.
 
-    Of a slenderness alpha it is an elliptic integral.  With ``w0 = alpha (1 - phi0)`` the angle to
+    For a slenderness alpha it is an elliptic integral.  With ``w0 = alpha (1 - phi0)`` the angle to
     the upright position at which the block is let go, energy gives ``dw/d(pt) = 2 sqrt(sin^2(w/2) -
     sin^2(w0/2))``, and in Carlson's symmetric form [2]_ ::
 
@@ -100,7 +100,7 @@ def free_rocking_peaks(
     r"""Return the decaying peaks of free rocking, impact by impact.
 
     Each impact keeps the part r = restitution^2 of the energy ``1 - (1 - phi)^2``, so that after n
-    of them ``phi_n = 1 - sqrt(1 - r^n (1 - (1 - phi0)^2))``.  Of a slenderness alpha the energy is
+    of them ``phi_n = 1 - sqrt(1 - r^n (1 - (1 - phi0)^2))``.  For a slenderness alpha the energy is
     ``cos(alpha (1 - phi)) - cos(alpha)``.
 
     Parameters
@@ -110,7 +110,7 @@ def free_rocking_peaks(
     restitution
         Ratio of angular velocities, in (0, 1]; the literature's r is its square.
     impacts
-        How many, up to a million.
+        Number of impacts, up to a million.
     alpha
         Slenderness [rad], in (0, pi/2), for the full equations; left out, the block is slender.
     one_sided

@@ -53,7 +53,7 @@ RESOLUTION = 0.01
 FIRST = 1e-3
 """Part of the largest kick at which the grid begins, besides the least."""
 NONE = 1e-9
-"""Size below which a kick is none."""
+"""Size below which a kick counts as zero."""
 TRIES = 500
 """Kicks, besides the grid, after which a search ends."""
 MOST_ROWS = 100
@@ -75,11 +75,11 @@ class FatalKicks(WindowLists):
     Attributes
     ----------
     block, model
-        What falls, and by which equations.
+        Block and equations of motion.
     start
         The state at pivot time 0.
     motion
-        What shakes the base besides.
+        Motion of the base besides the kick.
     time_pt
         Pivot times p t of the kicks, shape (moments,).
     angle, velocity
@@ -89,7 +89,7 @@ class FatalKicks(WindowLists):
     resolution
         The largest step of the first sizes that were tried, as a part of them.
     low, high, impacts, side
-        Of the windows of size, shape (2 moments, windows); impacts after the kick.
+        Ends, impacts after the kick and side of each window of size, shape (2 moments, windows).
     first
         The smallest size that overturns, shape (2 moments,); nan where none in the range does, 0
         where the block falls without a kick.
@@ -121,8 +121,8 @@ class FatalKicks(WindowLists):
         """The least fatal kick with its sign [alpha g/p], shape (moments,); nan where none."""
         sizes = np.where(np.isnan(self.signed), math.inf, np.abs(self.signed))
         chosen = np.argmin(sizes, axis=1)[:, np.newaxis]
-        found: Floats = np.take_along_axis(self.signed, chosen, axis=1)[:, 0]
-        return found
+        kicks: Floats = np.take_along_axis(self.signed, chosen, axis=1)[:, 0]
+        return kicks
 
     @property
     def least_m_s(self) -> Floats:
@@ -362,11 +362,11 @@ def _windows_of(
     kick: NDArray[np.object_], *, low: float, high: float, closest: float
 ) -> dict[str, NDArray[Any]]:
     """Return the windows of size of some kicks."""
-    found = nothing_found(len(kick))
+    windows_found = nothing_found(len(kick))
     for cell, state in enumerate(kick):
         # Under a motion the impacts are many, and make no windows of their own.
-        many = MANY if len(state.table) else 0
-        fates = functools.partial(kicked_fates, kicked=state, impacts=many)
+        added = MANY if len(state.table) else 0
+        fates = functools.partial(kicked_fates, kicked=state, impacts=added)
         windows = scan(
             fates,
             max(low, NONE),
@@ -378,7 +378,7 @@ def _windows_of(
             most=TRIES,
         )
         # Once more and closer below the least: that is what the search is for.
-        below = float(windows.low[0]) * BELOW if many and windows.low.size else 0.0
+        below = float(windows.low[0]) * BELOW if added and windows.low.size else 0.0
         if below > max(low, NONE):
             less = scan(
                 fates,
@@ -401,9 +401,9 @@ def _windows_of(
             )
         # A block that falls under next to no kick falls without one.
         begin = np.where(windows.low <= NONE, 0.0, windows.low)
-        windows = windows._replace(low=begin, impacts=windows.impacts - many)
-        keep(found, cell, windows, MOST_WINDOWS)
-    return found
+        windows = windows._replace(low=begin, impacts=windows.impacts - added)
+        keep(windows_found, cell, windows, MOST_WINDOWS)
+    return windows_found
 
 
 def _or_none(value: float) -> str:

@@ -3,23 +3,23 @@
 Over the amplitude the block's fate is piecewise constant.  What decides it, the margin of
 `kernels.batch.pulses`, is continuous, so that every border of fates is a zero of it, and every
 border between ways of overturning a change of the impacts on the way.  The search looks in four
-ways, each of which adds amplitudes to those that have been tried:
+ways, each of which adds amplitudes to the grid:
 
 1. A grid: no two amplitudes of the first round are further apart than a stated part of themselves,
    and towards uplift they crowd together.
 2. Between neighbours whose itineraries differ (impacts and side at the pulse's end, impacts and
    side of overturning) the interval is halved until it is `FINE`: there flights graze, the margin
    has its kinks, and a window may begin and end close by.  Impacts beyond `MANY`, chatter among
-   them, announce less: where only their number differs, or the block falls after so many, the
-   interval is halved until it is `COARSE`.
+   them, announce less: where only their number differs, or the block falls after more than `MANY`,
+   the interval is halved until it is `COARSE`.
 3. Likewise where the margin could come to zero between two neighbours if inside the interval it
    were `STEEPER` times as steep as there and in the two intervals beside it.
 4. Around every amplitude at which the margin of a block that stands is larger than at both
    neighbours, or that of one that falls smaller, both intervals are halved until they are
    `FINEST`, as long as the hump could reach over zero between them: while it lacks less than
    `HIGHER` times what it stands out from the lower of its neighbours, or `MUCH_HIGHER` until they
-   are `FINE`.  Of a cusp, as the square root of a graze makes it, no more than 1.4 times as much is
-   hidden between two amplitudes; what rounding and straight lines do to the margin is no hump.
+   are `FINE`.  For a cusp, as the square root of a graze makes it, no more than 1.4 times as much
+   is hidden between two amplitudes; what rounding and straight lines do to the margin is no hump.
 
 What is left are neighbours of different fate, which are brought together to rounding at the ends of
 the widest windows (`rocksteady.dynamics.overturning._borders`).  So a
@@ -28,7 +28,8 @@ itineraries nor slopes nor maxima around it announce, and that is narrower than 
 than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
 
 Where windows have no number the search would not end for a long time.  After `most` amplitudes
-besides the grid it ends, the widest intervals halved first, and counts those that it leaves.
+besides the grid it ends, the widest intervals halved first, and counts the intervals that it
+leaves.
 """
 
 import math
@@ -119,7 +120,7 @@ def scan(
     uplifts
         Amplitudes at which a side of the block lifts; below all of them it rests.
     keep
-        Of how many windows, the widest, the ends are wanted to rounding; those of others are found
+        Number of windows, the widest, whose ends are located to rounding; those of others are found
         to within the steps of the search.
     rough
         Returns fates that are nearly right and come at less cost, for the search; without, `follow`
@@ -213,8 +214,8 @@ def _steep(width: Floats, margin: Floats) -> NDArray[np.bool_]:
 def _many(fates: Fates) -> NDArray[np.bool_]:
     """Return between which neighbours the block falls after very many impacts."""
     late = fates.overturns & (fates.impacts >= MANY)
-    both: NDArray[np.bool_] = late[1:] & late[:-1]
-    return both
+    late_pairs: NDArray[np.bool_] = late[1:] & late[:-1]
+    return late_pairs
 
 
 def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
@@ -222,10 +223,10 @@ def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
     columns = [fates.overturns, np.minimum(fates.impacts, MANY) * fates.overturns, fates.side]
     if during:
         columns.append(np.minimum(fates.during, 3 * MANY + 3))
-    found = np.zeros(len(fates.overturns) - 1, dtype=np.bool_)
+    differs = np.zeros(len(fates.overturns) - 1, dtype=np.bool_)
     for column in columns:
-        found |= column[1:] != column[:-1]
-    return found
+        differs |= column[1:] != column[:-1]
+    return differs
 
 
 def _with(
@@ -235,7 +236,7 @@ def _with(
     merged = np.concatenate([amplitude, more])
     order = np.argsort(merged)
     columns = zip(fates, follow(more), strict=True)
-    return merged[order], Fates(*(np.concatenate(both)[order] for both in columns))
+    return merged[order], Fates(*(np.concatenate(pair)[order] for pair in columns))
 
 
 def _windows(
@@ -293,14 +294,14 @@ def _may_be_widest(
         return falls
     before, after = np.maximum(starts - 1, 0), np.minimum(stops + 1, len(amplitude) - 1)
     least = np.sort((amplitude[stops] - amplitude[starts])[falls])[-keep]
-    found: NDArray[np.bool_] = falls & (amplitude[after] - amplitude[before] >= least)
-    return found
+    candidate: NDArray[np.bool_] = falls & (amplitude[after] - amplitude[before] >= least)
+    return candidate
 
 
 def _apart(amplitude: Floats, where: Integers, closest: float) -> NDArray[np.bool_]:
     """Return which intervals are wider than a part of them, or than the last digits."""
     high = amplitude[where + 1]
-    found: NDArray[np.bool_] = high - amplitude[where] > np.maximum(
+    apart: NDArray[np.bool_] = high - amplitude[where] > np.maximum(
         4.0 * np.spacing(high), closest * high
     )
-    return found
+    return apart

@@ -50,7 +50,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
     Parameters
     ----------
     shape
-        One of the names above, as of `Pulse`.
+        One of the names above, as for `Pulse`.
     frequency_ratio
         w = omega/p with omega = 2 pi over the pulse's period, of any shape.
 
@@ -86,7 +86,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
             "choose one of " + ", ".join(THRESHOLDS) + ", or compute find_overturning_windows",
         )
     ratios = real_array("frequency_ratio", frequency_ratio)
-    found = np.empty(ratios.shape)
+    amplitudes = np.empty(ratios.shape)
     hint = "give omega/p, 2 pi over the pulse's period over the block's p"
     for index, ratio in np.ndenumerate(ratios):
         w = in_range(
@@ -97,8 +97,8 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
             "[]",
             hint=hint,
         )
-        found[index] = THRESHOLDS[shape](w)
-    return found
+        amplitudes[index] = THRESHOLDS[shape](w)
+    return amplitudes
 
 
 @checked
@@ -106,13 +106,13 @@ def overturning_impulse(block: Block, *, model: Model | None = None) -> float:
     r"""Return the change of base velocity that overturns a block at rest [m/s].
 
     The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre
-    over the pivot from ``v = (g/p) sqrt(2 (1 - cos alpha))/cos(alpha)`` on; of a homogeneous
+    over the pivot from ``v = (g/p) sqrt(2 (1 - cos alpha))/cos(alpha)`` on; for a homogeneous
     rectangle that is ``sqrt(8 g R (1 - cos alpha)/3)/cos(alpha)`` [1]_.
 
     Parameters
     ----------
     block
-        The block; of one whose sides differ the positive side.
+        The block; for one whose sides differ the positive side.
     model
         `Nonlinear()` (default), or `Linear()`: ``alpha g/p``, size 1 of `Impulses`.
 

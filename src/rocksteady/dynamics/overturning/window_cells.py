@@ -1,4 +1,4 @@
-"""A search for windows as one cell of a sweep: its outputs, and the fates that it asks for."""
+"""A search for windows as one cell of a sweep: its outputs, and the fates that it needs."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -38,7 +38,7 @@ FLIGHT_LIMIT = 30_000
 
 
 def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
-    """Return the outputs of a cell that keeps so many windows: a number a cell in each."""
+    """Return the outputs of a cell that keeps a number of windows: one number per cell in each."""
     return (
         Output(name="windows", dtype=np.int32, long_name="windows that are kept"),
         Output(name="first", long_name="smallest amplitude that overturns"),
@@ -62,7 +62,7 @@ def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
 def uplifts_of(sides: Floats) -> tuple[float, float]:
     """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean.
 
-    Of a block against a wall, twice that of its one side.
+    For a block against a wall, twice that of its one side.
     """
     if not is_nonlinear(sides):
         first, second = float(sides[0, LEAN]), float(sides[1, LEAN])
@@ -82,25 +82,25 @@ def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any
     }
 
 
-def keep(found: dict[str, NDArray[Any]], cell: int, windows: Found, most: int) -> None:
+def keep(columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int) -> None:
     """Write the windows of one cell into its outputs, the widest where there are many."""
     width = windows.high - windows.low
     kept = np.sort(np.argsort(-width, kind="stable")[:most])
-    found["windows"][cell] = len(kept)
-    found["left_out"][cell] = len(width) - len(kept)
-    found["left_out_width"][cell] = float(np.delete(width, kept).sum())
-    found["undecided"][cell] = windows.undecided
-    found["unsettled"][cell] = windows.unsettled
+    columns["windows"][cell] = len(kept)
+    columns["left_out"][cell] = len(width) - len(kept)
+    columns["left_out_width"][cell] = float(np.delete(width, kept).sum())
+    columns["undecided"][cell] = windows.undecided
+    columns["unsettled"][cell] = windows.unsettled
     if len(width):
-        found["first"][cell] = windows.low[0]
+        columns["first"][cell] = windows.low[0]
     for place, k in enumerate(kept.tolist()):
-        found[f"low_{place}"][cell] = windows.low[k]
-        found[f"high_{place}"][cell] = windows.high[k]
-        found[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
+        columns[f"low_{place}"][cell] = windows.low[k]
+        columns[f"high_{place}"][cell] = windows.high[k]
+        columns[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
 
 
 def kept_windows(data: "xarray.Dataset") -> dict[str, Any]:
-    """Return the fields of `WindowLists` from the outputs of a sweep, a row a cell."""
+    """Return the fields of `WindowLists` from the outputs of a sweep, one row per cell."""
     kept = max(1, int(data["windows"].values.max()))
 
     def rows(name: str) -> NDArray[Any]:
@@ -110,13 +110,13 @@ def kept_windows(data: "xarray.Dataset") -> dict[str, Any]:
         return each
 
     way = rows("way").astype(np.int64)
-    found = {"low": rows("low"), "high": rows("high")}
-    found |= {"impacts": np.abs(way) - 1, "side": np.sign(way)}
+    windows = {"low": rows("low"), "high": rows("high")}
+    windows |= {"impacts": np.abs(way) - 1, "side": np.sign(way)}
     for name in ("first", "left_out_width"):
-        found[name] = data[name].values.ravel()
+        windows[name] = data[name].values.ravel()
     for name in ("left_out", "undecided", "unsettled"):
-        found[name] = data[name].values.ravel().astype(np.int64)
-    return found
+        windows[name] = data[name].values.ravel().astype(np.int64)
+    return windows
 
 
 def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.0) -> Fates:
@@ -129,15 +129,15 @@ def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.
     table, sides
         The motion, without the still base after it, and the block.
     ratio
-        How many times as fast the motion is.
+        Factor by which the motion is faster.
     """
-    # A motion of amplitude 0 is none, and the kernel divides by it.
+    # The kernel divides by the amplitude, which must not be 0.
     size = np.maximum(amplitude, SMALLEST)
     status, impacts, side, during = (np.empty(len(size), dtype=np.int64) for _ in range(4))
     margin = np.empty(len(size))
     lifted = has_vertical(table)
     scaled = table.copy() if lifted else table
-    # One motion does for all amplitudes, but for its vertical component, which counts in g.
+    # One motion does for all amplitudes, except for its vertical component, which counts in g.
     for part in (slice(k, k + 1) for k in range(len(size))) if lifted else (slice(None),):
         if lifted:
             np.multiply(table[:, LIFT:], size[part], out=scaled[:, LIFT:])

@@ -41,7 +41,8 @@ class WindowLists(Result):
     within, resolution
         The range that was searched, and its largest first step as a part of the amplitude.
     low, high, impacts, side
-        Of the windows, shape (rows, windows); nan, -1 and 0 beyond the last of a row.
+        Ends, impacts and side of each window, shape (rows, windows); nan, -1 and 0 beyond the last
+        of a row.
     first
         The smallest amplitude that overturns the block, shape (rows,); nan where none does.
     left_out, left_out_width, undecided, unsettled
@@ -86,10 +87,10 @@ class WindowLists(Result):
 
     def intervals(self, index: int | str) -> list[tuple[float, float]]:
         """Return where the block overturns in one row, in whatever way."""
-        found: list[tuple[float, float]] = []
+        intervals: list[tuple[float, float]] = []
         for window in self.at(index):
-            if found and found[-1][1] == window.low:
-                found[-1] = (found[-1][0], window.high)
+            if intervals and intervals[-1][1] == window.low:
+                intervals[-1] = (intervals[-1][0], window.high)
             else:
-                found.append((window.low, window.high))
-        return found
+                intervals.append((window.low, window.high))
+        return intervals

@@ -60,7 +60,7 @@ class OverturningWindows(WindowLists):
     Attributes
     ----------
     block, pulse
-        What falls and what makes it; of the pulse its shape counts.
+        Block and pulse; only the shape of the pulse counts.
     model
         `Linear()` or `Nonlinear()`.
     frequency_ratio
@@ -73,15 +73,15 @@ class OverturningWindows(WindowLists):
         Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.
         Windows that touch differ in their impacts or their side.
     impacts
-        Before the block overturns, the same shape; -1 beyond the last.  Ten or more vary in a
-        window, and those at its lower end stand here; of the infinitely many before a rest
+        Impacts before the block overturns, the same shape; -1 beyond the last.  Ten or more vary in
+        a window, and those at its lower end stand here; of the infinitely many before a rest
         those count that came before it was proved.
     side
-        On which it falls, +1 or -1; 0 beyond the last.
+        Side on which it falls, +1 or -1; 0 beyond the last.
     first
         The smallest amplitude that overturns the block, shape (frequencies,); nan where none does.
     left_out, left_out_width
-        How many windows there are beyond the widest 32, and how wide they are together, to within
+        Number of windows beyond the widest 32, and their total width, to within
         the steps of the search.
     undecided
         Amplitudes that were tried and whose fate could not be decided; they count as safe.
@@ -101,18 +101,18 @@ class OverturningWindows(WindowLists):
         """Return the windows as an xarray Dataset over frequency ratio and window."""
         import xarray
 
-        along, both = ("frequency_ratio",), ("frequency_ratio", "window")
+        along, per_window = ("frequency_ratio",), ("frequency_ratio", "window")
         amplitude = {"units": "1", "long_name": "a_max/(alpha g)"}
         return xarray.Dataset(
             {
-                "low": (both, self.low, amplitude),
-                "high": (both, self.high, amplitude),
+                "low": (per_window, self.low, amplitude),
+                "high": (per_window, self.high, amplitude),
                 "impacts": (
-                    both,
+                    per_window,
                     self.impacts,
                     {"units": "1", "long_name": "impacts; -1: no window"},
                 ),
-                "side": (both, self.side, {"units": "1"}),
+                "side": (per_window, self.side, {"units": "1"}),
                 "first": (along, self.first, amplitude),
                 "left_out": (along, self.left_out, {"units": "1"}),
                 "left_out_width": (along, self.left_out_width, {"units": "1"}),
@@ -213,7 +213,7 @@ class OverturningWindows(WindowLists):
         return row
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-        """Yield a row a window, as files and people have it."""
+        """Yield one row per window, as in tables and files."""
         for row in rows:
             head: dict[str, Any] = {
                 name: row[name] for name in ("frequency_ratio", "freq_hz") if name in row
@@ -271,7 +271,7 @@ def find_overturning_windows(
     stronger one.  At each frequency ratio the borders are found to rounding, or in the nonlinear
     model to a part of 1e-12, on a grid of amplitudes that is refined wherever the fate, the impacts
     on the way or the margin leave a doubt.  Long pulses with many impacts, below omega/p = 1 or of
-    several cycles, have windows without end to their number: there `unsettled` says where the
+    several cycles, have windows without end to their number: there `unsettled` counts where the
     search was ended.
 
     Parameters
@@ -366,7 +366,7 @@ def threshold_without_impact(
     Parameters
     ----------
     block
-        Of the negative side, which a reversed pulse lifts, alpha and p count; not of a block
+        For the negative side, which a reversed pulse lifts, alpha and p count; not for a block
         against a wall, which a reversed pulse holds at first.
     pulse
         Its shape and sign count.
@@ -376,8 +376,8 @@ def threshold_without_impact(
     _, alpha_ratio, p_ratio = block.dimensionless().sides[int(pulse.reverse)]
     # Without the bounds of `overturning_threshold`, which hold for the positive side.
     threshold = np.vectorize(THRESHOLDS[pulse.shape], otypes=[np.float64])
-    found: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
-    return found
+    amplitude: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
+    return amplitude
 
 
 def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:

@@ -80,7 +80,7 @@ def _solution(states: Any, at: tuple[int, ...]) -> dict[str, Any]:
 
 
 def solution_rows(states: Any) -> list[dict[str, Any]]:
-    """Return a row a solution, in the order of the points."""
+    """Return one row per solution, in the order of the points."""
     rows: list[dict[str, Any]] = []
     for index in np.ndindex(states.region.shape):
         values = point_values(states, index)

@@ -42,7 +42,7 @@ def tangency_amplitude(sides: tuple[SideRow, SideRow], frequency_ratio: float) -
     >>> print(f"{tangency_amplitude(block.sides, 2.0):.6f}")
     0.209370
     """
-    found = []
+    amplitudes = []
     for leaves, enters in (sides, sides[::-1]):
         delta, lean, rate = leaves
         _, other_lean, other_rate = enters
@@ -50,5 +50,5 @@ def tangency_amplitude(sides: tuple[SideRow, SideRow], frequency_ratio: float) -
         going = delta * rate / (1.0 + w * w)
         coming = other_rate / (1.0 + other_w * other_w)
         length = hypot(going + coming, coming * other_w - going * w)
-        found.append(abs(delta * lean * rate - other_lean * other_rate) / length)
-    return min(found)
+        amplitudes.append(abs(delta * lean * rate - other_lean * other_rate) / length)
+    return min(amplitudes)

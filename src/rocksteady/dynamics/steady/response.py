@@ -150,7 +150,7 @@ def compute_response_curve(
         raise ModelError(
             "frequency_ratio, frequency_hz",
             Words("are both missing" if frequency_hz is None else "are both given"),
-            "exactly one of the two says at which frequencies",
+            "exactly one of the two sets the frequencies",
             "give frequency_ratio (omega/p), or frequency_hz for a Block",
         )
     branch = validated_branch(branch)

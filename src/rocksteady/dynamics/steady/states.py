@@ -71,14 +71,14 @@ def validated_branch(branch: object) -> Literal[1, 2]:
 
 
 def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -> None:
-    """Refuse a block whose sides differ for what only the closed forms know.
+    """Refuse a block whose sides differ where only closed forms of symmetric blocks exist.
 
     Parameters
     ----------
     block
         Any.
     name, what
-        The argument that is refused, and what is asked for, in words.
+        The refused argument, and the closed form that was requested, in words.
 
     Raises
     ------
@@ -124,7 +124,7 @@ class SteadyStates(OfLinear, Result):
         Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.
     peak, extrema
         Largest u among the extrema of the positive half cycle, and their number; None without
-        `shapes`.  Of an inadmissible orbit that begins downwards it may be negative.
+        `shapes`.  For an inadmissible orbit that begins downwards it may be negative.
     admissible
         Whether the half cycle stays above the floor; None without `shapes`.
     block
@@ -161,7 +161,7 @@ class SteadyStates(OfLinear, Result):
 
     @cached_property
     def multipliers(self) -> NDArray[np.complex128]:
-        """Multipliers of the half cycle, shape (2, *grid, 2), the larger in modulus first.
+        """Multipliers of the half cycle, shape ``(2, *grid, 2)``, the larger in modulus first.
 
         They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
         the positive imaginary part first.  The full orbit's are their squares.
@@ -211,11 +211,11 @@ class SteadyStates(OfLinear, Result):
         return replace(self, block=block if isinstance(block, Block) else None)
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a row a solution, in the order of the points."""
+        """Return one row per solution, in the order of the points."""
         return solution_rows(self)
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a solution, in the order of the points."""
+        """Return one row per solution, in the order of the points."""
         import pandas as pd
 
         return pd.DataFrame(self.rows())
@@ -292,7 +292,7 @@ def find_steady_states(
     Returns
     -------
     SteadyStates
-        Arrays of shape (2, *grid) for the solutions.
+        Arrays of shape ``(2, *grid)`` for the solutions.
 
     Raises
     ------
@@ -404,7 +404,7 @@ class SteadyOrbit(OfLinear, Result):
         )
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a sample."""
+        """Return one row per sample."""
         import pandas as pd
 
         names = ("tau", "angle", "velocity", "velocity_tau", "excitation")

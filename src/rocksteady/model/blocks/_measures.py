@@ -42,7 +42,7 @@ class Measured(Result):
     def restitution(self) -> float:
         """Ratio of angular velocities after and before an impact that ends positive rotation.
 
-        Of a block against a wall, that of the wall.
+        For a block against a wall, that of the wall.
         """
         if self.wall_restitution is not None:
             return self.wall_restitution
@@ -79,7 +79,7 @@ class Measured(Result):
     def uplift_acceleration(self) -> float:
         """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2].
 
-        Of an asymmetric block it is that which lifts it to the positive side; the unit of all
+        For an asymmetric block it is that which lifts it to the positive side; the unit of all
         accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
         """
         return self.positive.alpha * self.gravity
@@ -96,12 +96,12 @@ class Measured(Result):
         """
         if self.one_sided:
             return DimensionlessBlock(restitution=self.restitution, one_sided=True)
-        one, other = self.positive, self.negative
+        positive, negative = self.positive, self.negative
         return DimensionlessBlock(
-            restitution=one.restitution,
-            negative_restitution=other.restitution,
-            alpha_ratio=other.alpha / one.alpha,
-            p_ratio=other.p / one.p,
+            restitution=positive.restitution,
+            negative_restitution=negative.restitution,
+            alpha_ratio=negative.alpha / positive.alpha,
+            p_ratio=negative.p / positive.p,
         )
 
     def describe(self) -> Description:
@@ -112,7 +112,7 @@ class Measured(Result):
 def description_of(block: Measured) -> Description:
     """Return the facts of a block.
 
-    A rectangle has a width and a height; of any other body the height is not known.  A block
+    A rectangle has a width and a height; for any other body the height is not known.  A block
     against a wall rocks on its positive side alone, and has no rates of the other.
     """
     positive, negative, factor = block.positive, block.negative, block.housner_factor

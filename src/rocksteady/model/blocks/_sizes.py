@@ -32,7 +32,7 @@ def question_millimetres(sizes: Mapping[str, float], *, height: float) -> None:
         given = ", ".join(f"{name}={size:g}" for name, size in sizes.items())
         instead = ", ".join(f"{name}={size / 1000.0:g}" for name, size in sizes.items())
         warnings.warn(
-            f"{given} make a block {height:g} m high: sizes are in metres; of one in millimetres "
+            f"{given} make a block {height:g} m high: sizes are in metres; for one in millimetres "
             f"give {instead}",
             stacklevel=4,
         )
@@ -53,7 +53,7 @@ def check_one_size(*, radius: float | None, p: float | None, gyration: float | N
     raise ModelError(
         "radius, p, gyration",
         Words(f"do not fit, with {given} given" if given else "are all missing"),
-        "a radius, with or without a gyration, or a p alone says how large it is",
+        "a radius, with or without a gyration, or a p alone sets its size",
         "give radius=..., or p=...",
     )
 
@@ -61,7 +61,7 @@ def check_one_size(*, radius: float | None, p: float | None, gyration: float | N
 def radius_of_p(p: float, alpha: float, other_alpha: float, gravity: float) -> float:
     """Return the radius [m] of the side of `alpha`, with a rectangle's radius of gyration.
 
-    Of a body R times as large as one with R = 1, ``p^2 = g/(R (1 + k^2))``.
+    For a body R times as large as one with R = 1, ``p^2 = g/(R (1 + k^2))``.
 
     Parameters
     ----------

@@ -79,7 +79,7 @@ class Block(Measured):
     housner_factor
         Factor of Housner's restitution that was given, for descriptions; none by default.
     wall_restitution
-        Of a block against a wall (`against_wall`), which rocks on its positive side alone, the
+        For a block against a wall (`against_wall`), which rocks on its positive side alone, the
         restitution of its impacts on the wall, in [0, 1]; None (default) of a block without.
 
     Raises
@@ -135,7 +135,7 @@ class Block(Measured):
             A ratio of angular velocities in (0, 1]; "housner" (default) for 1 - 1.5 sin^2 alpha;
             ("housner", 0.965) for a measured factor of that.
         gravity
-            [m/s^2]
+            Acceleration of gravity [m/s^2].
 
         Raises
         ------
@@ -219,7 +219,7 @@ class Block(Measured):
             1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot;
             ("housner", 0.965) for a measured factor of that.
         gravity
-            [m/s^2]
+            Acceleration of gravity [m/s^2].
 
         Raises
         ------
@@ -269,7 +269,7 @@ class Block(Measured):
             which conserves angular momentum about the edge that is struck (`impact_restitution`),
             or ("housner", 0.965) for a measured factor of both.
         gravity
-            [m/s^2]
+            Acceleration of gravity [m/s^2].
 
         Returns
         -------
@@ -379,7 +379,7 @@ class Block(Measured):
             sizes = {"radius": radius, "alpha": atan2(b1, 0.5 * h)}
             inertia = k * k + radius * radius
             return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
-        one, other = sides_of_body(
+        positive, negative = sides_of_body(
             left=b1,
             right=b2,
             centre_height=0.5 * h,
@@ -387,7 +387,9 @@ class Block(Measured):
             restitution=restitution,
             gravity=g,
         )
-        return cls(positive=one, negative=other, gravity=g, housner_factor=noted(restitution))
+        return cls(
+            positive=positive, negative=negative, gravity=g, housner_factor=noted(restitution)
+        )
 
     @classmethod
     def _homogeneous(
@@ -468,6 +470,8 @@ class Block(Measured):
         if self.one_sided:
             return self.against_wall(one_restitution(restitution))
         first, second = ratios_of(restitution, self.positive, self.negative, self.gravity)
-        one = replace(self.positive, restitution=first)
-        other = replace(self.negative, restitution=second)
-        return replace(self, positive=one, negative=other, housner_factor=noted(restitution))
+        positive = replace(self.positive, restitution=first)
+        negative = replace(self.negative, restitution=second)
+        return replace(
+            self, positive=positive, negative=negative, housner_factor=noted(restitution)
+        )

@@ -66,10 +66,10 @@ class DimensionlessBlock(Result):
             return
         object.__setattr__(self, "restitution", restitution_value(self.restitution))
         if self.negative_restitution is not None:
-            other = restitution_value(self.negative_restitution, name="negative_restitution")
+            negative = restitution_value(self.negative_restitution, name="negative_restitution")
             # Blocks that move alike are equal.
             object.__setattr__(
-                self, "negative_restitution", None if other == self.restitution else other
+                self, "negative_restitution", None if negative == self.restitution else negative
             )
         for name in ("alpha_ratio", "p_ratio"):
             ratio = in_range(
@@ -102,8 +102,10 @@ class DimensionlessBlock(Result):
         """
         if self.one_sided:
             return (-self.restitution, 1.0, 1.0), (1.0, 1.0, 1.0)
-        other = self.restitution if self.negative_restitution is None else self.negative_restitution
-        return (self.restitution, 1.0, 1.0), (other, self.alpha_ratio, self.p_ratio)
+        negative = (
+            self.restitution if self.negative_restitution is None else self.negative_restitution
+        )
+        return (self.restitution, 1.0, 1.0), (negative, self.alpha_ratio, self.p_ratio)
 
     @property
     def symmetric(self) -> bool:
@@ -135,16 +137,16 @@ class DimensionlessBlock(Result):
                 f"{number(self.restitution)}",
                 facts=facts,
             )
-        first, other = self.sides
-        ratios = " and ".join(dict.fromkeys((number(first[0]), number(other[0]))))
+        first, second = self.sides
+        ratios = " and ".join(dict.fromkeys((number(first[0]), number(second[0]))))
         facts = [Fact("restitution", first[0], "restitution", ratios)]
         words = f"dimensionless block, restitution {ratios}"
-        if other[0] != first[0]:
-            facts.append(Fact("negative_restitution", other[0]))
-        if other[1:] != first[1:]:
+        if second[0] != first[0]:
+            facts.append(Fact("negative_restitution", second[0]))
+        if second[1:] != first[1:]:
             facts += [
-                Fact("alpha_ratio", other[1], "alpha, negative / positive side"),
-                Fact("p_ratio", other[2], "p, negative / positive side"),
+                Fact("alpha_ratio", second[1], "alpha, negative / positive side"),
+                Fact("p_ratio", second[2], "p, negative / positive side"),
             ]
-            words += f", alpha ratio {number(other[1])}, p ratio {number(other[2])}"
+            words += f", alpha ratio {number(second[1])}, p ratio {number(second[2])}"
         return Description(headline=words, facts=facts)

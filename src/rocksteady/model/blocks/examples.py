@@ -67,9 +67,9 @@ def named_block(
         "server-rack", "gas-cylinder" or "statue-on-plinth".  Sizes, sources and assumptions are in
         `rocksteady.model.blocks.examples.SOURCES`.
     restitution
-        In place of the source's; all forms of the constructors of `Block`.
+        Restitution in place of the source's; all forms of the constructors of `Block`.
     gravity
-        [m/s^2]; default 9.80665.
+        Acceleration of gravity [m/s^2]; default 9.80665.
 
     Raises
     ------

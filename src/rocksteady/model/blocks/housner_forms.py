@@ -94,7 +94,7 @@ def form_text(factor: float) -> str:
 
 
 def ratio_words(ratio: float | str) -> str:
-    """Return a restitution, or the text of a form, as a title has it.
+    """Return a restitution, or the text of a form, as in a title.
 
     Examples
     --------

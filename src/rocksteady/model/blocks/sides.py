@@ -120,11 +120,11 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
     """
     if one == other:
         return
-    here, there = one.centre_height, other.centre_height
-    if abs(here - there) > SAME_BODY * max(here, there):
+    here, other_height = one.centre_height, other.centre_height
+    if abs(here - other_height) > SAME_BODY * max(here, other_height):
         raise ModelError(
             "radius * cos(alpha)",
-            (here, there),
+            (here, other_height),
             "it is the height of the one mass centre, so the same on both sides",
             "use Block.from_alphas with one radius, or Block.asymmetric",
         )
@@ -200,8 +200,8 @@ def impact_restitution(
     """Return the restitution that conserves angular momentum about the struck pivot.
 
     ``(I_c + M R1 R2 cos(alpha1 + alpha2)) / (I_c + M R2^2)``, with 1 the pivot that is left and 2
-    the one that is struck: just before the impact the mass centre moves at right angles to the line
-    from pivot 1, and the two lines enclose alpha1 + alpha2 (`docs/theory/model.md`).
+    the pivot that is struck: just before the impact the mass centre moves at right angles to the
+    line from pivot 1, and the two lines enclose alpha1 + alpha2 (`docs/theory/model.md`).
 
     Parameters
     ----------
@@ -298,7 +298,7 @@ def wall_ratio(positive: Side, negative: Side, gravity: float) -> float:
     A block that falls back strikes its base at the other edge, then the wall at its top, twice as
     high as the mass centre and above that edge, then its base at the first edge.  Each impact
     conserves angular momentum about the point that is struck, and passes its angular velocity on to
-    the next.  Of a symmetric block::
+    the next.  For a symmetric block::
 
         (1 - 2 k sin^2 alpha)^2 (2 k cos^2 alpha - 1),    k = p^2 R/g
 
@@ -340,8 +340,10 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
     That of the impact that ends positive rotation is the first.
     """
     if positive.alpha == negative.alpha and positive.p == negative.p:
-        both = housner_ratio(positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity)
-        return both, both
+        ratios = housner_ratio(
+            positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity
+        )
+        return ratios, ratios
     square = positive.radius * (gravity / (positive.p * positive.p) - positive.radius)
     alphas, radii = (positive.alpha, negative.alpha), (positive.radius, negative.radius)
     gyration = math.sqrt(max(square, 0.0))
@@ -356,7 +358,7 @@ def ratios_of(
     Raises
     ------
     InputError
-        If it is none, or above 1.
+        If the value is no restitution, or above 1.
     """
     factor = housner_factor(restitution)
     if factor is None:
@@ -411,12 +413,12 @@ def restitution_pair(value: object) -> tuple[float, float]:
             raise InputError(
                 "restitution",
                 value,
-                "there are two impacts, the one that ends positive rotation and the other",
+                "there are two impacts: the end of positive and the end of negative rotation",
                 "give one number for both, or a pair of them",
             )
         return restitution_value(value[0]), restitution_value(value[1])
-    both = restitution_value(value)
-    return both, both
+    ratios = restitution_value(value)
+    return ratios, ratios
 
 
 def alpha_value(value: float, name: str = "alpha") -> float:

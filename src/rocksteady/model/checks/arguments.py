@@ -2,7 +2,7 @@
 
 A value of the wrong type is refused where it enters, by one line that names the argument, and not
 by a traceback from deep inside.  What a number may be is checked by the validators of
-`rocksteady.model.checks.validation`, in the functions themselves, whose hints know its unit.
+`rocksteady.model.checks.validation`, in the functions themselves, whose hints name its unit.
 """
 
 import functools
@@ -35,7 +35,7 @@ _ABC_NAMES: Final[Mapping[object, str]] = {str: "a text", bool: "True or False",
 Fit = Callable[[str, Any], Any]
 
 CHECKED_INSIDE: Final = frozenset({"method"})
-"""Texts whose own validator says more of what is valid than their types do."""
+"""Texts whose own validator describes what is valid better than their types do."""
 
 CHECKED_INSIDE_OF: Final = frozenset(
     {
@@ -65,7 +65,7 @@ def checked(target: T) -> T:
     """Check the argument types of a function, or of a class's constructor and public methods.
 
     The signature stays as it is.  Numbers, and numbers in place of texts, are left to the
-    function's own validators, whose hints know more.
+    function's own validators, whose hints are more specific.
     """
     guarded: T = _checked(target, numbers=False)
     return guarded
@@ -103,10 +103,10 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
         if plan is None:
             plan = made(function, numbers)
         given = args
-        for name, place, many, fit in plan:
+        for name, place, variadic, fit in plan:
             if name in kwargs:
                 kwargs[name] = fit(name, kwargs[name])
-            elif many:
+            elif variadic:
                 fits = tuple([fit(name, value) for value in given[place:]])
                 given = given[:place] + fits
             elif 0 <= place < len(given):
@@ -135,11 +135,11 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
         measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
         if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
             fit = _kept
-        many = parameter.kind is parameter.VAR_POSITIONAL
+        variadic = parameter.kind is parameter.VAR_POSITIONAL
         by_name = parameter.kind is parameter.KEYWORD_ONLY
         if parameter.kind is not parameter.VAR_KEYWORD:
             check = _reported(fit, parameter.default)
-            plan.append((parameter.name, -1 if by_name else place, many, check))
+            plan.append((parameter.name, -1 if by_name else place, variadic, check))
     return plan
 
 
@@ -239,7 +239,7 @@ def _kept(name: str, value: Any) -> Any:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """Return a number as a plain float or int; what it may be, the function knows."""
+    """Return a number as a plain float or int; the function checks its range."""
     kind = type(value)
     if kind is float or kind is int:
         return value
@@ -284,7 +284,7 @@ def _text(_: str, value: Any) -> Any:
 
 
 def _plain_text(_: str, value: Any) -> Any:
-    """Pass a text, and what can be compared with one: the function knows which texts there are."""
+    """Pass a text, and what can be compared with one: the function checks its value."""
     comparable = isinstance(value, str | bytes | Number) and not isinstance(value, Decimal)
     if value is None or comparable:
         return value
@@ -373,7 +373,7 @@ def _of_protocol(kind: type) -> Fit:
 def _either(fits: Sequence[Fit | None]) -> Fit | None:
     """Return the check of a union; None where everything passes.
 
-    A number in it is left to the validator of that number, whose hint knows the unit.
+    A number in it is left to the validator of that number, whose hint names the unit.
     """
     if None in fits:
         return None
@@ -385,14 +385,14 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
 
     def fit(name: str, value: Any) -> Any:
         unfit: list[tuple[str, str]] = [("it must be a number", "give one")] if numeric else []
-        for one in others:
+        for option in others:
             try:
-                return one(name, value)
+                return option(name, value)
             except UnfitError as error:
                 valid, hint = error.args
                 if not valid.startswith("it must be"):  # a mask, a unit: it was nearly right
                     raise
-                if one is not _nothing:
+                if option is not _nothing:
                     unfit.append((valid, hint))
         if numeric:
             plain = _plain(name, value)
@@ -415,7 +415,7 @@ def _row(fits: Sequence[Fit | None]) -> Fit:
         items = _listed(name, value, words, len(fits) + 1, hint)
         if len(items) != len(fits):
             raise UnfitError(words, hint)
-        return tuple(_item(one, name, item) for one, item in zip(fits, items, strict=True))
+        return tuple(_item(member, name, item) for member, item in zip(fits, items, strict=True))
 
     return fit
 
@@ -461,7 +461,7 @@ def _item(one: Fit | None, name: str, item: Any) -> Any:
 def _mapping(name: str, value: Any) -> Any:
     """Pass a mapping whose values lose nothing as arrays; what it holds the function checks."""
     if not isinstance(value, Mapping):
-        if name == "axes":  # a list of names is nearly right: the function says what is missing
+        if name == "axes":  # a list of names is nearly right: the function names what is missing
             return value
         raise UnfitError("it must be a mapping", "give a dict")
     for key, item in value.items():

@@ -142,16 +142,16 @@ def refuse_mask_and_unit(name: str, value: Any, depth: int = 4) -> None:
 
 
 def _attributes(value: Any) -> dict[str, Any]:
-    """Return the attributes that tell a masked array, a quantity and a `DataArray`."""
+    """Return the attributes that mark a masked array, a quantity and a `DataArray`."""
     if isinstance(value, type) or type(value).__module__ == "builtins":
         return {}
-    found = {}
+    attributes = {}
     for name in ("mask", "magnitude", "units", "attrs"):
         try:
-            found[name] = getattr(value, name, None)
+            attributes[name] = getattr(value, name, None)
         except Exception:  # noqa: BLE001 - its own property fails: it has no such attribute
             continue
-    return found
+    return attributes
 
 
 def scalar_of(value: Any) -> Any:

@@ -18,7 +18,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arrays import scalar_of
 
 LARGEST: Final = 1.0e50
-"""The largest dimensionless number that the kernels are asked for: its powers do not overflow."""
+"""The largest dimensionless number that the kernels accept: its powers do not overflow."""
 
 _ODD_ORDER_HINT: Final = "use 1, 3, 5, ..."
 
@@ -150,7 +150,7 @@ def whole_number(
 
 
 def index_value(value: object, count: int, what: str, *, name: str = "index") -> int:
-    """Return `value` as an index into so many things; negative ones count from the end.
+    """Return `value` as an index into `count` things; negative ones count from the end.
 
     Raises
     ------
@@ -223,8 +223,8 @@ def odd_order(value: object, *, name: str = "order") -> int:
     """Return `value` as an int where it can be the order n of a symmetric orbit: 1, 3, 5, ...
 
     The order counts the half periods of the forcing in one half cycle of the rocking. After its
-    half cycle a symmetric orbit repeats itself on the other side, which asks the forcing to have
-    changed its sign: that is so after an odd number of half periods only.
+    half cycle a symmetric orbit repeats itself on the other side, which requires that the forcing
+    has changed its sign: that is so after an odd number of half periods only.
 
     Parameters
     ----------

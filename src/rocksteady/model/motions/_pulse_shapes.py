@@ -216,7 +216,7 @@ def mavroeidis_papageorgiou(
     oscillations, phase
         gamma > 1, and nu [rad].
     tolerance
-        Of the lines, as a part of a.
+        Tolerance of the lines, as a part of a.
     """
     v = 1.0 / (w * peak_of_unit_velocity(oscillations, phase))  # for an acceleration of 1
     start = -oscillations * math.pi / w
@@ -262,7 +262,7 @@ def peak_of_unit_velocity(oscillations: float, phase: float) -> float:
     s = np.linspace(-end, end, 2 * math.ceil(200.0 * oscillations) + 1)
     best = int(np.argmax(size(s)))
     low, high = s[max(best - 1, 0)], s[min(best + 1, len(s) - 1)]
-    found = minimize_scalar(
+    peak = minimize_scalar(
         lambda s: -float(size(s)), bounds=(low, high), method="bounded", options={"xatol": 1e-10}
     )
-    return float(max(-found.fun, size(s)[best]))
+    return float(max(-peak.fun, size(s)[best]))

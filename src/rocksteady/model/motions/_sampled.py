@@ -52,10 +52,10 @@ def polyline(
     Parameters
     ----------
     acceleration
-        Base acceleration in units of alpha g, at an array of pivot times from 0 on.
+        Base acceleration in units of alpha g, at an array of pivot times, 0 or above.
     parts
-        Of the motion, in order: the pivot time that each lasts, and an upper bound of the size of
-        its second derivative there.
+        Parts of the motion, in order: the pivot time that each lasts, and an upper bound of the
+        size of its second derivative there.
     tolerance
         In units of alpha g.
     size

@@ -68,8 +68,8 @@ class BandNoise:
 
     The base acceleration is a sum of sinusoids of all frequencies ``2 pi k/(2 duration)`` of the
     band, whose amplitudes have Rayleigh's distribution and whose phases are uniform [1]_; between
-    20 samples a period of the highest one it is straight.  The process is Gaussian and stationary:
-    the realisations of a seed are numbered, and differ by chance alone.
+    20 samples per period of the highest one it is straight.  The process is Gaussian and
+    stationary: the realisations of a seed are numbered, and differ by chance alone.
 
     Parameters
     ----------
@@ -81,9 +81,9 @@ class BandNoise:
     duration
         Pivot time p t, up to 1e6; the base stands still afterwards.
     seed
-        Whole number from 0 on.
+        Whole number, 0 or above.
     number
-        Of the realisation (default 0), keyed with the seed as ``SeedSequence(seed,
+        Number of the realisation (default 0), keyed with the seed as ``SeedSequence(seed,
         spawn_key=(number,))``: it does not depend on which others are made, in what order.
 
     Raises
@@ -176,13 +176,13 @@ class BandNoise:
         block
             The block that is shaken.
         rms_m_s2
-            Of the process [m/s^2].
+            Root mean square of the process [m/s^2].
         band_hz
             Lowest and highest frequency [Hz].
         duration_s
-            [s]
+            Duration [s].
         seed, number
-            As of the noise.
+            As for `BandNoise`.
 
         Raises
         ------
@@ -221,9 +221,9 @@ class BandNoise:
         Parameters
         ----------
         number
-            Of the realisation.
+            Number of the realisation.
         rms
-            In place of its own.
+            Root mean square in place of the process's own.
 
         Raises
         ------
@@ -291,7 +291,7 @@ def add_noise(
     Parameters
     ----------
     motion
-        Any base motion; of a `BaseMotion` the horizontal component.  An endless one ends with the
+        Any base motion; for a `BaseMotion` the horizontal component.  An endless one ends with the
         noise; of others, noise and motion each last as long as they do.
     noise
         The noise.
@@ -365,7 +365,7 @@ def with_lines(rows: "Floats", values: "Floats", step: float) -> "Floats":
     ----------
     rows
         Segments of the motion, shape (segments, 7), columns as `FIELDS`; the last one is endless
-        and still, but for an impulse at its start.
+        and still, except for an impulse at its start.
     values
         In units of alpha g, from time 0 on, shape (lines + 1,).
     step
@@ -391,25 +391,25 @@ def with_lines(rows: "Floats", values: "Floats", step: float) -> "Floats":
     index = np.searchsorted(starts, cuts, side="right") - 1
     line = np.searchsorted(knots, cuts, side="right") - 1
     since = cuts - starts[index]
-    found: Floats = rows[index].copy()
+    segments: Floats = rows[index].copy()
     ends = np.append(cuts[1:], math.inf)
     lasting = np.append(np.diff(cuts), math.inf)
     following = np.append(knots, math.inf)
     whole = (cuts == knots[line]) & (ends == following[line + 1])
     lasting = np.where(whole & np.isfinite(ends), step, lasting)
     whole = (since == 0.0) & (ends == np.append(starts, math.inf)[index + 1])
-    found[:, DURATION] = np.where(whole, found[:, DURATION], lasting)
-    found[:, CONSTANT] += found[:, SLOPE] * since
-    found[:, PHASE] += found[:, FREQUENCY] * since
-    found[:, JUMP] = np.where(since == 0.0, found[:, JUMP], 0.0)
+    segments[:, DURATION] = np.where(whole, segments[:, DURATION], lasting)
+    segments[:, CONSTANT] += segments[:, SLOPE] * since
+    segments[:, PHASE] += segments[:, FREQUENCY] * since
+    segments[:, JUMP] = np.where(since == 0.0, segments[:, JUMP], 0.0)
     lines = len(values) - 1
     rise = (values[1:] - values[:-1]) / step
     under = line < lines
     on = np.minimum(line, lines - 1)
-    found[:, CONSTANT] += np.where(under, values[on] + rise[on] * (cuts - knots[on]), 0.0)
-    found[:, SLOPE] += np.where(under, rise[on], 0.0)
-    found[found[:, AMPLITUDE] == 0.0, FREQUENCY : PHASE + 1] = 0.0
-    return found
+    segments[:, CONSTANT] += np.where(under, values[on] + rise[on] * (cuts - knots[on]), 0.0)
+    segments[:, SLOPE] += np.where(under, rise[on], 0.0)
+    segments[segments[:, AMPLITUDE] == 0.0, FREQUENCY : PHASE + 1] = 0.0
+    return segments
 
 
 def _still() -> "Floats":

@@ -198,7 +198,7 @@ def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise
     Raises
     ------
     InputError
-        If the tolerance is not above 0, or asks for more than 200 000 lines.
+        If the tolerance is not above 0, or needs more than 200 000 lines.
     ModelError
         If sinusoids of several frequencies that are no Fourier series act together for ever.
 
@@ -276,9 +276,9 @@ def _series(phasors: dict[float, tuple[float, float]]) -> Segment | None:
             return None
         if all(math.isclose(w, k * base, rel_tol=SAME_FREQUENCY) for w, k in orders.items()):
             shares: dict[int, tuple[float, float]] = {}
-            for w, (one, other) in phasors.items():
+            for w, (sine, cosine) in phasors.items():
                 before = shares.get(orders[w], (0.0, 0.0))
-                shares[orders[w]] = (before[0] + one, before[1] + other)
+                shares[orders[w]] = (before[0] + sine, before[1] + cosine)
             waves = tuple((k, hypot(p, q), atan2(q, p)) for k, (p, q) in shares.items())
             if not any(size for _, size, _ in waves):
                 return None
@@ -287,7 +287,7 @@ def _series(phasors: dict[float, tuple[float, float]]) -> Segment | None:
 
 
 def _distinct(times: list[float]) -> list[float]:
-    """Return times in order, without those that differ from the one before by rounding."""
+    """Return times in order, without a time that differs from the previous one by rounding."""
     distinct: list[float] = []
     for time in sorted(times):
         if not distinct or not math.isclose(distinct[-1], time, rel_tol=_SAME_TIME):
@@ -312,15 +312,15 @@ def _sum(
             if piece.amplitude * size != 0.0:
                 turned = math.remainder(piece.phase + piece.frequency * since, 2.0 * math.pi)
                 sine, cosine = sincos(math.remainder(order * turned + phase, 2.0 * math.pi))
-                one, other = phasors.get(order * piece.frequency, (0.0, 0.0))
+                sine_share, cosine_share = phasors.get(order * piece.frequency, (0.0, 0.0))
                 phasors[order * piece.frequency] = (
-                    one + piece.amplitude * size * cosine,
-                    other + piece.amplitude * size * sine,
+                    sine_share + piece.amplitude * size * cosine,
+                    cosine_share + piece.amplitude * size * sine,
                 )
     if series and len(phasors) > 1 and constant == slope == 0.0:
-        together_as = _series(phasors)
-        if together_as is not None:
-            return (replace(together_as, duration=duration, jump=jump),)
+        combined = _series(phasors)
+        if combined is not None:
+            return (replace(combined, duration=duration, jump=jump),)
     if len(phasors) > 1:
         if duration == math.inf:
             raise ModelError(
@@ -333,23 +333,25 @@ def _sum(
 
         def together(s: "np.typing.NDArray[np.float64]") -> "np.typing.NDArray[np.float64]":
             total = constant + slope * s
-            for w, (one, other) in phasors.items():
+            for w, (sine_share, cosine_share) in phasors.items():
                 sine, cosine = sincos(w * s)
-                total = total + (one * sine + other * cosine)
+                total = total + (sine_share * sine + cosine_share * cosine)
             return np.asarray(total)
 
         curvature = math.fsum(hypot(*shares) * w * w for w, shares in phasors.items())
         first, *others = polyline(together, [(duration, curvature)], tolerance=tolerance)
         return replace(first, jump=jump), *others
-    frequency, (one, other) = next(iter(phasors.items())) if phasors else (0.0, (0.0, 0.0))
+    frequency, (sine_share, cosine_share) = (
+        next(iter(phasors.items())) if phasors else (0.0, (0.0, 0.0))
+    )
     return (
         Segment(
             duration=duration,
             constant=constant,
             slope=slope,
-            amplitude=hypot(one, other),
+            amplitude=hypot(sine_share, cosine_share),
             frequency=frequency,
-            phase=atan2(other, one),
+            phase=atan2(cosine_share, sine_share),
             jump=jump,
         ),
     )

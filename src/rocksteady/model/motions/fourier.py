@@ -104,7 +104,7 @@ class FourierSeries:
         acceleration_m_s2
             What the sizes of the harmonics are multiplied by [m/s^2].
         frequency_hz
-            Of the period [Hz].
+            Frequency of the period [Hz].
         harmonics, phase
             As for `FourierSeries`.
 
@@ -138,8 +138,8 @@ class FourierSeries:
     ) -> Self:
         """Return the series of one period of equally spaced samples.
 
-        The mean is left out, and so are orders above `orders`: `misfit` says how far the series is
-        from the samples.
+        The mean is left out, and so are orders above `orders`: `misfit` measures how far the series
+        is from the samples.
 
         Parameters
         ----------
@@ -171,18 +171,18 @@ class FourierSeries:
 
         values = _period(samples)
         most = min(HIGHEST_ORDER, (len(values) - 1) // 2)
-        hint = f"{len(values)} samples tell at most {most} orders"
+        hint = f"{len(values)} samples determine at most {most} orders"
         asked = min(ORDERS, most) if orders is None else orders
         count = whole_number("orders", asked, at_least=1, at_most=most, hint=hint)
         turn = np.arange(len(values)) * (2.0 * math.pi / len(values))
-        found: list[tuple[int, float, float]] = []
+        harmonics: list[tuple[int, float, float]] = []
         for k in range(1, count + 1):
             sine, cosine = sincos(np.remainder(k * turn, 2.0 * math.pi))
             p = 2.0 * math.fsum(values * sine) / len(values)
             q = 2.0 * math.fsum(values * cosine) / len(values)
-            found.append((k, float(hypot(p, q)), float(atan2(q, p))))
-        largest = max(size for _, size, _ in found)
-        kept = tuple(wave for wave in found if wave[1] > SMALLEST_SHARE * largest)
+            harmonics.append((k, float(hypot(p, q)), float(atan2(q, p))))
+        largest = max(size for _, size, _ in harmonics)
+        kept = tuple(wave for wave in harmonics if wave[1] > SMALLEST_SHARE * largest)
         if not kept:
             raise InputError(
                 "samples",
@@ -270,9 +270,9 @@ class FourierSeries:
                     low = middle
                 else:
                     high = middle
-            there = abs(float(self._shape(low)[0]))
-            if there > crest:
-                crest, place = there, low
+            height = abs(float(self._shape(low)[0]))
+            if height > crest:
+                crest, place = height, low
         return crest, place
 
     def _shape(self, turn: "Floats | float") -> tuple["Floats", "Floats"]:

@@ -8,7 +8,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 HIGHEST_ORDER = 64
 """Highest order of a harmonic."""
 LARGEST_PHASE = 1.0e6
-"""Phases beyond it [rad] have lost the digits that would tell them apart."""
+"""Phases beyond it [rad] have lost the digits in which they differ."""
 
 Harmonics = tuple[tuple[int, float, float], ...]
 """Triples (k, a_k, phi_k) of order, size and phase [rad]."""
@@ -26,18 +26,18 @@ def harmonics_value(given: object) -> Harmonics:
     rows = list(given) if isinstance(given, tuple | list) else []
     if not rows or not all(isinstance(row, tuple | list) and len(row) == 3 for row in rows):
         raise InputError("harmonics", given, "it must be a sequence of triples", hint)
-    found: dict[int, tuple[int, float, float]] = {}
+    harmonics: dict[int, tuple[int, float, float]] = {}
     for order, size, phase in rows:
         k = whole_number("order", order, at_least=1, at_most=HIGHEST_ORDER, hint=hint)
-        if k in found:
+        if k in harmonics:
             raise InputError("harmonics", given, f"order {k} may stand in it once", hint)
-        found[k] = (
+        harmonics[k] = (
             k,
             in_range("size", size, -LARGEST, LARGEST, "[]", hint=hint),
             in_range("phase", phase, -LARGEST_PHASE, LARGEST_PHASE, "[]", hint=hint),
         )
-    if math.fsum(abs(size) for _, size, _ in found.values()) == 0.0:
+    if math.fsum(abs(size) for _, size, _ in harmonics.values()) == 0.0:
         raise InputError(
             "harmonics", given, "one size must not be 0", "give Harmonic(amplitude=0.0, ...)"
         )
-    return tuple(found[k] for k in sorted(found))
+    return tuple(harmonics[k] for k in sorted(harmonics))

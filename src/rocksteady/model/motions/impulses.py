@@ -92,7 +92,7 @@ class Impulses:
         velocities_m_s
             Changes of the base velocity [m/s].
         times_s
-            [s]
+            Times of the impulses [s].
 
         Raises
         ------

@@ -47,7 +47,7 @@ class Pulse:
     amplitude
         Largest base acceleration over alpha g, from 0 to 1e50; below 1 a block at rest stays there.
     frequency_ratio
-        Omega = omega/p, from 0.01 to 5000, with omega = 2 pi over the pulse's period.  Of a pulse
+        Omega = omega/p, from 0.01 to 5000, with omega = 2 pi over the pulse's period.  For a pulse
         that lasts half a period, `lasting` takes the duration.
     oscillations, phase
         gamma (above 1, up to 50; default 2) and nu ([rad], default 0) of mavroeidis-papageorgiou.
@@ -98,7 +98,7 @@ class Pulse:
         if not isinstance(sign, bool):
             hint = "give True for a pulse of the other sign"
             raise InputError("reverse", self.reverse, "it must be True or False", hint)
-        # One place says what an amplitude may be.
+        # One place defines the range of an amplitude.
         like = Harmonic(amplitude=self.amplitude, frequency_ratio=1.0)
         object.__setattr__(self, "amplitude", like.amplitude)
         lowest, highest = LOWEST_FREQUENCY_RATIO, HIGHEST_PULSE_RATIO
@@ -134,7 +134,7 @@ class Pulse:
         duration
             Pivot time p t: of 0.5 s, ``0.5 * block.p``.
         shape, amplitude
-            As of the pulse.
+            As for `Pulse`.
 
         Raises
         ------
@@ -169,7 +169,7 @@ class Pulse:
         block
             The block that is shaken; its alpha, p and g set the scales.
         shape, oscillations, phase, reverse
-            As of the pulse.
+            As for `Pulse`.
         acceleration_m_s2
             Largest base acceleration [m/s^2].
         frequency_hz
@@ -254,5 +254,5 @@ def _turned(piece: Segment) -> Segment:
 
 def _type_c(shape: str) -> int | None:
     """Return n of a type C_n pulse; None of another."""
-    found = re.fullmatch(r"type-c([1-9][0-9]?)", shape)
-    return int(found[1]) if found else None
+    match = re.fullmatch(r"type-c([1-9][0-9]?)", shape)
+    return int(match[1]) if match else None

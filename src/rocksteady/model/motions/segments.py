@@ -1,4 +1,4 @@
-"""Base motions and their segments, the only form of motion that the kernels know.
+"""Base motions and their segments, the only form of motion that the kernels accept.
 
 A segment of the base acceleration, in units of ``alpha g`` over pivot time ``s = p t``, is
 ``c0 + c1 s + A sin(Omega s + phi)``, with an optional jump of the velocity at its start.
@@ -133,7 +133,7 @@ class Segment:
 
 
 class Motion(Protocol):
-    """What `rocksteady.simulate` asks of a base motion."""
+    """What `rocksteady.simulate` needs of a base motion."""
 
     def segments(self) -> tuple[Segment, ...]:
         """Return the segments; after the last one the base stands still."""
@@ -223,7 +223,7 @@ class Harmonic:
         acceleration_m_s2
             Peak base acceleration [m/s^2].
         frequency_hz
-            [Hz]
+            Frequency [Hz].
         phase
             Phase at the start [rad].
 

@@ -64,7 +64,7 @@ class SyntheticMotion:
         Root mean square of the base acceleration over alpha g, of the process while the envelope is
         1.  The largest acceleration is a matter of chance, usually 2.5 to 3.5 times as much.
     frequency_ratio
-        Of the ground, omega_g/p, from 0.01 to 10 000.
+        Frequency of the ground, omega_g/p, from 0.01 to 10 000.
     duration
         Pivot time p t, up to 200 000 samples and 1e6.  A motion much shorter than a sample, a 40th
         of the ground's period, is refused.
@@ -163,13 +163,13 @@ class SyntheticMotion:
         block
             The block that is shaken.
         rms_m_s2
-            Of the strong part [m/s^2].
+            Root mean square of the strong part [m/s^2].
         frequency_hz
-            Of the ground [Hz]; 2.5 is firm ground (15.6 rad/s).
+            Frequency of the ground [Hz]; 2.5 is firm ground (15.6 rad/s).
         duration_s
-            [s]
+            Duration [s].
         seed, filter_damping
-            As of the motion.
+            As for `SyntheticMotion`.
 
         Raises
         ------
@@ -203,7 +203,7 @@ class SyntheticMotion:
 
     @property
     def _settling(self) -> float:
-        """Samples in which the filters forget how they began; of a short motion they are short."""
+        """Samples in which the filters forget how they began; for a short motion they are short."""
         slowest = self.filter_damping * self.high_pass_ratio * self.frequency_ratio
         return SETTLED / (slowest * self.step) if self.step > 1e-300 else math.inf
 

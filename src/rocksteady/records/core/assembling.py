@@ -30,7 +30,7 @@ TURNED: Final = "sign changed: {component} is positive downwards, and vertical m
 
 @dataclass(frozen=True, kw_only=True)
 class Given:
-    """What the caller says about a file that does not say it itself, or says it wrongly.
+    """What the caller states about a file that does not state it itself, or states it wrongly.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class Given:
     resample: bool = False
 
     def __post_init__(self) -> None:
-        """Refuse a unit or an interval that is none, before any file is opened."""
+        """Refuse an unknown unit or an invalid interval, before any file is opened."""
         if self.units is not None:
             in_m_s2(self.units)
         if self.dt_s is not None:
@@ -67,9 +67,9 @@ class Channel:
     values
         Shape (samples,), in the unit of the file.
     units
-        The unit as the file has it, or None where it does not say.
+        Unit as stated in the file, or None where it is not stated.
     dt_s
-        Interval as the file has it, or None where it does not say.
+        Interval as stated in the file, or None where it is not stated.
     stated_peak
         Largest absolute value by the header, in the same unit.
     counts
@@ -167,28 +167,28 @@ def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, 
             f"the channel is called {channel.component!r}, of which the vertical sense is not "
             f"understood: its sign is left as it is"
         )
-    found = of_words
+    result = of_words
     if of_code.orientation is not None:
-        found = of_code
+        result = of_code
         if difference := _contradiction(of_words, of_code):
             doubts.append(
                 f"the channel is called {channel.component!r}, {difference[0]}, and its code in "
                 f"the header states {difference[1]}: the code is taken"
             )
         elif of_code.orientation == "vertical" and of_code.down is None:
-            found = of_words if of_words.orientation == "vertical" else of_code
+            result = of_words if of_words.orientation == "vertical" else of_code
     of_name = pointing_of_name(text.path.stem) if channel.alone else Pointing()
-    if found.orientation is not None:
-        if difference := _contradiction(of_name, found):
+    if result.orientation is not None:
+        if difference := _contradiction(of_name, result):
             doubts.append(
                 f"the file's name states {difference[0]}, and its header {difference[1]}"
                 f"{f' ({channel.component})' if channel.component else ''}: the header is taken"
             )
     elif of_name.orientation == "vertical" and tells_nothing(channel.component):
-        found = of_name
+        result = of_name
         if of_name.down:
             doubts.append("the file's name alone states that its values are positive downwards")
-    return found, tuple(doubts)
+    return result, tuple(doubts)
 
 
 def _contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
@@ -220,13 +220,13 @@ def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple
     if given.units is not None:
         chosen = acceleration_unit(given.units) or given.units
         if of_file is not None and in_m_s2(of_file) != in_m_s2(chosen):
-            return chosen, (f"the file says {of_file}; its numbers are taken in {chosen}, as told",)
+            return chosen, (f"the file states {of_file}; its numbers are taken in {chosen}",)
         return chosen, ()
     if of_file is None:
-        says = "the file does not state the unit of its numbers"
+        valid = "the file does not state the unit of its numbers"
         if stated is not None:
-            says = f"the unit that the file states, {stated!r}, is none of acceleration"
-        raise text.error(says, f"give units: {', '.join(UNITS)}")
+            valid = f"the unit that the file states, {stated!r}, is none of acceleration"
+        raise text.error(valid, f"give units: {', '.join(UNITS)}")
     return of_file, ()
 
 
@@ -242,7 +242,7 @@ def interval(text: RecordText, stated: float | None, given: Given) -> tuple[floa
     if given.dt_s is not None:
         if stated is not None and abs(stated - given.dt_s) > 1.0e-6 * given.dt_s:
             warnings = (
-                f"the file says {stated:g} s between samples; {given.dt_s:g} s are taken, as told",
+                f"the file states {stated:g} s between samples; {given.dt_s:g} s are taken",
             )
         return given.dt_s, warnings
     if stated is None:

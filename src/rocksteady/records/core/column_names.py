@@ -100,7 +100,7 @@ class ColumnName:
     Parameters
     ----------
     kind
-        Its quantity; unknown where the name tells none.
+        Its quantity; unknown where the name has none.
     label
         The name without its unit.
     unit
@@ -131,7 +131,7 @@ def column_name(name: str) -> ColumnName:
     >>> column_name("time (min)").seconds, column_name("1000*acc (g)").uncertain
     (60.0, '1000*acc')
     """
-    brackets = [_OF_UNITS.sub("", found.strip()) for found in _BRACKETS.findall(name)]
+    brackets = [_OF_UNITS.sub("", text.strip()) for text in _BRACKETS.findall(name)]
     if len(brackets) == 1 and not _BRACKETS.sub("", name).strip():
         name, brackets = brackets[0], []
     label = " ".join(_BRACKETS.sub(" ", name).split()).strip(" _,:;/")
@@ -188,7 +188,7 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
     units = [unit for written in brackets if (unit := acceleration_unit(written)) is not None]
     rest = [written for written in brackets if acceleration_unit(written) is None]
     directions = [written for written in rest if pointing(written).orientation is not None]
-    rest = [one for one in rest if one not in directions and one.lower() not in _NO_UNIT]
+    rest = [word for word in rest if word not in directions and word.lower() not in _NO_UNIT]
     if of_label is not None:
         label = shorter
         units.append(of_label)
@@ -201,10 +201,10 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
         uncertain = ", ".join(units)
     return ColumnName(
         kind="acceleration" if known or directions else "unknown",
-        label=" ".join([label, *(f"({one})" for one in directions)]).strip(),
+        label=" ".join([label, *(f"({word})" for word in directions)]).strip(),
         unit=units[0] if units else None,
         uncertain=uncertain,
-        leftover=next((odd for one in (label, *rest) if (odd := _leftover(one))), ""),
+        leftover=next((odd for part in (label, *rest) if (odd := _leftover(part))), ""),
     )
 
 
@@ -217,25 +217,25 @@ def _leftover(label: str) -> str:
         return ""
     at = 0
     while at < len(label):
-        found = _PARTS.match(label, at)
-        if found is None or not _known(found):
+        match = _PARTS.match(label, at)
+        if match is None or not _known(match):
             return label[at:].split()[0]
-        at = found.end()
+        at = match.end()
     return ""
 
 
-def _known(found: re.Match[str]) -> bool:
+def _known(match: re.Match[str]) -> bool:
     """Return whether a part of a name leaves the acceleration its size and its sign."""
-    if found["number"] is not None:
+    if match["number"] is not None:
         # 10 and 100 are factors as well as azimuths.
-        return found[0] not in {"10", "100"} and len(found[0]) in {1, 3} and int(found[0]) <= 360
-    if found["word"] is None:
+        return match[0] not in {"10", "100"} and len(match[0]) in {1, 3} and int(match[0]) <= 360
+    if match["word"] is None:
         return True
-    word, digits = found["word"], found["digits"]
-    if pointing(found[0]).orientation is not None:
+    word, digits = match["word"], match["digits"]
+    if pointing(match[0]).orientation is not None:
         return True
     if not digits:
-        whole = found[0].lower()
+        whole = match[0].lower()
         return _WORDS.fullmatch(whole) is not None or _TOWARDS.fullmatch(whole) is not None
     numbered = _NUMBERED.fullmatch(word) is not None and len(digits) <= 2
     code = _CODE.fullmatch(word) is not None and _FACTOR_WORD.fullmatch(word) is None
@@ -246,11 +246,11 @@ def _tail(label: str) -> tuple[str | None, str]:
     """Return the unit of acceleration that a name ends with, and the name without it."""
     if _GROUND.fullmatch(label):
         return None, label
-    starts = [0, *(found.end() for found in re.finditer(r"[\s_,:/-]+", label))]
+    starts = [0, *(match.end() for match in re.finditer(r"[\s_,:/-]+", label))]
     for start in starts:
         written = label[start:]
         spellings = dict.fromkeys((written, written.replace("_", " "), written.replace("_", "/")))
-        unit = next((unit for one in spellings if (unit := acceleration_unit(one))), None)
+        unit = next((unit for spelling in spellings if (unit := acceleration_unit(spelling))), None)
         if unit is None:
             continue
         before = label[:start].rstrip(" _,:/-")

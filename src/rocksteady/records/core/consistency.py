@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 _LONGEST_WORD: Final = 40
-_HINT: Final = "fetch the file anew: it is cut or garbled"
+_HINT: Final = "fetch the file again: it is cut or garbled"
 _REGULAR: Final = 0.9
 """Part of the lines that share a layout where others are odd."""
 _FEWEST: Final = 8
-"""Lines or numbers that it takes to tell a layout."""
+"""Lines or numbers that are needed to recognise a layout."""
 _TOKEN: Final = re.compile(NUMBER)
 _EXPONENT: Final = re.compile(r"[EeDd][+-]?(\d+)$")
 
@@ -215,7 +215,7 @@ def _tokens(line: str, separator: str | None, *, comma: bool) -> list[tuple[str,
         return [(field.replace(",", ".") if comma else field, -1) for field in fields]
     if comma:
         line = line.replace(",", ".")
-    return [(found[0], found.end()) for found in _TOKEN.finditer(line)]
+    return [(match[0], match.end()) for match in _TOKEN.finditer(line)]
 
 
 def _misplaced(rows: list[list[tuple[str, int]]]) -> list[int] | None:
@@ -224,7 +224,7 @@ def _misplaced(rows: list[list[tuple[str, int]]]) -> list[int] | None:
     if len(ends) <= _FEWEST or any(-1 in row for row in ends):
         return None
     usual, share = Counter(ends[:-1]).most_common(1)[0]
-    # A row of one number tells nothing, nor do numbers of unlike length below each other by chance.
+    # A row of one number decides nothing, nor do numbers of different length by chance.
     lengths = {len(token) for row in rows for token, _ in row}
     if share < _REGULAR * (len(ends) - 1) or (len(lengths) == 1 and len(usual) == 1):
         return None

@@ -18,7 +18,7 @@ _FILLERS: Final = re.compile(
     r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
     r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|direction"
 )
-"""Words beside those of a direction, which tell nothing of it."""
+"""Words beside those of a direction that carry no direction."""
 
 _SIGNED: Final = re.compile(
     r"[-+]\s*(?:u-?d|up?|z|v(?:ert)?|d(?:ow)?n?|dwn)|(?:u-?d|z|v(?:ert)?|up?|d(?:ow)?n?|dwn)\s*[-+]"
@@ -50,7 +50,7 @@ TAIL: Final = re.compile(
     r"|[-_. ]?\d{3}|(?<=[A-Za-z0-9])[-_.]?(?:up|dwn)|(?-i:(?<=[A-Z0-9])DOWN))$",
     re.IGNORECASE,
 )
-"""The end of a file's name that tells a component from the others of its station."""
+"""The end of a file's name that distinguishes a component from the others of its station."""
 
 _CERTAIN: Final = re.compile(r"[-_. ].*|[A-Z]+|dwn")
 """Ends of names that are no end of a word, as in ``backup``, nor a number."""
@@ -134,8 +134,8 @@ def direction(component: str | None) -> tuple[Orientation | None, float | None]:
     >>> direction("HN1"), direction("sensor 7")
     (('horizontal', None), (None, None))
     """
-    found = pointing(component)
-    return found.orientation, found.azimuth_deg
+    result = pointing(component)
+    return result.orientation, result.azimuth_deg
 
 
 def pointing_of_name(stem: str) -> Pointing:
@@ -162,7 +162,7 @@ def tells_nothing(component: str | None) -> bool:
 
 
 def _filler(word: str) -> bool:
-    """Return whether a word tells nothing of a direction."""
+    """Return whether a word carries no direction."""
     return _FILLERS.fullmatch(word) is not None
 
 

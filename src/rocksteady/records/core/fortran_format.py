@@ -14,8 +14,8 @@ def stated_width(line: str) -> int | None:
     >>> stated_width("units=cm/sec2(04),Format=(8F10.5)"), stated_width("in cm/sec2.")
     (10, None)
     """
-    found = _FORMAT.search(line)
-    width = 0 if found is None else int(found[2])
+    match = _FORMAT.search(line)
+    width = 0 if match is None else int(match[2])
     return width if 1 <= width <= 80 else None
 
 

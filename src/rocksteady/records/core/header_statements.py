@@ -121,15 +121,15 @@ def stated_unit(text: RecordText, lines: list[int], *, explicit: bool = False) -
     RecordFileError
         If a statement is not understood to its end, or two of them contradict each other.
     """
-    found: dict[str, int] = {}
+    units: dict[str, int] = {}
     for at in lines:
         for unit in _units_in(text, at, explicit=explicit):
-            found.setdefault(unit, at)
-    sizes = {in_m_s2(unit) for unit in found}
+            units.setdefault(unit, at)
+    sizes = {in_m_s2(unit) for unit in units}
     if len(sizes) > 1:
-        valid = f"its header states {' and '.join(found)}, which are not one unit"
-        raise text.error(valid, _HINT_UNITS, at=max(found.values()))
-    return next(iter(found), None)
+        valid = f"its header states {' and '.join(units)}, which are not one unit"
+        raise text.error(valid, _HINT_UNITS, at=max(units.values()))
+    return next(iter(units), None)
 
 
 def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
@@ -181,8 +181,8 @@ _OTHER_UNITS: Final = frozenset({"cm/s", "m/s", "cm", "m", "mm", "in", "in/s", "
 def _modified(unit: str, rest: str) -> bool:
     """Return whether words after a unit change its size; ``g (9.81 m/s2)`` only explains it."""
     same = _EQUALS.match(rest)
-    if same is not None and (other := acceleration_unit(same[1])) is not None:
-        return not math.isclose(in_m_s2(unit), in_m_s2(other), rel_tol=0.005)
+    if same is not None and (other_unit := acceleration_unit(same[1])) is not None:
+        return not math.isclose(in_m_s2(unit), in_m_s2(other_unit), rel_tol=0.005)
     beside, _ = leading(rest.lstrip(" ,/|-"))
     two = beside is not None and not re.match(r"[\d.]", beside)
     if two and not math.isclose(in_m_s2(unit), in_m_s2(beside or unit), rel_tol=1e-9):
@@ -217,9 +217,9 @@ def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = No
     for at in lines:
         line = text.heads[at]
         factor = _FACTOR.search(line)
-        one = factor is not None and number(factor["number"]) == 1.0 and not factor["rest"]
+        is_unity = factor is not None and number(factor["number"]) == 1.0 and not factor["rest"]
         if (
-            (factor is not None and not one)
+            (factor is not None and not is_unity)
             or _POWER_OF_TEN.search(line)
             or (at != names and _MULTIPLE.search(line))
         ):
@@ -248,11 +248,11 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         If number or unit are not understood as a whole.
     """
     decimal = _DECIMAL_COMMA.match(written.strip())
-    found = re.match(rf"\s*({NUMBER})", written)
+    match = re.match(rf"\s*({NUMBER})", written)
     if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
         value, rest = number(f"{decimal[1]}.{decimal[2]}"), written.strip()[decimal.end() :]
-    elif found is not None:
-        value, rest = number(found[1]), written[found.end() :]
+    elif match is not None:
+        value, rest = number(match[1]), written[match.end() :]
     else:
         return None
     hint = "give dt_s, in seconds"
@@ -288,7 +288,7 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     RecordFileError
         If a statement is not understood, or an interval and a rate contradict each other.
     """
-    found: list[tuple[float, float, int]] = []
+    intervals: list[tuple[float, float, int]] = []
     for at in lines:
         for name in ("interval", "rate"):
             for stated in _all(_STATED[name], text.heads[at]):
@@ -299,26 +299,26 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
                     unit = "Hz"
                 value = time_value(text, at, written, unit)
                 if value is not None:
-                    found.append((_relative_place(written), value, at))
+                    intervals.append((_relative_place(written), value, at))
         alone = _RATE_ALONE.fullmatch(text.heads[at])
         if alone is not None and (in_seconds(alone["unit"]) or 0.0) < 0.0:
             value = time_value(text, at, alone["value"])
             if value is not None:
-                found.append((_relative_place(alone["value"]), value, at))
-    found.sort()
-    for place, value, at in found[1:]:
-        if abs(value - found[0][1]) > 1.01 * (place + found[0][0] + 1e-9) * value:
-            valid = f"its header states {found[0][1]:g} s and {value:g} s between samples"
+                intervals.append((_relative_place(alone["value"]), value, at))
+    intervals.sort()
+    for place, value, at in intervals[1:]:
+        if abs(value - intervals[0][1]) > 1.01 * (place + intervals[0][0] + 1e-9) * value:
+            valid = f"its header states {intervals[0][1]:g} s and {value:g} s between samples"
             raise text.error(valid, "give dt_s, in seconds", at=at)
-    return found[0][1] if found else None
+    return intervals[0][1] if intervals else None
 
 
 def _all(pattern: re.Pattern[str], line: str) -> Iterator[re.Match[str]]:
     """Yield what a pattern finds in a line, each from the beginning of the value before on."""
     at = 0
-    while (found := pattern.search(line, at)) is not None:
-        yield found
-        at = found.start("value") + 1
+    while (match := pattern.search(line, at)) is not None:
+        yield match
+        at = match.start("value") + 1
 
 
 def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
@@ -329,7 +329,7 @@ def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
     RecordFileError
         If a statement is not understood as a whole, or two of them contradict each other.
     """
-    found: dict[float, int] = {}
+    units: dict[float, int] = {}
     hint = "name the column of times with its unit, as time (ms)"
     for at in lines:
         for stated in _TIME_IN.finditer(text.heads[at]):
@@ -342,10 +342,10 @@ def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
             size = None if unit is None else in_seconds(unit)
             if size is None or size <= 0.0 or modifies(rest) or _TWO.match(rest):
                 raise text.error("its unit of time is not understood as a whole", hint, at=at)
-            found.setdefault(size, at)
-    if len(found) > 1:
-        raise text.error("it states another unit of time", hint, at=max(found.values()))
-    return next(iter(found), None)
+            units.setdefault(size, at)
+    if len(units) > 1:
+        raise text.error("it states another unit of time", hint, at=max(units.values()))
+    return next(iter(units), None)
 
 
 def stated_duration(text: RecordText, lines: list[int]) -> tuple[float, float] | None:
@@ -371,28 +371,28 @@ def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
     RecordFileError
         If it is no whole number, or two lines state different ones.
     """
-    found: dict[int, int] = {}
+    counts: dict[int, int] = {}
     for at in lines:
         for stated in _COUNT.finditer(text.heads[at]):
             value = number(stated["value"] + stated["rest"].replace(",", "").rstrip("."))
             if value is None or value != int(value):
                 raise text.error("it must state a whole number", "correct the line", at=at)
-            found.setdefault(int(value), at)
+            counts.setdefault(int(value), at)
         if (alone := _COUNT_ALONE.fullmatch(text.heads[at])) is not None:
-            found.setdefault(int(alone["value"] or alone["before"]), at)
-    if len(found) > 1:
-        valid = f"its header states {' and '.join(map(str, found))} samples"
-        raise text.error(valid, "correct one of the lines", at=max(found.values()))
-    return next(iter(found.items()), None)
+            counts.setdefault(int(alone["value"] or alone["before"]), at)
+    if len(counts) > 1:
+        valid = f"its header states {' and '.join(map(str, counts))} samples"
+        raise text.error(valid, "correct one of the lines", at=max(counts.values()))
+    return next(iter(counts.items()), None)
 
 
 def _relative_place(written: str) -> float:
     """Return half a unit of the last digit of the number that a text begins with, over it."""
-    found = re.match(rf"\s*({NUMBER})", written)
-    value = None if found is None else number(found[1])
-    if found is None or not value:
+    match = re.match(rf"\s*({NUMBER})", written)
+    value = None if match is None else number(match[1])
+    if match is None or not value:
         return 0.0
-    return min(0.5 * last_place(found[1]) / abs(value), _COARSEST)
+    return min(0.5 * last_place(match[1]) / abs(value), _COARSEST)
 
 
 def last_place(written: str) -> float:

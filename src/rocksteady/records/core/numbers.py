@@ -76,9 +76,9 @@ def numbers(line: str, width: int | None = None) -> list[float] | None:
         return signed
     text = line.rstrip()
     cut = [text[at : at + width] for at in range(0, len(text), width)]
-    found = [number(piece) for piece in cut if piece.strip()]
-    kept = [value for value in found if value is not None]
-    return kept if len(kept) == len(found) else None
+    values = [number(piece) for piece in cut if piece.strip()]
+    kept = [value for value in values if value is not None]
+    return kept if len(kept) == len(values) else None
 
 
 def samples(
@@ -93,7 +93,7 @@ def samples(
     start
         Index of the first one.
     at_most
-        Stop with the line on which so many are found; by default read on.
+        Number of values after which to stop, with their line; by default read on.
     width
         Characters of one number, where the file states them.
 
@@ -112,18 +112,18 @@ def samples(
 
     values: list[float] = []
     end = start
-    # Many lines at once where their numbers stand apart, or signs tell them apart; else by line.
+    # Many lines at once where blanks or signs separate their numbers; else by line.
     while at_most is None or len(values) < at_most:
         block = lines[end : end + _BLOCK]
         if not block:
             break
         joined = " ".join(block)
-        found = apart(joined.split(), width)
-        if found is None:
-            found = apart(_taken_apart(joined).split(), width)
-        if found is None or (at_most is not None and len(values) + len(found) > at_most):
+        pieces = apart(joined.split(), width)
+        if pieces is None:
+            pieces = apart(_taken_apart(joined).split(), width)
+        if pieces is None or (at_most is not None and len(values) + len(pieces) > at_most):
             break
-        values += found
+        values += pieces
         end += len(block)
     while end < len(lines) and (at_most is None or len(values) < at_most):
         line = lines[end]
@@ -146,13 +146,13 @@ def _taken_apart(line: str) -> str:
 
 def _leading(line: str, width: int | None) -> list[float]:
     """Return the numbers that a line begins with."""
-    found: list[float] = []
+    values: list[float] = []
     for token in line.split():
         row = numbers(token, width)
         if row is None:
             break
-        found += row
-    return found
+        values += row
+    return values
 
 
 def apart(tokens: list[str], width: int | None) -> list[float] | None:

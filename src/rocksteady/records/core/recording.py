@@ -39,7 +39,7 @@ class Recording(Result):
     azimuth_deg
         Direction of positive values of a horizontal channel, clockwise from north [degrees].
     station, event
-        Where and what was recorded, as the file has it.
+        Station and earthquake, as stated in the file.
     start_time
         Time of the first sample (UTC).
     stated_peak_m_s2
@@ -80,7 +80,7 @@ class Recording(Result):
 
     @property
     def name(self) -> str:
-        """The file, with the channel where the file's name does not say it."""
+        """The file, with the channel where the file's name does not contain it."""
         stem, component = self.path.name, self.component
         return stem if component is None or component in stem else f"{stem} {component}"
 

@@ -27,7 +27,7 @@ fewer are gaps, unless the usual interval explains them too."""
 
 _MANY: Final = 0.25
 _SHORTEST_COARSE: Final = 50
-"""Samples that it takes to tell coarsely written times from uneven ones by a few of them."""
+"""Samples that are needed to distinguish coarsely written times from uneven ones."""
 
 _PLAIN: Final = 5
 """Significant digits of the interval, or of its rate, that are usual."""
@@ -88,7 +88,7 @@ def evenly_spaced(
     Raises
     ------
     RecordFileError
-        If the times do not grow, or not evenly and the caller has not asked for resampling.
+        If the times do not grow, or not evenly and the caller does not allow resampling.
     """
     import numpy as np
 
@@ -97,9 +97,9 @@ def evenly_spaced(
     mean = float(times[-1] - times[0]) / (len(times) - 1)
     steps = np.diff(times)
     usual = float(np.median(steps))
-    found = _interval(times, steps, rounding) if mean > 0.0 else None
-    if found is not None:
-        interval, doubts = found
+    spacing = _interval(times, steps, rounding) if mean > 0.0 else None
+    if spacing is not None:
+        interval, doubts = spacing
         wanted = interval if given.dt_s is None or not given.resample else given.dt_s
         if math.isclose(wanted, interval, rel_tol=1.0e-9):
             return Spaced(values=values, dt_s=interval, warnings=doubts)
@@ -309,10 +309,10 @@ def places(written: Sequence[str]) -> "Floats":
     """
     import numpy as np
 
-    mantissas = [re.split("[eEdD]", one)[0].strip("+- ") for one in written]
-    digits = max(len(one.replace(".", "").lstrip("0")) for one in mantissas)
+    mantissas = [re.split("[eEdD]", text)[0].strip("+- ") for text in written]
+    digits = max(len(text.replace(".", "").lstrip("0")) for text in mantissas)
     finest = min(map(last_place, written))
-    sizes = np.abs([number(one) or 0.0 for one in written])
+    sizes = np.abs([number(text) or 0.0 for text in written])
     tens = np.floor(log(np.where(sizes > 0.0, sizes, finest)) / log(10.0) + 1.0e-12)
     powers, of = np.unique(tens - digits + 1.0, return_inverse=True)
     units = np.array([float(f"1e{power:.0f}") for power in powers.tolist()])

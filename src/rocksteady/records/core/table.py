@@ -14,7 +14,7 @@ _COMMENT: Final = ("#", "%", "//")
 """What a comment between rows begins with; stars stand for a number that did not fit."""
 
 _NO_ROW: Final = "it must be a row of numbers, as the ones around it"
-_TAKE_OUT: Final = "fetch the file anew, or take out what is no sample"
+_TAKE_OUT: Final = "fetch the file again, or take out what is no sample"
 _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
@@ -85,7 +85,7 @@ def table(text: RecordText) -> Table | None:
     numeric = [row is not None for row in rows_from]
     # One line of numbers may be words of a header, a date or a count; two are the table. A file of
     # one line is one too.
-    first = next((place for place, both in enumerate(pairwise(numeric)) if all(both)), None)
+    first = next((place for place, pair in enumerate(pairwise(numeric)) if all(pair)), None)
     if first is None and numeric[-1] and len(numeric) == len(filled):
         first = len(numeric) - 1
     if first is None:
@@ -134,7 +134,7 @@ def _refuse_torn(
     filled
         Index of each line that is not blank, down to the first row.
     separator, comma
-        As of the table.
+        As in the table.
     """
     columns = len(_row(text.lines[filled[-1]], separator, comma=comma) or ())
     for place, at in enumerate(filled[:-1]):
@@ -161,7 +161,7 @@ def _refuse_spoilt(
 def _dialect(text: RecordText, filled: list[int]) -> tuple[str | None, bool]:
     """Return the separator of columns, and whether a comma is the decimal point.
 
-    They are told from the second half of the file, where no header stands.
+    They are recognised in the second half of the file, where no header stands.
     """
     sample = [text.lines[at].strip() for at in filled[len(filled) // 2 :][:_SAMPLE]]
     for separator in (";", "\t"):
@@ -192,8 +192,8 @@ def _row(line: str, separator: str | None, *, comma: bool) -> tuple[float, ...] 
     if comma:
         line = line.replace(",", ".")
     if separator is None:
-        found = numbers(line)
-        return tuple(found) if found else None
+        row = numbers(line)
+        return tuple(row) if row else None
     fields = line.split(separator)
     quickly = apart(fields, None)
     if quickly is not None:

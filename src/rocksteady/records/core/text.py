@@ -70,8 +70,8 @@ class RecordText:
                 valid=f"the file ends here: {valid}",
                 hint=hint,
             )
-        found = self.heads[at].strip()
-        return RecordFileError(path=self.path, line=at + 1, found=found, valid=valid, hint=hint)
+        text = self.heads[at].strip()
+        return RecordFileError(path=self.path, line=at + 1, found=text, valid=valid, hint=hint)
 
     def refuse_repeated(self, first: int, at: int) -> None:
         """Raise where a line repeats the key of an earlier line of the header with another value.
@@ -86,8 +86,10 @@ class RecordText:
         RecordFileError
             As above.
         """
-        one, other = (" ".join(self.heads[line].split()).lower() for line in (first, at))
-        if one != other:
+        first_text, second_text = (
+            " ".join(self.heads[line].split()).lower() for line in (first, at)
+        )
+        if first_text != second_text:
             valid = f"line {first + 1} states the same with another value"
             raise self.error(valid, "take out the line that is wrong", at=at)
 
@@ -115,7 +117,7 @@ def file_bytes(path: Path) -> bytes:
         valid = f"it has {size} bytes, and {LARGEST_FILE} are the most"
         raise RecordFileError(path=path, valid=valid, hint="give a file of one record")
     if not data.strip(b"\x00\x1a \t\r\n"):
-        raise RecordFileError(path=path, valid="it is empty", hint="fetch it anew")
+        raise RecordFileError(path=path, valid="it is empty", hint="fetch it again")
     return data
 
 

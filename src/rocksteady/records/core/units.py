@@ -105,7 +105,7 @@ def _plain(written: str) -> str:
     """Return a unit in small letters of ASCII, powers behind ``^``."""
     if _MEGA.search(written):
         return ""
-    raised = _RAISED.sub(lambda found: "^" + found[0].translate(_SUPERSCRIPTS), written.strip())
+    raised = _RAISED.sub(lambda match: "^" + match[0].translate(_SUPERSCRIPTS), written.strip())
     text = unicodedata.normalize("NFKC", raised).translate(_LOOK_ALIKES).lower()
     text = text.translate(_LOOK_ALIKES).replace("\N{RIGHT SINGLE QUOTATION MARK}", "'")
     text = re.sub(r"(milli|micro|centi)-(?=[a-z])", r"\1", text).strip(" \"'")
@@ -122,12 +122,12 @@ def _parsed(written: str) -> tuple[float, tuple[int, int]] | None:
     parts: list[tuple[str, str, bool]] = []
     at = 0
     while at < len(text):
-        found = _TOKEN.match(text, at)
-        if found is None or found.lastgroup is None:
+        match = _TOKEN.match(text, at)
+        if match is None or match.lastgroup is None:
             return None
-        name = found.lastgroup
-        parts.append((name, found[name], not found[0][:1].isspace()))
-        at = found.end()
+        name = match.lastgroup
+        parts.append((name, match[name], not match[0][:1].isspace()))
+        at = match.end()
     if not parts or len(parts) > 24:
         return None
     for together in (False, True):
@@ -267,7 +267,7 @@ def acceleration_unit(written: str) -> str | None:
     Parameters
     ----------
     written
-        As a file or a user has it: ``CM/S/S``, ``cm/sec2``, ``Gal``, ``m s-2``, ``10^-3 g``.
+        As written by a file or a user: ``CM/S/S``, ``cm/sec2``, ``Gal``, ``m s-2``, ``10^-3 g``.
 
     Examples
     --------
@@ -278,13 +278,13 @@ def acceleration_unit(written: str) -> str | None:
     """
     if len(written) > 60:
         return None
-    found = _parsed(written)
-    if found is None or found[1] != _ACCELERATION:
+    parsed = _parsed(written)
+    if parsed is None or parsed[1] != _ACCELERATION:
         return None
     plain = _plain(written)
     if plain in UNITS:
         return plain
-    named = (name for name, size in UNITS.items() if math.isclose(size, found[0], rel_tol=1e-12))
+    named = (name for name, size in UNITS.items() if math.isclose(size, parsed[0], rel_tol=1e-12))
     # A gal is a cm/s^2: the name is that of the word.
     word = {"gal": "gal", "gals": "gal", "mgals": "mgal"}.get(plain)
     return word or next(named, plain)
@@ -302,10 +302,10 @@ def in_seconds(written: str) -> float | None:
     -----
     That of a rate is negative: 100 in such a unit are its size divided by 100.
     """
-    found = _parsed(written) if len(written) <= 60 else None
-    if found is None or found[1] == _ACCELERATION:
+    parsed = _parsed(written) if len(written) <= 60 else None
+    if parsed is None or parsed[1] == _ACCELERATION:
         return None
-    return found[0] if found[1] == _TIME else -1.0 / found[0]
+    return parsed[0] if parsed[1] == _TIME else -1.0 / parsed[0]
 
 
 _MODIFIES: Final = re.compile(
@@ -332,7 +332,7 @@ def leading(text: str, *, time: bool = False) -> tuple[str | None, str]:
     (('G.', ' FILTER POINTS: HP=0.2'), (None, 'of no kind'))
     """
     ends = [
-        found.start() for found in re.finditer(r"$|[\s,;:)\]]|\.(?=\s|$)|\((?!\s*s)", text[:120])
+        match.start() for match in re.finditer(r"$|[\s,;:)\]]|\.(?=\s|$)|\((?!\s*s)", text[:120])
     ]
     for end in sorted({*ends}, reverse=True):
         piece = text[:end]
@@ -359,14 +359,14 @@ def unit_named(units: object, name: str = "units") -> str:
     Raises
     ------
     InputError
-        If it is none; the message calls it `name`.
+        If the unit is not known; the message calls it `name`.
     """
-    found = acceleration_unit(units) if isinstance(units, str) else None
-    if found is None:
+    factor = acceleration_unit(units) if isinstance(units, str) else None
+    if factor is None:
         raise InputError(
             name, units, "it must be a unit of acceleration", f"use one of {', '.join(UNITS)}"
         )
-    return found
+    return factor
 
 
 def in_m_s2(units: str) -> float:
@@ -383,5 +383,5 @@ def in_m_s2(units: str) -> float:
     (9.80665, 0.01, 0.01)
     """
     name = unit_named(units)
-    found = _parsed(name)
-    return UNITS.get(name, found[0] if found else math.nan)
+    parsed = _parsed(name)
+    return UNITS.get(name, parsed[0] if parsed else math.nan)

@@ -1,6 +1,6 @@
 """Reader of number tables: CSV or plain columns, with times or samples alone.
 
-What a file does not say is asked for: the unit of its numbers, and the interval where it has no
+What a file does not state must be given: the unit of its numbers, and the interval where it has no
 times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or ``accel_cm/s2``.
 """
 
@@ -55,43 +55,45 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     RecordFileError
         If it is no table, a row of it is no row of numbers, or what it does not state is not given.
     InputError
-        If the column that is asked for is not there.
+        If the file has no such column.
     """
     refuse_geonet(text)
-    found = table(text)
-    if found is None:
+    data_table = table(text)
+    if data_table is None:
         raise text.error("it holds no rows of numbers", "give a record as text")
-    at = found.lines[0]
-    count, interval, found = _without_counts(text, found)
-    named = found.columns > 1 and bool(found.names)
-    format_name = CSV if named or found.separator is not None else COLUMNS
-    _refuse_other_quantities(text, found)
+    at = data_table.lines[0]
+    count, interval, data_table = _without_counts(text, data_table)
+    named = data_table.columns > 1 and bool(data_table.names)
+    format_name = CSV if named or data_table.separator is not None else COLUMNS
+    _refuse_other_quantities(text, data_table)
     if count is None:
-        _refuse_short_rows(text, found)
+        _refuse_short_rows(text, data_table)
     if given.units is None:
-        names = found.names_at if found.names and found.columns > 1 else None
-        refuse_factors(text, list(found.header_lines), names=names)
-    header = list(found.header_lines) if found.columns == 1 else _words(found)
-    timed = found.columns > 1 and _time_column(found) is not None
+        names = data_table.names_at if data_table.names and data_table.columns > 1 else None
+        refuse_factors(text, list(data_table.header_lines), names=names)
+    header = list(data_table.header_lines) if data_table.columns == 1 else _words(data_table)
+    timed = data_table.columns > 1 and _time_column(data_table) is not None
     stated, unread = _interval(text, header, given, timed=timed)
-    spaced, picked = _values(text, found, given, interval or stated)
+    spaced, picked = _values(text, data_table, given, interval or stated)
     values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
-    if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
-        what = f"{found.columns} numbers a line are taken as samples that follow each other"
+    if len(picked) == 1 and not picked[0] and 1 < data_table.columns <= _AS_CHANNELS:
+        what = f"{data_table.columns} numbers a line are taken as samples that follow each other"
         warnings += (f"{what}; give column where they are channels",)
     if count is None and (of_words := stated_count(text, header)) is not None:
         count, at = of_words
-    where = Lines(stated=at, start=found.lines[0], end=len(text.lines))
+    where = Lines(stated=at, start=data_table.lines[0], end=len(text.lines))
     if count is not None:
         values, doubts = agreed(text, values, count, where)
         warnings = (*warnings, *doubts)
     else:
-        warnings += layout(text, found.lines, separator=found.separator, comma=found.comma)
+        warnings += layout(
+            text, data_table.lines, separator=data_table.separator, comma=data_table.comma
+        )
     if given.dt_s is None:
         warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
     recordings = []
     for index, name in enumerate(picked):
-        units, doubts = _unit_of(text, name, found, given)
+        units, doubts = _unit_of(text, name, data_table, given)
         channel = Channel(
             values=values[:, index],
             units=units,
@@ -139,42 +141,49 @@ def refuse_without_rows(text: RecordText) -> None:
         kinds = [column_name(field.strip(" \"'")).kind for field in fields if field.strip()]
         if {"time", "acceleration"} & set(kinds) and (len(kinds) > 1 or len(filled) == 1):
             valid = "it holds the names of columns and no rows of numbers"
-            raise text.error(valid, "fetch the file anew: it is cut after its header", at=at)
+            raise text.error(valid, "fetch the file again: it is cut after its header", at=at)
 
 
 def _values(
-    text: RecordText, found: Table, given: Given, stated: float | None
+    text: RecordText, data_table: Table, given: Given, stated: float | None
 ) -> tuple[Spaced, tuple[str, ...]]:
     """Return the samples (samples, channels) with their interval, and the channels' names."""
     import numpy as np
 
-    width = found.columns
-    alone = width == 1 or (not found.names and given.column is None and not _has_times(found))
+    width = data_table.columns
+    alone = width == 1 or (
+        not data_table.names and given.column is None and not _has_times(data_table)
+    )
     if alone:
-        if found.names and column_name(found.names[0]).kind == "other" and given.column is None:
-            raise _no_acceleration(text, found)
+        if (
+            data_table.names
+            and column_name(data_table.names[0]).kind == "other"
+            and given.column is None
+        ):
+            raise _no_acceleration(text, data_table)
         if given.column is not None:
-            _asked_for(found, given.column)
-        flat = np.array([value for row in found.rows for value in row], dtype=np.float64)
-        return Spaced(values=flat[:, None], dt_s=stated), found.names[:1] or ("",)
-    _refuse_short_rows(text, found, last=True)
-    numbers = np.array(found.rows, dtype=np.float64)
-    time = _time_column(found)
-    columns = _columns(text, found, given, time)
+            _asked_for(data_table, given.column)
+        flat = np.array([value for row in data_table.rows for value in row], dtype=np.float64)
+        return Spaced(values=flat[:, None], dt_s=stated), data_table.names[:1] or ("",)
+    _refuse_short_rows(text, data_table, last=True)
+    numbers = np.array(data_table.rows, dtype=np.float64)
+    time = _time_column(data_table)
+    columns = _columns(text, data_table, given, time)
     names = tuple(
-        found.names[column] if found.names else f"column {column + 1}" for column in columns
+        data_table.names[column] if data_table.names else f"column {column + 1}"
+        for column in columns
     )
     chosen = numbers[:, list(columns)]
     if time is None:
         return Spaced(values=chosen, dt_s=stated), names
-    size = _seconds(text, found, time)
+    size = _seconds(text, data_table, time)
     spaced = evenly_spaced(
         text,
         numbers[:, time] * size,
         chosen,
         given,
-        rounding=size * places(_written(text, found, time)),
-        line_of=lambda row: found.lines[row],
+        rounding=size * places(_written(text, data_table, time)),
+        line_of=lambda row: data_table.lines[row],
     )
     doubts = spaced.warnings
     apart = spaced.dt_s or 0.0
@@ -184,9 +193,9 @@ def _values(
     return replace(spaced, warnings=doubts), names
 
 
-def _has_times(found: Table) -> bool:
+def _has_times(data_table: Table) -> bool:
     """Return whether a table without names has times in its first column."""
-    rows = found.rows[: 2000 if len(found.rows) > 2 else 0]
+    rows = data_table.rows[: 2000 if len(data_table.rows) > 2 else 0]
     if any(len(row) < 2 for row in rows[:-1]) or len(rows) < 3:
         return False
     times = [row[0] for row in rows]
@@ -197,15 +206,15 @@ def _has_times(found: Table) -> bool:
     return usual > 0.0 and (steps[0] >= 0.0 or near >= 0.9 * len(steps))
 
 
-def _time_column(found: Table) -> int | None:
+def _time_column(data_table: Table) -> int | None:
     """Return which column holds the times, or None."""
-    named = [at for at, name in enumerate(found.names) if column_name(name).kind == "time"]
+    named = [at for at, name in enumerate(data_table.names) if column_name(name).kind == "time"]
     if named:
         return named[0]
-    return 0 if not found.names and _has_times(found) else None
+    return 0 if not data_table.names and _has_times(data_table) else None
 
 
-def _seconds(text: RecordText, found: Table, time: int) -> float:
+def _seconds(text: RecordText, data_table: Table, time: int) -> float:
     """Return the size of the unit of the times [s].
 
     Raises
@@ -213,44 +222,46 @@ def _seconds(text: RecordText, found: Table, time: int) -> float:
     RecordFileError
         If the name of their column states a unit that is not understood.
     """
-    of_words = stated_time_unit(text, _words(found))
-    if not found.names:
+    of_words = stated_time_unit(text, _words(data_table))
+    if not data_table.names:
         return of_words or 1.0
-    named = column_name(found.names[time])
+    named = column_name(data_table.names[time])
     if of_words is not None and named.seconds not in {None, of_words}:
-        valid = f"the words above its column {found.names[time]!r} state another unit of time"
-        raise text.error(valid, "correct one of them", at=found.names_at)
+        valid = f"the words above its column {data_table.names[time]!r} state another unit of time"
+        raise text.error(valid, "correct one of them", at=data_table.names_at)
     if named.uncertain:
         valid = f"its unit of time, {named.uncertain!r}, is not understood"
         hint = "name the column time (s), time (ms), time (us) or time (min)"
-        raise text.error(valid, hint, at=found.names_at)
+        raise text.error(valid, hint, at=data_table.names_at)
     return named.seconds or of_words or 1.0
 
 
-def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
+def _columns(
+    text: RecordText, data_table: Table, given: Given, time: int | None
+) -> tuple[int, ...]:
     """Return the columns of acceleration."""
     if given.column is not None:
-        return (_asked_for(found, given.column),)
-    others = [at for at in range(found.columns) if at != time]
-    if not found.names:
+        return (_asked_for(data_table, given.column),)
+    others = [at for at in range(data_table.columns) if at != time]
+    if not data_table.names:
         return tuple(others)
-    kinds = {at: column_name(found.names[at]).kind for at in others}
+    kinds = {at: column_name(data_table.names[at]).kind for at in others}
     for wanted in ("acceleration", "unknown"):
         of_kind = tuple(at for at in others if kinds[at] == wanted)
         if of_kind and (wanted == "acceleration" or len(of_kind) == 1):
             return of_kind
-    raise _no_acceleration(text, found)
+    raise _no_acceleration(text, data_table)
 
 
-def _no_acceleration(text: RecordText, found: Table) -> InputError:
+def _no_acceleration(text: RecordText, data_table: Table) -> InputError:
     """Return the error that no column is one of acceleration."""
     return text.error(
-        f"none of its columns is called an acceleration: {', '.join(found.names)}",
+        f"none of its columns is called an acceleration: {', '.join(data_table.names)}",
         "give column, by its name or its number from 1",
     )
 
 
-def _asked_for(found: Table, column: str | int) -> int:
+def _asked_for(data_table: Table, column: str | int) -> int:
     """Return the index of the column that the caller names.
 
     Raises
@@ -258,25 +269,27 @@ def _asked_for(found: Table, column: str | int) -> int:
     InputError
         If there is none.
     """
-    lowered = [name.lower() for name in found.names]
+    lowered = [name.lower() for name in data_table.names]
     wanted = str(column).strip().lower()
     if wanted in lowered:
         return lowered.index(wanted)
-    if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= found.columns:
+    if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= data_table.columns:
         return int(wanted) - 1
-    listed = ", ".join(found.names) or f"1 to {found.columns}"
+    listed = ", ".join(data_table.names) or f"1 to {data_table.columns}"
     raise InputError(
         "column", column, "the table has no such column", f"choose one of these: {listed}"
     )
 
 
-def _words(found: Table) -> list[int]:
+def _words(data_table: Table) -> list[int]:
     """Return the index of each line of words above the samples that is no row of names."""
-    return [at for at in found.header_lines if not found.names or at != found.names_at]
+    return [
+        at for at in data_table.header_lines if not data_table.names or at != data_table.names_at
+    ]
 
 
 def _unit_of(
-    text: RecordText, name: str, found: Table, given: Given
+    text: RecordText, name: str, data_table: Table, given: Given
 ) -> tuple[str | None, tuple[str, ...]]:
     """Return the unit of a column: by its name, else by the words above the table; and warnings.
 
@@ -287,24 +300,24 @@ def _unit_of(
     """
     if given.units is not None:
         try:
-            return _unit_of(text, name, found, Given())[0], ()
+            return _unit_of(text, name, data_table, Given())[0], ()
         except InputError:
             return None, ()
-    words = _words(found)
+    words = _words(data_table)
     named = column_name(name)
-    title = found.columns == 1 and bool(found.names)
+    title = data_table.columns == 1 and bool(data_table.names)
     if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
         # A line of words above one column is a title rather than a name.
-        return stated_unit(text, [*words, found.names_at]), ()
+        return stated_unit(text, [*words, data_table.names_at]), ()
     odd = named.uncertain
-    if found.columns > 1 or named.unit is not None:
+    if data_table.columns > 1 or named.unit is not None:
         odd = odd or named.leftover
-    if odd and found.names and named.kind != "other":
+    if odd and data_table.names and named.kind != "other":
         valid = f"its column {name!r} is not understood: {odd!r}"
-        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=data_table.names_at)
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:
-        beside = {column_name(other).unit for other in found.names} - {None}
+        beside = {column_name(label).unit for label in data_table.names} - {None}
         if of_words is not None or len(beside) != 1:
             return of_words, ()
         return beside.pop(), (
@@ -317,38 +330,42 @@ def _unit_of(
         doubts = (f"{error.valid}: the unit of its column {name!r} is taken",)
     if of_words is not None and in_m_s2(of_words) != in_m_s2(named.unit):
         valid = f"its column {name!r} is in {named.unit}, and the words above it state {of_words}"
-        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=data_table.names_at)
     return named.unit, doubts
 
 
-def _without_counts(text: RecordText, found: Table) -> tuple[int | None, float | None, Table]:
+def _without_counts(text: RecordText, data_table: Table) -> tuple[int | None, float | None, Table]:
     """Return what a row of count and interval above the samples states, and the table without it.
 
     Some programs write such a row: a whole number, and mostly the interval after it.
     """
-    first, rest = found.rows[0], found.rows[1:]
+    first, rest = data_table.rows[0], data_table.rows[1:]
     if len(first) > 3 or len(rest) < 2:
-        return None, None, found
-    words, next_words = (text.lines[at].replace(",", " ").split() for at in found.lines[:2])
+        return None, None, data_table
+    words, next_words = (text.lines[at].replace(",", " ").split() for at in data_table.lines[:2])
     whole = words[0].isdecimal() and first[0] >= 2.0 and all("." in word for word in next_words)
     unlike = len(first) != len(rest[0]) or (len(first) == 1 and first[0] > 99.0)
     # Above times and samples the row is as wide as theirs, and counts them.
     unlike = unlike or (len(first) == 2 and first[0] == len(rest))
     if not (whole and unlike and all(0.0 < value <= 1.0 for value in first[1:2])):
-        return None, None, found
+        return None, None, data_table
     interval = first[1] if len(first) > 1 else None
-    names = found.names if len(found.names) == max(map(len, rest)) else ()
-    return int(first[0]), interval, replace(found, rows=rest, lines=found.lines[1:], names=names)
+    names = data_table.names if len(data_table.names) == max(map(len, rest)) else ()
+    return (
+        int(first[0]),
+        interval,
+        replace(data_table, rows=rest, lines=data_table.lines[1:], names=names),
+    )
 
 
-def _refuse_short_rows(text: RecordText, found: Table, *, last: bool = False) -> None:
-    """Raise where a row has fewer numbers than others; the last one may, unless `last` says not."""
-    columns = found.columns
-    rows = list(zip(found.rows, found.lines, strict=True))
+def _refuse_short_rows(text: RecordText, data_table: Table, *, last: bool = False) -> None:
+    """Raise where a row has fewer numbers than others; the last one may, unless `last` is true."""
+    columns = data_table.columns
+    rows = list(zip(data_table.rows, data_table.lines, strict=True))
     for row, at in rows if last else rows[:-1]:
         if len(row) != columns:
             valid = f"it has {len(row)} numbers, and the table has {columns} columns"
-            raise text.error(valid, "fetch the file anew, or take out what is no sample", at=at)
+            raise text.error(valid, "fetch the file again, or take out what is no sample", at=at)
 
 
 def refuse_geonet(text: RecordText) -> None:
@@ -362,22 +379,24 @@ def refuse_geonet(text: RecordText) -> None:
         )
 
 
-def _refuse_other_quantities(text: RecordText, found: Table) -> None:
-    """Raise where the words above say counts, or velocity or displacement and no acceleration."""
-    words = " ".join(found.header)
+def _refuse_other_quantities(text: RecordText, data_table: Table) -> None:
+    """Raise where the words above name counts, or velocity or displacement and no acceleration."""
+    words = " ".join(data_table.header)
     if re.search(r"\(\s*gal\s*\)\s*/\s*\d", words, re.IGNORECASE):
         valid = "its header states the scale of an instrument's counts, which is not applied here"
         raise text.error(valid, "give the file as its network publishes it (K-NET, KiK-net)")
-    if found.names or not words or re.search("acc", words, re.IGNORECASE):
+    if data_table.names or not words or re.search("acc", words, re.IGNORECASE):
         return
     if re.search(r"velocit|displacement", words, re.IGNORECASE):
-        valid = "its header speaks of another quantity, and the base moves by its acceleration"
+        valid = "its header names another quantity, and the base moves by its acceleration"
         raise text.error(valid, "give the file of acceleration")
 
 
-def _written(text: RecordText, found: Table, column: int) -> list[str]:
+def _written(text: RecordText, data_table: Table, column: int) -> list[str]:
     """Return the numbers of a column as they stand in the file."""
-    lines = (text.lines[at] for at in found.lines)
-    rows = (line.replace(",", ".") if found.comma else line for line in lines)
-    fields = (row.split(found.separator) if found.separator else row.split() for row in rows)
+    lines = (text.lines[at] for at in data_table.lines)
+    rows = (line.replace(",", ".") if data_table.comma else line for line in lines)
+    fields = (
+        row.split(data_table.separator) if data_table.separator else row.split() for row in rows
+    )
     return [row[column].strip().strip('"') if column < len(row) else "0" for row in fields]

@@ -1,6 +1,6 @@
 """Reader of the COSMOS format: text, integer and real headers, comments, samples.
 
-Each part says how many values follow and in which Fortran format, channels follow each other, and
+Each part states how many values follow and in which Fortran format, channels follow each other, and
 a file of corrected records may hold velocity and displacement too, of which the acceleration is
 taken. The numbers in the header are known by their place (Consortium of Organizations for
 Strong-Motion Observation Systems, *Strong Motion Data Format*, version 1.20, 2001, tables 3
@@ -47,7 +47,7 @@ _CODES: Final = {2: "g", 4: "cm/s^2", 7: "in/s^2", 10: "gal", 11: "mg"}
 _COUNTS_CODE: Final = 50
 _VERTICAL: Final[dict[int, bool | None]] = {400: False, 401: True, 402: None}
 """Codes of vertical channels: upwards, downwards, sense not stated."""
-_HINT: Final = "fetch the file anew"
+_HINT: Final = "fetch the file again"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,8 +72,8 @@ class _Head:
     def word(self, pattern: str) -> str | None:
         """Return what a pattern's group finds in the lines of words or comments."""
         for line in (*self.words, *self.comments):
-            if found := re.search(pattern, line, re.IGNORECASE):
-                return found[1].strip() or None
+            if match := re.search(pattern, line, re.IGNORECASE):
+                return match[1].strip() or None
         return None
 
 
@@ -90,7 +90,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     RecordFileError
         If there is none, its header cannot be understood or samples are missing.
     """
-    found: list[Recording] = []
+    recordings: list[Recording] = []
     start, others = 0, 0
     while (at := _next_data(text, start)) is not None:
         described = _DATA.match(text.heads[at])
@@ -105,16 +105,16 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         else:
             where = Lines(stated=at, start=at + 1, end=end, alone=False)
             kept, warnings = agreed(text, values, count, where)
-            found.append(_recording(text, given, head, at, kept, warnings))
+            recordings.append(_recording(text, given, head, at, kept, warnings))
         start = end
-    if not found:
+    if not recordings:
         valid = "no line of it states samples (as in: 7000 acceleration pts, ... units=cm/sec2)"
         if others:
             valid = "it holds no acceleration, and the base moves by its acceleration"
         raise text.error(valid, "give a file of processed acceleration (V1 or V2)")
     if any("Integer-header" in line for line in text.heads[start:]):
         raise text.error("a channel begins, and its samples are missing", _HINT, at=len(text.lines))
-    return tuple(found)
+    return tuple(recordings)
 
 
 def _next_data(text: RecordText, start: int) -> int | None:
@@ -263,11 +263,11 @@ def _pointing(
     if code is not None and 1 <= code <= 360:
         return described or seed or f"{code}", "horizontal", float(code), None
     component = seed or described
-    found = pointing(component)
-    # "Other" tells nothing, and neither does a seed code with 3 for its direction.
-    if found.orientation is None and described is not None:
-        found = pointing(described)
-    return component, found.orientation, found.azimuth_deg, found.down
+    result = pointing(component)
+    # "Other" states no direction, and neither does a seed code with 3 for its direction.
+    if result.orientation is None and described is not None:
+        result = pointing(described)
+    return component, result.orientation, result.azimuth_deg, result.down
 
 
 def _start(head: _Head) -> datetime | None:

@@ -71,7 +71,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     RecordFileError
         If there is none, its header cannot be understood or samples are missing.
     """
-    found: list[Recording] = []
+    recordings: list[Recording] = []
     start = 0
     while (at := _next_announced(text, start)) is not None:
         announced = _announced(text.heads[at])
@@ -84,14 +84,14 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         where = Lines(stated=at, start=at + 1, end=end, alone=False)
         kept, warnings = agreed(text, values, count, where)
         if _is_acceleration(announced):
-            found.append(_recording(text, given, text.heads[start : at + 1], kept, warnings))
+            recordings.append(_recording(text, given, text.heads[start : at + 1], kept, warnings))
         start = end
-    if not found and start:
+    if not recordings and start:
         valid = "it holds no acceleration, and the base moves by its acceleration"
         raise text.error(valid, "give a file with acceleration")
-    if not found:
-        found = _old_volume_1(text, given)
-    return tuple(found)
+    if not recordings:
+        recordings = _old_volume_1(text, given)
+    return tuple(recordings)
 
 
 def _announced(line: str) -> re.Match[str] | None:
@@ -124,7 +124,7 @@ def _recording(
     """Return the recording of a channel; the last line of its head announces the samples."""
     announced = _announced(head[-1])
     if announced is None:  # the caller has found this line by the same patterns
-        raise text.error("no line announces samples", "fetch the file anew")
+        raise text.error("no line announces samples", "fetch the file again")
     volume_2 = announced.re is _VOLUME_2
     if volume_2:
         interval = number(announced["dt"])
@@ -162,7 +162,7 @@ def _channel(
     warnings: tuple[str, ...],
     processing: tuple[str, ...] = (),
 ) -> Channel:
-    """Return what the lines of words say of a channel."""
+    """Return what the lines of words state about a channel."""
     channel = _first(_CHANNEL, head)
     station = next((at for at, line in enumerate(head) if _STATION.match(line)), None)
     name = None
@@ -194,10 +194,10 @@ def _channel(
 def _second_interval(head: tuple[str, ...], interval: float | None) -> tuple[str, ...]:
     """Return a warning where the words of the header state another interval than its numbers."""
     stated = _first(_SPACED, head)
-    other = None if stated is None else number(stated[1])
-    if interval is None or other is None or abs(other - interval) <= 1.0e-6 * interval:
+    second = None if stated is None else number(stated[1])
+    if interval is None or second is None or abs(second - interval) <= 1.0e-6 * interval:
         return ()
-    return (f"the header states {other:g} s between samples too; {interval:g} s are taken",)
+    return (f"the header states {second:g} s between samples too; {interval:g} s are taken",)
 
 
 def _whole_unit(written: str) -> str:
@@ -212,9 +212,9 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
     Raises
     ------
     RecordFileError
-        If samples are missing, or they are unevenly spaced and resampling is not asked for.
+        If samples are missing, or they are unevenly spaced and resampling is not allowed.
     """
-    found: list[Recording] = []
+    recordings: list[Recording] = []
     start = 0
     while start < len(text.lines):
         if _FIRST.search(text.heads[start]) is None:
@@ -247,20 +247,20 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
             warnings=(*warnings, *spaced.warnings),
             processing=spaced.notes,
         )
-        found.append(built(text, "csmip-v1", channel, given))
+        recordings.append(built(text, "csmip-v1", channel, given))
         start = end
-    if not found:
+    if not recordings:
         raise text.error("it holds no acceleration", "give a file of volume 1 or 2 of CSMIP")
-    return found
+    return recordings
 
 
 def _first(pattern: re.Pattern[str], lines: tuple[str, ...]) -> re.Match[str] | None:
     """Return the first find of a pattern."""
-    return next((found for line in lines if (found := pattern.search(line))), None)
+    return next((match for line in lines if (match := pattern.search(line))), None)
 
 
 def _event(head: tuple[str, ...]) -> str | None:
-    """Return the line that says what was recorded."""
+    """Return the line that states what was recorded."""
     return next(
         (line[:40].strip() for line in head if re.match(r"\s*(?:Record|Rcrd) of", line)), None
     )
@@ -268,10 +268,10 @@ def _event(head: tuple[str, ...]) -> str | None:
 
 def _start(head: tuple[str, ...]) -> datetime | None:
     """Return the time of the first sample (UTC)."""
-    found = _first(_START, head)
-    if found is None:
+    match = _first(_START, head)
+    if match is None:
         return None
-    month, day, year, hour, minute = (int(found[group]) for group in range(1, 6))
+    month, day, year, hour, minute = (int(match[group]) for group in range(1, 6))
     try:
         whole = datetime(
             # Two digits of a year: the program began in 1972.
@@ -282,6 +282,6 @@ def _start(head: tuple[str, ...]) -> datetime | None:
             minute,
             tzinfo=UTC,
         )
-        return whole + timedelta(seconds=float(found[6]))
+        return whole + timedelta(seconds=float(match[6]))
     except (ValueError, OverflowError):
         return None

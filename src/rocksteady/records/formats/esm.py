@@ -24,8 +24,8 @@ _COUNT: Final = "NDATA"
 
 def recognises(text: RecordText) -> bool:
     """Return whether a file has DYNA's header."""
-    found = _header(text)
-    return _INTERVAL in found and _COUNT in found
+    header = _header(text)
+    return _INTERVAL in header and _COUNT in header
 
 
 def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
@@ -39,14 +39,14 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     lines = _header(text, once=True)
     for key in (_COUNT, _INTERVAL):
         if key not in lines:
-            raise text.error(f"its header does not state {key}", "fetch the file anew")
+            raise text.error(f"its header does not state {key}", "fetch the file again")
     _refuse_other_quantities(text, lines)
     if given.units is None:
         free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
         refuse_factors(text, [at for key, at in lines.items() if not key.startswith(free)])
     count = number(_value(text, lines, _COUNT))
     if count is None or count != int(count):
-        raise text.error("it must state a whole number", "fetch the file anew", at=lines[_COUNT])
+        raise text.error("it must state a whole number", "fetch the file again", at=lines[_COUNT])
     interval = number(_value(text, lines, _INTERVAL))
     if interval is None and given.dt_s is None:
         raise text.error("it must state a number of seconds", "give dt_s", at=lines[_INTERVAL])
@@ -81,23 +81,23 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
 def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
     """Return the index of the line of each key, up to the first line of numbers.
 
-    A key that is there twice with two values is refused if `once`; users' own lines may repeat.
+    A key that occurs twice with two values is refused if `once`; users' own lines may repeat.
     """
-    found: dict[str, int] = {}
+    header: dict[str, int] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
         key, colon, _ = line.partition(":")
         if colon and _KEY.fullmatch(key.strip()):
             name = re.sub(r"[ _]+", "_", key.strip().upper())
             if once and not name.startswith("USER"):
-                text.refuse_repeated(found.get(name, at), at)
-            found.setdefault(name, at)
-        elif found and line.strip() and numbers(line):
+                text.refuse_repeated(header.get(name, at), at)
+            header.setdefault(name, at)
+        elif header and line.strip() and numbers(line):
             break
-    return found
+    return header
 
 
 def _value(text: RecordText, lines: dict[str, int], key: str) -> str:
-    """Return what a key says; nothing where it is not there."""
+    """Return the value of a key; nothing where it is missing."""
     return text.heads[lines[key]].partition(":")[2].strip() if key in lines else ""
 
 

@@ -1,8 +1,8 @@
 """Reader of Japan's K-NET and KiK-net: a header of 17 lines, then instrument counts.
 
 The counts hold the offset of the instrument as well. The networks state the largest acceleration
-after the mean of the record is taken off, and so it is taken off here, as a note on the recording
-says: left in, it would be a constant acceleration of the base that never was.
+after the mean of the record is taken off, and so it is taken off here, which a note on the
+recording states: left in, it would be a constant acceleration of the base that never was.
 
 A KiK-net station has two instruments: directions 1 to 3 (north, east, up) are in its borehole, 4 to
 6 at the surface. The time of the record includes a delay of 15 s of its trigger.
@@ -106,7 +106,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
 
 
 def _note(offset: float) -> str:
-    """Return what is said of the offset that is taken off [m/s^2]."""
+    """Return a remark on the offset that is taken off [m/s^2]."""
     return (
         f"mean of the counts taken off ({offset:.6g} m/s^2): the offset of the instrument, without "
         "which the network states the peak"
@@ -114,21 +114,21 @@ def _note(offset: float) -> str:
 
 
 def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
-    """Return the index of the line of each key; one that is there twice is refused if `once`."""
-    found: dict[str, int] = {}
+    """Return the index of the line of each key; a key that occurs twice is refused if `once`."""
+    header: dict[str, int] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
         for key in _KEYS:
             if line.lstrip().lower().startswith(key.lower()):
-                if once and key in found and key != "Memo.":
-                    text.refuse_repeated(found[key], at)
-                found.setdefault(key, at)
-    return found
+                if once and key in header and key != "Memo.":
+                    text.refuse_repeated(header[key], at)
+                header.setdefault(key, at)
+    return header
 
 
 def _line(text: RecordText, lines: dict[str, int], key: str) -> int:
     """Return the index of a key's line, or raise."""
     if key not in lines:
-        raise text.error(f"its header has no line {key!r}", "fetch the file anew")
+        raise text.error(f"its header has no line {key!r}", "fetch the file again")
     return lines[key]
 
 
@@ -141,11 +141,11 @@ def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float
     """Return the time above 0 that a line states [s], that between samples for a rate."""
     at = _line(text, lines, key)
     written = _value(text, lines, key)
-    # 100Hz: a unit goes before that of the key, which is the same.
+    # `100Hz`: a unit goes before that of the key, which is the same.
     stated = re.sub(rf"(?<=[\d.])\s*{unit}\s*$", "", written, flags=re.IGNORECASE)
     value = time_value(text, at, stated, unit)
     if value is None or not 0.0 < value < math.inf:
-        raise text.error("it must state a number above 0", "fetch the file anew", at=at)
+        raise text.error("it must state a number above 0", "fetch the file again", at=at)
     return value
 
 
@@ -159,7 +159,7 @@ def _named(written: str, station: str) -> tuple[str, str | None, str | None]:
 
 
 def _event(text: RecordText, lines: dict[str, int]) -> str | None:
-    """Return origin time and magnitude, which is what these networks know an event by."""
+    """Return origin time and magnitude, by which these networks identify an event."""
     time, magnitude = _value(text, lines, "Origin Time"), _value(text, lines, "Mag.")
     parts = [part for part in (time, f"M {magnitude}" if magnitude else "") if part]
     return ", ".join(parts) or None

@@ -2,7 +2,7 @@
 
 The line with the counts has had several forms: ``NPTS= 5372, DT= .0100 SEC``, the same in lower
 case, without SEC, with DT first or on a line of its own, and ``5372 .0100 NPTS, DT``. Files of
-velocity (VT2) and displacement (DT2) look the same but for their units, and are refused.
+velocity (VT2) and displacement (DT2) look the same except for their units, and are refused.
 """
 
 import re
@@ -62,9 +62,9 @@ def recognises(text: RecordText) -> bool:
     at = _line_of_counts(text)
     if at is None:
         return False
-    # Other files of text say NPTS as well, but not the interval in the same line.
-    told = "DT" in text.heads[at].upper()
-    return told or any("UNITS OF" in line.upper() for line in text.heads[:at])
+    # Other files of text contain NPTS as well, but not the interval in the same line.
+    has_interval = "DT" in text.heads[at].upper()
+    return has_interval or any("UNITS OF" in line.upper() for line in text.heads[:at])
 
 
 def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
@@ -111,23 +111,23 @@ def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float 
     """Return number of samples and interval, and the index of the last line that states them."""
     line = text.heads[at]
     for pattern, name in ((_COUNT_ALONE, "count"), (_INTERVAL_ALONE, "dt")):
-        near = [text.heads[other] for other in (at - 1, at, at + 1) if 0 <= other < len(text.heads)]
-        values = {number(one[name]) for head in near for one in pattern.finditer(head)}
+        near = [text.heads[place] for place in (at - 1, at, at + 1) if 0 <= place < len(text.heads)]
+        values = {number(match[name]) for head in near for match in pattern.finditer(head)}
         if len(values) > 1 and (name == "count" or given.dt_s is None):
             raise text.error("it is stated twice, with two values", "correct one of them", at=at)
-    found = _NAMES_FIRST.search(line) or _NUMBERS_FIRST.search(line)
-    if found is not None:
-        return _whole(found["count"]), _seconds(text, at, found, given), at
+    match = _NAMES_FIRST.search(line) or _NUMBERS_FIRST.search(line)
+    if match is not None:
+        return _whole(match["count"]), _seconds(text, at, match, given), at
     alone = _COUNT_ALONE.search(line)
     # The interval may stand before the count, or on a line of its own beside it.
-    for other in (at, at + 1, at - 1):
-        if 0 <= other < len(text.heads) and (stated := _INTERVAL_ALONE.search(text.heads[other])):
+    for place in (at, at + 1, at - 1):
+        if 0 <= place < len(text.heads) and (stated := _INTERVAL_ALONE.search(text.heads[place])):
             count = None if alone is None else _whole(alone["count"])
-            return count, _seconds(text, other, stated, given), max(at, other)
+            return count, _seconds(text, place, stated, given), max(at, place)
     return None if alone is None else _whole(alone["count"]), None, at
 
 
-def _seconds(text: RecordText, at: int, found: re.Match[str], given: Given) -> float | None:
+def _seconds(text: RecordText, at: int, match: re.Match[str], given: Given) -> float | None:
     """Return the interval that a line states, with the unit before or after it [s].
 
     Raises
@@ -136,9 +136,9 @@ def _seconds(text: RecordText, at: int, found: re.Match[str], given: Given) -> f
         If number or unit are not understood as a whole, and no interval is given.
     """
     if given.dt_s is not None:
-        return number(found["dt"])
-    parts = found.groupdict()
-    written = found.string[found.start("dt") :]
+        return number(match["dt"])
+    parts = match.groupdict()
+    written = match.string[match.start("dt") :]
     if "after" in parts:
         written = f"{parts['dt']} {parts['after']}"
     return time_value(text, at, written, parts["unit"])
@@ -160,8 +160,8 @@ def _units(text: RecordText, at: int, given: Given) -> str | None:
         understood as a whole, or a factor is stated.
     """
     for index, line in enumerate(text.heads[:at]):
-        if index > 0 and (other := _OTHER.match(line)):
-            valid = f"it is a file of {other[1].lower()}, and the base moves by its acceleration"
+        if index > 0 and (match := _OTHER.match(line)):
+            valid = f"it is a file of {match[1].lower()}, and the base moves by its acceleration"
             raise text.error(valid, "give the record's file of acceleration (AT2)", at=index)
     if given.units is None:
         refuse_factors(text, list(range(at + 2)))

@@ -23,7 +23,7 @@ _WORDS, _WHOLE, _REAL = 11, 6, 10
 
 _KIND: Final = re.compile(r"\s*(?:\d+\s+(?:UN)?CORRECTED\s+ACCELEROGRAM|\*)\s*", re.IGNORECASE)
 _OTHER: Final = re.compile(r"\s*\d+\s+.*(VELOCITY|DISPLACEMENT|SPECTR)", re.IGNORECASE)
-_HINT: Final = "fetch the file anew, as text"
+_HINT: Final = "fetch the file again, as text"
 
 
 def recognises(text: RecordText) -> bool:
@@ -80,7 +80,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         kept, interval, notes = spaced.values, spaced.dt_s, spaced.notes
         warnings += spaced.warnings
     if text.heads[0].strip() == "*":
-        warnings = (*warnings, "the file does not say what it holds: taken to be acceleration")
+        warnings = (*warnings, "the file does not state its quantity: taken to be acceleration")
     orientation, azimuth, down = _pointing(known[12], known[13])
     channel = Channel(
         values=kept,
@@ -102,17 +102,17 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
 
 def _values(text: RecordText, start: int, lines: int, count: int) -> list[float]:
     """Return the numbers of a part of the header."""
-    found: list[float] = []
+    values: list[float] = []
     for at in range(start, start + lines):
         line = text.heads[at] if at < len(text.lines) else ""
         row = numbers(line, 15 if count == 50 else 10)
         if not row:
             raise text.error("it must hold numbers of the header", _HINT, at=at)
-        found += row
-    if len(found) < count:
-        valid = f"lines {start + 1} to {start + lines} must hold {count} numbers, not {len(found)}"
+        values += row
+    if len(values) < count:
+        valid = f"lines {start + 1} to {start + lines} must hold {count} numbers, not {len(values)}"
         raise text.error(valid, _HINT)
-    return found
+    return values
 
 
 def _pointing(

@@ -1,8 +1,8 @@
 """Reader of miniSEED and SAC, binary formats of seismology, with ObsPy (extra ``records``).
 
 Neither states the unit of its numbers in a way that can be relied upon: miniSEED holds counts of an
-instrument as a rule, and SAC's header names a unit that few writers keep to. So the unit is asked
-for, and counts are to be converted beforehand.
+instrument as a rule, and SAC's header names a unit that few writers keep to. So the unit is
+required, and counts are to be converted beforehand.
 """
 
 import contextlib
@@ -102,7 +102,7 @@ def read(path: Path, data: bytes, format_name: str, given: Given) -> tuple[Recor
                 io.BytesIO(data), format=format_name.upper(), check_compression=False
             )
         except Exception as error:
-            # The address in memory of what it was given says nothing, and differs from run to run.
+            # The address in memory of what it was given means nothing, and differs from run to run.
             words = re.sub(r"<[\w.]*BytesIO object at \w+>", "the file", str(error))
             reason = " ".join(words.split()) or type(error).__name__
             hint = "see whether the file is whole"
@@ -121,7 +121,7 @@ def read(path: Path, data: bytes, format_name: str, given: Given) -> tuple[Recor
 
 @contextlib.contextmanager
 def _listening() -> Iterator[set[str]]:
-    """Collect what ObsPy has to say of a file, which else would go to the screen.
+    """Collect the warnings of ObsPy about a file, which else would go to the screen.
 
     Its reader of miniSEED calls back from C, where an exception cannot be raised; Python hands it
     to a hook, which prints it.
@@ -130,22 +130,22 @@ def _listening() -> Iterator[set[str]]:
     hook = sys.unraisablehook
     sys.unraisablehook = lambda _: doubts.add("ObsPy met a fault that it could not put into words")
     try:
-        with warnings.catch_warnings(record=True) as said:
+        with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             yield doubts
-        doubts |= {" ".join(str(one.message).split()) for one in said}
+        doubts |= {" ".join(str(warning.message).split()) for warning in caught}
     finally:
         sys.unraisablehook = hook
 
 
 def _by_channel(traces: "list[_Trace]") -> "list[list[_Trace]]":
     """Return the pieces of each channel, in the order of the file."""
-    found: dict[tuple[str, ...], list[_Trace]] = {}
+    groups: dict[tuple[str, ...], list[_Trace]] = {}
     for trace in traces:
         stats = trace.stats
         key = (stats.network, stats.station, stats.location, stats.channel)
-        found.setdefault(key, []).append(trace)
-    return list(found.values())
+        groups.setdefault(key, []).append(trace)
+    return list(groups.values())
 
 
 def _recording(
@@ -206,11 +206,11 @@ def _of_sac(
     Raises
     ------
     RecordFileError
-        If it says that the samples are no acceleration.
+        If it states that the samples are no acceleration.
     """
     quantity = _SAC_QUANTITY.get(int(_number(header, "idep")))
     if quantity is not None:
-        valid = f"its header says {quantity}, and the base moves by its acceleration"
+        valid = f"its header states {quantity}, and the base moves by its acceleration"
         raise text.error(valid, "give the file of acceleration")
     from_up, azimuth = _number(header, "cmpinc"), _number(header, "cmpaz")
     if from_up in {0.0, 180.0}:

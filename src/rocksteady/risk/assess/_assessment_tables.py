@@ -59,7 +59,7 @@ def tables_of(
         Column("high", "highest", percent),
     ]
     bars = [{**bar, "range": _range(cases_found, bar["parameter"])} for bar in bars]
-    found = [
+    tables = [
         Table("cases", cases),
         Table("tornado", bars, bar_columns, title="What matters most"),
         Table("remedies", [remedy.to_dict() for remedy in remedies]),
@@ -69,7 +69,7 @@ def tables_of(
         Table("", words, screen_columns, title="Code formulas, side by side"),
         Table("inputs", _inputs(motions)),
     ]
-    return [table for table in found if table.rows]
+    return [table for table in tables if table.rows]
 
 
 def _range(cases: Sequence[Case], parameter: str) -> str:

@@ -40,7 +40,7 @@ class Counts:
     Attributes
     ----------
     levels
-        Of the measure, shape (levels,).
+        Levels of the measure, shape (levels,).
     trials, lifted, fell
         Numbers of runs, shape (records, levels).
     measure
@@ -77,7 +77,7 @@ def is_fitted(curve: FragilityCurve | TwoStageCurve) -> bool:
 
 
 def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Counts]:
-    """Return the counts of each block; of a symmetric one mirror images are counted once."""
+    """Return the counts of each block; for a symmetric one mirror images are counted once."""
     order = ("block", "record", "level", "direction", "vertical", "draw")
     runs = ensemble[["status", "peak_angle"]].transpose(*order)
     fell = runs["status"].values == int(Status.OVERTURNED)
@@ -86,12 +86,12 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
     levels = np.asarray(level.values, dtype=np.float64)
     unit = str(level.attrs["units"])
     measure = str(level.attrs["long_name"]), "" if unit == "1" else unit
-    found = []
+    counts = []
     for place, block in enumerate(blocks):
         kept = slice(0, 1) if block.symmetric else slice(None)
         own_fell, own_lifted = (each[place, :, :, kept] for each in (fell, lifted))
         shape, count = own_fell.shape[:2], int(np.prod(own_fell.shape[2:]))
-        found.append(
+        counts.append(
             Counts(
                 levels=levels,
                 trials=np.full(shape, count, dtype=np.int64),
@@ -100,7 +100,7 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
                 measure=measure,
             )
         )
-    return found
+    return counts
 
 
 def run_at(

@@ -33,7 +33,7 @@ Floats = NDArray[np.float64]
 BALLAST_HEIGHT_M = 0.05
 """Height of the ballast's mass centre above the base [m]."""
 MOST_WIDTH, MOST_BALLAST = 3.0, 10.0
-"""Factor of the width and share of the mass beyond which a remedy is none."""
+"""Factor of the width and share of the mass beyond which a remedy is not given."""
 FINEST = 0.01
 """Relative width of the bracket of the least change at which the search ends."""
 ROUNDS = 16
@@ -94,7 +94,7 @@ class Remedy:
 
 
 class Search:
-    """The probability of falling of a changed object, fitted, and what its own runs say.
+    """The probability of falling of a changed object, fitted, and as counted in its own runs.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ class Search:
         low = high = change = 0.0
         # Fitted probabilities at both ends, as distances from the target.
         above = below = 0.0
-        found: tuple[float, Case] | None = None
+        best: tuple[float, Case] | None = None
         for _ in range(ROUNDS):
             block = block_of(made(change))
             counts = self.runs(block)
@@ -183,13 +183,13 @@ class Search:
             if case.probability <= self.target:
                 # An end that has stood twice counts half, so that the other comes to it.
                 above *= 0.5
-                found, high, below = (change, case), change, self._beyond(case)
+                best, high, below = (change, case), change, self._beyond(case)
             elif change == most:
                 break
             else:
                 below *= 0.5
                 low, above = change, self._beyond(case)
-            if found is None:
+            if best is None:
                 change = self._guess(block, self.curve_of(counts, block), made, (low, most))
                 continue
             apart = math.log1p(high) - math.log1p(low)
@@ -197,7 +197,7 @@ class Search:
                 break
             part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
             change = math.expm1(math.log1p(low) + part * apart)
-        return found
+        return best
 
     def _beyond(self, case: Case) -> float:
         """Return by how much a probability is above the target, in standard deviations."""
@@ -244,8 +244,10 @@ def relative(level: DemandLevel, block: Block) -> float:
 
 def find_remedies(search: Search) -> tuple[Remedy, ...]:
     """Return width, ballast and friction cap in the order of their change."""
-    found = [_width(search), _ballast(search), _friction_cap(search.described)]
-    return tuple(sorted(found, key=lambda each: math.inf if each.change is None else each.change))
+    remedies = [_width(search), _ballast(search), _friction_cap(search.described)]
+    return tuple(
+        sorted(remedies, key=lambda each: math.inf if each.change is None else each.change)
+    )
 
 
 def cheapest(remedies: Sequence[Remedy]) -> Remedy | None:
@@ -258,12 +260,12 @@ def _width(search: Search) -> Remedy:
     """Return the least width between the edges."""
     body = search.described.body
     before = body.left + body.right
-    found = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
-    if found is None:
+    least = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
+    if least is None:
         return Remedy(
             name="width", words=f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
         )
-    change, case = found
+    change, case = least
     if change == 0.0:
         return Remedy(name="width", words=NO_FALLS, unit="m")
     width = before * (1.0 + change)
@@ -286,13 +288,13 @@ def _ballast(search: Search) -> Remedy:
     body = search.described.body
     if body.centre_height <= BALLAST_HEIGHT_M:
         return Remedy(name="ballast", words="the mass centre is at the base already")
-    found = search.least(
+    least = search.least(
         lambda share: body.with_share(share, BALLAST_HEIGHT_M) if share > 0.0 else body,
         MOST_BALLAST,
     )
-    if found is None:
+    if least is None:
         return Remedy(name="ballast", words=f"not even {MOST_BALLAST:g} times its mass is enough")
-    share, case = found
+    share, case = least
     if share == 0.0:
         return Remedy(name="ballast", words=NO_FALLS)
     mass = None if body.mass_kg is None else share * body.mass_kg
@@ -336,7 +338,7 @@ def _friction_cap(described: ObjectFile) -> Remedy:
 
 
 def _confirmed(remedy: Remedy, case: Case, target: float) -> Remedy:
-    """Return a remedy with what its own runs say."""
+    """Return a remedy with the count of its own runs."""
     return replace(
         remedy,
         fitted=case.probability,

@@ -1,4 +1,4 @@
-"""Sensitivity of an object's answer: one thing changed at a time, run anew."""
+"""Sensitivity of an object's answer: one thing changed at a time, run again."""
 
 import math
 from collections.abc import Sequence
@@ -35,8 +35,8 @@ class Case:
     change
         How, in words.
     probability, counted
-        Of falling at the demand: fitted over the levels about it, and the share of the runs there;
-        where no curve can be fitted both are the share.
+        Probability of falling at the demand: fitted over the levels about it, and the share of the
+        runs there; where no curve can be fitted both are the share.
     fell, trials
         Runs at the demand.
     median
@@ -74,19 +74,19 @@ def vary(
     counts = run_at(blocks, motions, level.measure, levels, restitution=band, run=run)
     names = [("as described", ""), *((parameter, change) for parameter, change, _ in changes)]
     cases = [
-        case_of(parameter, change, found)
-        for (parameter, change), found in zip(names, counts, strict=True)
+        case_of(parameter, change, run_counts)
+        for (parameter, change), run_counts in zip(names, counts, strict=True)
     ]
     if band.draws > 1:
         ends = band.ratios(base)[[0, -1]].tolist()
         alone = [
-            base.with_restitution(ratio if base.one_sided else (ratio, other))
-            for ratio, other in ends
+            base.with_restitution(ratio if base.one_sided else (ratio, negative))
+            for ratio, negative in ends
         ]
-        found = run_at(alone, motions, level.measure, levels, run=run)
+        run_counts = run_at(alone, motions, level.measure, levels, run=run)
         cases += [
             case_of("restitution", f"{max(pair):.3f} alone", each)
-            for pair, each in zip(ends, found, strict=True)
+            for pair, each in zip(ends, run_counts, strict=True)
         ]
     lifted = [
         each for each in motions if isinstance(each, BaseMotion) and each.vertical is not None
@@ -131,7 +131,7 @@ def case_of(parameter: str, change: str, counts: Counts) -> Case:
     return Case(
         parameter=parameter,
         change=change,
-        # A step, or no curve, knows nothing between the levels: the share is all there is.
+        # A step, or no curve, has no value between the levels: the share is all there is.
         probability=probability if is_fitted(curve) else counted,
         counted=counted,
         fell=fell,
@@ -143,22 +143,22 @@ def case_of(parameter: str, change: str, counts: Counts) -> Case:
 def changes_of(described: ObjectFile) -> list[tuple[str, str, Block]]:
     """Return parameter, change and block of each case without vertical motion."""
     body = described.body
-    found: list[tuple[str, str, Block]] = []
+    changes: list[tuple[str, str, Block]] = []
     for factor in (1.0 - CENTRE, 1.0 + CENTRE):
         changed = described.block_of(body.with_centre(factor))
-        found.append(("mass centre", f"{100.0 * (factor - 1.0):+.0f} %", changed))
-    found.append(
+        changes.append(("mass centre", f"{100.0 * (factor - 1.0):+.0f} %", changed))
+    changes.append(
         (
             "base width",
             f"{-100.0 * WORN:+.0f} %, worn edges",
             described.block_of(body.wider(1.0 - WORN)),
         )
     )
-    found += [
+    changes += [
         (variant.key, variant.label.removeprefix(variant.key).strip(), variant.block)
         for variant in described.variants()
     ]
-    return found
+    return changes
 
 
 def parameter_words(parameter: str) -> str:

@@ -43,7 +43,8 @@ class Findings:
     target
         Probability that is accepted.
     probability, cases
-        Of falling at the demand, and one thing changed at a time; none where it slides.
+        Probability of falling at the demand, and cases with one thing changed; none where it
+        slides.
     fitted
         Whether that is of a curve, and not the share of the runs.
     remedy
@@ -107,7 +108,7 @@ def answer_of(findings: Findings) -> Answer:
     verdict = "above target" if probability > target else "below target"
     side = "more than" if probability > target else "within"
     share = f"{share_words(probability)} objects of this shape and size would fall"
-    if not findings.fitted:  # a share of so many runs is no smaller than one of them
+    if not findings.fitted:  # a share is no smaller than one of the runs
         base = findings.cases[0]
         share = f"{base.fell or 'None'} of its {base.trials} runs fall"
     sentence = (

@@ -20,8 +20,15 @@ from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._counts import MULTIPLES, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, measured
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
-from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
+from rocksteady.risk.assess._sensitivity import (
+    Case,
+    band_of,
+    parameter_words,
+    tornado,
+    vary,
+)
 from rocksteady.risk.assess._verdicts import Findings, answer_of
+from rocksteady.risk.assess._vertical_levels import levels_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
@@ -42,14 +49,10 @@ from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import first_motion, needed_friction
 from rocksteady.risk.screens.screens import Screens, screen_block
 from rocksteady.seismic.measures.scalar import Intensity
-from rocksteady.sweep.cases.spacing import in_equal_ratios
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
-
-USUAL_LEVELS = 20
-"""Levels of `Stripes` itself."""
 
 
 @checked_result
@@ -73,8 +76,8 @@ class Assessment(Result):
     sentence, reason
         The answer and why.
     probability, probability_band
-        Of falling at the demand, from the fragility curve, and its confidence band; None where
-        there is none.
+        Probability of falling at the demand, from the fragility curve, and its confidence band;
+        None where there is none.
     fragility
         Curves of all damage states, with the runs; None where it slides.
     cases
@@ -116,14 +119,14 @@ class Assessment(Result):
     def bars(self) -> list[tuple[str, float, float]]:
         """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
         rows = tornado(self.cases) if self.cases else []
-        return [(row["parameter"], row["low"], row["high"]) for row in rows]
+        return [(parameter_words(row["parameter"]), row["low"], row["high"]) for row in rows]
 
     def describe(self) -> Description:
         """Return the sentence, facts, screens, sensitivity, remedies, risk, caveats and inputs."""
-        own = self.facts.describe()
+        facts = self.facts.describe()
         return Description(
             headline=self.sentence,
-            facts=[*self._answer(), *(fact for fact in own.facts if fact.key != "name")],
+            facts=[*self._answer(), *(fact for fact in facts.facts if fact.key != "name")],
             tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
             notes=[
                 *self.facts.warnings,
@@ -171,21 +174,36 @@ class Assessment(Result):
 
     def _warnings(self) -> list[str]:
         """Return what limits the fits, and what was noted of risk."""
-        found = [] if self.fragility is None else list(self.fragility.warnings)
+        warnings = [] if self.fragility is None else list(self.fragility.warnings)
+        if self.fragility is not None:
+            warnings += self._shortened(self.fragility)
         if self.cases and self.curve is not None and not is_fitted(self.curve):
-            found.append(
+            warnings.append(
                 "No curve of falling can be fitted to these runs: the probability is the share of "
                 "the runs at the demand."
             )
         elif self.cases and self.probability:
-            found.append(
+            warnings.append(
                 "What matters and what helps is fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
                 f"{percent(self.cases[0].probability)} for the object as described; the answer is "
                 "of the curve through all levels."
             )
-        found += [remark for risk in self.risks for remark in risk.remarks]
-        return list(dict.fromkeys(found))
+        warnings += [remark for risk in self.risks for remark in risk.remarks]
+        return list(dict.fromkeys(warnings))
+
+    def _shortened(self, fragility: Fragility) -> list[str]:
+        """Return a sentence where the vertical motion ends the levels early."""
+        usual = Stripes(fragility.measure).levels_for([self.facts.block])[-1]
+        last = float(fragility.ensemble["level"].values[-1])
+        if last >= usual * (1.0 - 1e-9):
+            return []
+        measure = fragility.measure
+        return [
+            f"The levels end at {measure.label} {number(last)} {measure.unit}".rstrip()
+            + f", not at {number(usual)}: the vertical motion of stronger records falls at g, and "
+            "such runs have no answer."
+        ]
 
 
 @checked
@@ -222,7 +240,7 @@ def assess_object(
     Raises
     ------
     InputError, ModelError
-        If a measure needs a demand that the object does not state, or a motion is none.
+        If a measure needs a demand that the object does not state, or a motion is of another type.
 
     Examples
     --------
@@ -235,8 +253,8 @@ def assess_object(
     ...         "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
     ...     }
     ... )
-    >>> found = assess_object(cabinet, make_synthetic_suite(2))
-    >>> found.verdict, found.probability is None
+    >>> assessment = assess_object(cabinet, make_synthetic_suite(2))
+    >>> assessment.verdict, assessment.probability is None
     ('slides', True)
     """
     began = time.perf_counter()
@@ -306,7 +324,7 @@ def _rocking(
         run_ensemble(
             block,
             suite,
-            stripes=_stripes(intensity, block, options),
+            stripes=levels_of(intensity, block, suite, options.levels),
             restitution=band_of(described, most=options.draws),
             run=run,
         ),
@@ -333,15 +351,6 @@ def _rocking(
         probability_band=shown,
         remedies=remedies,
     )
-
-
-def _stripes(intensity: Intensity, block: Block, options: Options) -> Stripes:
-    """Return the levels: as many as the file says over the usual span."""
-    usual = Stripes(intensity)
-    if options.levels == USUAL_LEVELS:
-        return usual
-    levels = usual.levels_for([block])
-    return Stripes(intensity, list(in_equal_ratios(levels[0], levels[-1], options.levels)))
 
 
 def _fitting(options: Options) -> Fitting:

@@ -53,7 +53,7 @@ class ObjectsTable(Result):
     Attributes
     ----------
     rows
-        One mapping an object, in the order given: ``name``, ``kind``, ``alpha_rad``, ``p_rad_s``,
+        One mapping per object, in the order given: ``name``, ``kind``, ``alpha_rad``, ``p_rad_s``,
         ``uplift_pga_g``, ``friction_needed``, ``lifted``, ``fell`` and ``trials`` of the runs,
         ``probability`` and the same ``counted``, ``fitted`` and by the ``closed_form``, ``colour``,
         ``class``, ``verdict`` and ``sentence``; further columns of its table after them.
@@ -162,12 +162,12 @@ def assess_objects(
     restitution, at one level.  Of all that lift one curve is fitted over p PGV/(g tan alpha) and
     tan alpha, so that the probability of an object does not hang on a few dozen runs alone.  Over
     the first alone large slender objects would get half of what their runs show: at one PGV it does
-    not tell a slender object from a small one.
+    not distinguish a slender object from a small one.
 
     Parameters
     ----------
     objects
-        As `read_objects` returns them; of a range the middle is taken.
+        As `read_objects` returns them; for a range the middle is taken.
     motions
         Records of the ground or the floor.
     pga_g, pgv_m_s
@@ -196,8 +196,8 @@ def assess_objects(
     ...     ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
     ...     for name, (b, h) in sizes.items()
     ... ]
-    >>> found = assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
-    >>> [(row["name"], row["colour"], row["verdict"]) for row in found.rows]
+    >>> table = assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
+    >>> [(row["name"], row["colour"], row["verdict"]) for row in table.rows]
     [('vase', 'red', 'above target'), ('chest', 'green', 'stands')]
     """
     began = time.perf_counter()
@@ -265,14 +265,14 @@ def _pooled(
     lifted = np.where(free[:, np.newaxis], lifted, 0)
     if (lifted.sum(axis=1) > 0).sum() < FEWEST:
         return None
-    there = lifted > 0
-    records = np.broadcast_to(np.arange(lifted.shape[1]), lifted.shape)[there]
+    uplifted = lifted > 0
+    records = np.broadcast_to(np.arange(lifted.shape[1]), lifted.shape)[uplifted]
     points = np.array([_point(block, pgv) for block in blocks])
     for width in (2, 1):
-        at = np.broadcast_to(points[:, np.newaxis, :width], (*lifted.shape, width))[there]
+        at = np.broadcast_to(points[:, np.newaxis, :width], (*lifted.shape, width))[uplifted]
         try:
             curve = fit_vector(
-                at, fell[there], lifted[there], groups=records, names=MEASURES[:width]
+                at, fell[uplifted], lifted[uplifted], groups=records, names=MEASURES[:width]
             )
         except InputError:  # of one shape, or of one size: the two depend on each other
             continue
@@ -368,7 +368,7 @@ def _sentence(
         return f"{name} stands: a PGA of {number(pga or 0.0)} g does not lift it."
     level = f"a PGV of {number(pgv)} m/s" if pgv is not None else f"a PGA of {number(pga or 0.0)} g"
     fell, trials = runs
-    if not fitted:  # a share of so many runs is no smaller than one of them
+    if not fitted:  # a share is no smaller than one of the runs
         return f"{name}: {fell or 'none'} of its {trials} runs fall at {level}."
     return (
         f"{name}: {share_words(probability).lower()} objects of its shape and size would fall at "

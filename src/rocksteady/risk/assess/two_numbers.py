@@ -75,9 +75,10 @@ class QuickAssessment(Result):
     Attributes
     ----------
     block, pga_g, pgv_m_s, friction
-        What was assessed; no friction where it is not known.
+        Inputs of the assessment; no friction where it is not known.
     probability
-        Of overturning; None where the block slides, of which rocking alone is no answer.
+        Probability of overturning; None where the block slides, since the formula is for rocking
+        alone.
     other_probability
         The same with median and beta of runs of this package.
     median_pgv_m_s, beta
@@ -94,7 +95,7 @@ class QuickAssessment(Result):
     sentence
         The answer.
     remarks
-        What is doubtful of the input.
+        Doubts about the input.
     """
 
     block: Block
@@ -188,10 +189,10 @@ def assess_two_numbers(
     Examples
     --------
     >>> from rocksteady import Block, assess_two_numbers
-    >>> found = assess_two_numbers(Block.rectangle(width=0.32, height=1.8), 0.35, 0.4)
-    >>> print(f"{found.probability:.4f} {found.median_pgv_m_s:.4f} {found.uplift_pga_g:.4f}")
+    >>> answer = assess_two_numbers(Block.rectangle(width=0.32, height=1.8), 0.35, 0.4)
+    >>> print(f"{answer.probability:.4f} {answer.median_pgv_m_s:.4f} {answer.uplift_pga_g:.4f}")
     0.3992 0.4653 0.1778
-    >>> print(found.sentence)
+    >>> print(answer.sentence)
     About 2 in 5 blocks of this shape and size would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
     """
     pga = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give the peak in g; 0.3 is usual")
@@ -320,7 +321,7 @@ def _remarks(
 
 
 def normal_share(deviations: float) -> float:
-    """Return the standard normal distribution at so many deviations from the median.
+    """Return the standard normal distribution at a number of deviations from the median.
 
     Examples
     --------

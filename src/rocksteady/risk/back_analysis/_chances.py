@@ -1,4 +1,4 @@
-"""Chances that objects fall, with an amplitude error and outliers, and what a survey says of them.
+"""Chances that objects fall, with errors and outliers, and the likelihood of a survey.
 
 The chance is ``P = (1 - eps) E_z[Q(x + sigma z)] + eps/2`` of the share Q of draws that fall at the
 logarithm x of the level.  Amplitude errors of objects are independent of each other, so that the
@@ -58,7 +58,7 @@ def chances(shares: Floats, levels: Levels, noise: Noise) -> Floats:
     Parameters
     ----------
     shares
-        Of draws that fall, shape (..., levels).
+        Shares of draws that fall, shape (..., levels).
     levels, noise
         The levels, and the errors.
 
@@ -82,8 +82,8 @@ def chances(shares: Floats, levels: Levels, noise: Noise) -> Floats:
     np.add.at(weights, (rows, left), 1.0 - (at - left))
     np.add.at(weights, (rows, left + 1), at - left)
     outliers = float(np.mean(noise.outliers.quantile(middles)))
-    found = (1.0 - outliers) * (shares @ weights.T / errors.size) + 0.5 * outliers
-    return np.asarray(np.clip(found, LEAST, 1.0 - LEAST))
+    probabilities = (1.0 - outliers) * (shares @ weights.T / errors.size) + 0.5 * outliers
+    return np.asarray(np.clip(probabilities, LEAST, 1.0 - LEAST))
 
 
 def log_likelihoods(outcomes: Floats, chance: Floats) -> Floats:

@@ -65,7 +65,7 @@ class Plane:
         Parameters
         ----------
         weights
-            Of records and nodes, whose sum is 1, shape (..., records, nodes).
+            Weights of records and nodes, whose sum is 1, shape (..., records, nodes).
 
         Returns
         -------
@@ -83,7 +83,7 @@ class Plane:
         Parameters
         ----------
         values
-            Of records and nodes, shape (records, nodes).
+            Values of records and nodes, shape (records, nodes).
 
         Returns
         -------
@@ -182,5 +182,5 @@ def tempered(log_likelihood: Floats, temper: float) -> Floats:
 def _kernel(points: Floats, grid: Floats, width: float) -> Floats:
     """Return a normal density about each point on a grid, shape (points, grid), each of sum 1."""
     z = (points[:, np.newaxis] - grid) / width
-    found = np.exp(-0.5 * z * z)
-    return np.asarray(found / found.sum(axis=1, keepdims=True))
+    density = np.exp(-0.5 * z * z)
+    return np.asarray(density / density.sum(axis=1, keepdims=True))

@@ -48,7 +48,7 @@ class Pool:
     sides
         As `scattered_sides` has them, shape (draws, 2, 7).
     gravity
-        Of the object [m/s^2].
+        Acceleration of gravity of the object [m/s^2].
     """
 
     sides: Floats
@@ -99,7 +99,7 @@ class Pools:
 def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pools:
     """Return the draws of all objects: points that fill the prior evenly, shifted by the seed."""
     each: list[Pool] = []
-    other: list[int] = []
+    partners: list[int] = []
     turned: list[Pool] = []
     bodies = []
     for place, (prior, facing) in enumerate(zip(survey.objects, survey.facings, strict=True)):
@@ -114,19 +114,19 @@ def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pool
         )
         bodies += blocks
         if facing is None:
-            both = pool.sides.copy()
-            both[1::2] = both[1::2, ::-1]
-            each.append(Pool(sides=both, gravity=pool.gravity))
-            other.append(-1)
+            pool_sides = pool.sides.copy()
+            pool_sides[1::2] = pool_sides[1::2, ::-1]
+            each.append(Pool(sides=pool_sides, gravity=pool.gravity))
+            partners.append(-1)
         else:
             ahead, back = (pool.mirrored(), pool) if facing else (pool, pool.mirrored())
             each.append(ahead)
-            other.append(len(turned))
+            partners.append(len(turned))
             turned.append(back)
     uplifts = [block.uplift_acceleration for block in bodies]
     return Pools(
         each=tuple(each),
-        other=tuple(other),
+        other=tuple(partners),
         turned=tuple(turned),
         lowest=min(uplifts),
         highest=max(uplifts),
@@ -189,21 +189,22 @@ def fall_shares(
         )
     )
     load_kernel(model)
-    found = evaluate(
+    dataset = evaluate(
         functools.partial(_fates, draws=draws),
         grid,
         (Output(name="fell", dtype=np.int8, long_name="whether it fell"),),
         run=run,
         attributes={"model": model.name},
     )
-    fell = found["fell"].transpose("draw", "pool", "ground", "level").values
+    fell = dataset["fell"].transpose("draw", "pool", "ground", "level").values
     # Neighbouring draws fill the prior evenly, so that both halves do.
     shares = np.stack([fell[: draws // 2].mean(axis=0), fell[draws // 2 :].mean(axis=0)])
     ahead = shares[:, : len(pools.each)]
     if not pools.turned:
         return np.asarray(ahead[:, :, np.newaxis], dtype=np.float64)
     places = [
-        place if other < 0 else len(pools.each) + other for place, other in enumerate(pools.other)
+        place if partner < 0 else len(pools.each) + partner
+        for place, partner in enumerate(pools.other)
     ]
     return np.stack([ahead, shares[:, places]], axis=2)
 
@@ -226,16 +227,16 @@ def _fates(
     """Return which draws fall, of some cells.
 
     Each scale takes other draws of the pool, and so does each record, so that neighbours together
-    know more of the prior than each.
+    cover more of the prior than each.
     """
     cells = zip(ground, level.astype(np.int64).tolist(), pool, draw.tolist(), strict=True)
     places = [
-        ((at + 5 * scaled.number) * draws + int(one)) % len(each.sides)
-        for scaled, at, each, one in cells
+        ((at + 5 * scaled.number) * draws + int(shift)) % len(each.sides)
+        for scaled, at, each, shift in cells
     ]
     at = level.astype(np.int64)
     records, numbers = told_apart(ground)
-    found = shaken_fates(
+    fates = shaken_fates(
         [scaled.ground for scaled in records],
         ground=numbers,
         scale=np.stack([scaled.factors for scaled in records])[numbers, at],
@@ -243,7 +244,7 @@ def _fates(
         gravity=np.array([each.gravity for each in pool]),
         peaks=False,
     )
-    return {"fell": (found.status == int(Status.OVERTURNED)).astype(np.int8)}
+    return {"fell": (fates.status == int(Status.OVERTURNED)).astype(np.int8)}
 
 
 def _shares(prior: ObjectPrior, place: int, count: int, seed: int) -> Floats:

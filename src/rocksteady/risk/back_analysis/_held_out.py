@@ -24,7 +24,7 @@ BATCH = 64
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class HeldOut:
-    """What simulated surveys under records that are left out say of the region.
+    """Coverage of the region by simulated surveys under records that are left out.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class HeldOut:
     plain_coverage
         Coverage of the region whose posterior probability is the wanted share.
     tails
-        Of each measure the posterior probability of its central interval, shape (measures,).
+        For each measure the posterior probability of its central interval, shape (measures,).
     surveys
         Number of simulated surveys; 0 without a check.
     """
@@ -65,7 +65,7 @@ def hold_out(
     Parameters
     ----------
     log_likelihood
-        Of the real survey, shape (signs, records, nodes).
+        Log-likelihood of the real survey, shape (signs, records, nodes).
     chance
         Chances of falling, shape (objects, signs, records, nodes).
     plane
@@ -75,7 +75,7 @@ def hold_out(
     trials
         Simulated surveys for each record.
     seed
-        Of the simulation.
+        Seed of the simulation.
     confidence
         Share of truths that a region must cover.
     """

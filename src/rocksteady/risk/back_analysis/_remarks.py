@@ -15,56 +15,56 @@ EXTREME = 0.1
 """Share of the records with the lowest ratios, and of those with the highest."""
 
 
-def remarks_on(found: BackAnalysis) -> tuple[str, ...]:
+def remarks_on(result: BackAnalysis) -> tuple[str, ...]:
     """Return the sentences; none where nothing is doubtful."""
-    said = []
-    first, second = found.measures[:2]
-    if found.bound == "upper bound":
-        said.append(
+    remarks = []
+    first, second = result.measures[:2]
+    if result.bound == "upper bound":
+        remarks.append(
             "Nothing fell: there is no lower bound, and above the upper one nothing falls with a "
             "chance below 0.1, the mean over the suite."
         )
-    if found.bound == "lower bound":
-        said.append(
+    if result.bound == "lower bound":
+        remarks.append(
             "Everything fell: there is no upper bound, and below the lower one everything falls "
             "with a chance below 0.1, the mean over the suite."
         )
-    if len(found.records) < FEW_RECORDS:
-        said.append(
-            f"{plural(len(found.records), 'record')}: fewer than {FEW_RECORDS} show little of how "
+    if len(result.records) < FEW_RECORDS:
+        remarks.append(
+            f"{plural(len(result.records), 'record')}: fewer than {FEW_RECORDS} show little of how "
             "shakings of one strength differ."
         )
-    if found.effective_records < FEW_EFFECTIVE:
-        said.append(
-            f"{number(found.effective_records)} records carry the result: the others agree with "
+    if result.effective_records < FEW_EFFECTIVE:
+        remarks.append(
+            f"{number(result.effective_records)} records carry the result: the others agree with "
             "the survey at no scale."
         )
-    low, high = found.limits
-    at_nodes = found.weights.sum(axis=0)
+    low, high = result.limits
+    at_nodes = result.weights.sum(axis=0)
     ends = max(1, len(at_nodes) // 20)
     for where, value, mass, used in (
-        ("lower", low, at_nodes[:ends].sum(), found.bound == "interval"),
-        ("upper", high, at_nodes[-ends:].sum(), found.bound == "interval"),
+        ("lower", low, at_nodes[:ends].sum(), result.bound == "interval"),
+        ("upper", high, at_nodes[-ends:].sum(), result.bound == "interval"),
     ):
         if used and mass > NEAR_LIMIT:
-            said.append(
+            remarks.append(
                 f"The result reaches the {where} limit of {first.label}, {number(value)} "
                 f"{first.unit}: set other limits."
             )
-    ratios = found.values_at_one[:, 1] / found.values_at_one[:, 0]
+    ratios = result.values_at_one[:, 1] / result.values_at_one[:, 0]
     few = max(1, round(EXTREME * len(ratios)))
     order = np.argsort(ratios, kind="stable")
     for word, places in (("lowest", order[:few]), ("highest", order[-few:])):
-        if found.record_weights[places].sum() > 0.5 > few / len(ratios):
-            said.append(
+        if result.record_weights[places].sum() > 0.5 > few / len(ratios):
+            remarks.append(
                 f"Records of the {word} {second.label}/{first.label} carry more than half of the "
                 "result: the suite may lack shakings that agree better."
             )
-    worst = float(np.max(np.nan_to_num(found.mc_errors)))
+    worst = float(np.max(np.nan_to_num(result.mc_errors)))
     if worst > ERROR:
-        said.append(
+        remarks.append(
             f"The Monte Carlo error of the result is {number(100.0 * worst)} %: use more draws."
         )
-    if found.bound == "interval" and not found.held_out_surveys:
-        said.append("No record was left out: what the region covers was not checked.")
-    return tuple(said)
+    if result.bound == "interval" and not result.held_out_surveys:
+        remarks.append("No record was left out: what the region covers was not checked.")
+    return tuple(remarks)

@@ -105,8 +105,8 @@ def back_analyse(
     ...     for k in range(5)
     ... ]
     >>> survey = Survey(objects=blocks, fell=[True, True, False, False, False])
-    >>> found = back_analyse(survey, make_synthetic_suite(6), scan=Scan(levels=8, draws=2))
-    >>> found.bound, bool(found.lows[0] < found.medians[0] < found.highs[0])
+    >>> analysis = back_analyse(survey, make_synthetic_suite(6), scan=Scan(levels=8, draws=2))
+    >>> analysis.bound, bool(analysis.lows[0] < analysis.medians[0] < analysis.highs[0])
     ('interval', True)
     """
     options = Scan() if scan is None else scan
@@ -154,8 +154,8 @@ def back_analyse(
 
 def _measures(given: Sequence[Intensity | str]) -> tuple[Intensity, ...]:
     """Return two or more measures that scale, each once."""
-    found = tuple(each if isinstance(each, Intensity) else Intensity(each) for each in given)
-    for each in found:
+    intensities = tuple(each if isinstance(each, Intensity) else Intensity(each) for each in given)
+    for each in intensities:
         if each.needs_block or not each.scales:
             what = "needs a block" if each.needs_block else "does not grow with the accelerations"
             raise InputError(
@@ -164,14 +164,14 @@ def _measures(given: Sequence[Intensity | str]) -> tuple[Intensity, ...]:
                 f"{each.label} {what}",
                 "give measures of the ground, as 'pga_g', 'pgv_m_s' or Intensity('sa_g', 0.5)",
             )
-    if len(found) < 2 or len({each.key for each in found}) < len(found):
+    if len(intensities) < 2 or len({each.key for each in intensities}) < len(intensities):
         raise InputError(
             "measures",
-            [each.key for each in found],
+            [each.key for each in intensities],
             "there are two or more, each once",
             "leave it out for PGA and PGV",
         )
-    return found
+    return intensities
 
 
 def _limits(pools: Pools, grounds: Sequence[GroundShaking], at_one: Floats) -> tuple[float, float]:

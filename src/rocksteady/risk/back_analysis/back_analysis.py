@@ -52,7 +52,7 @@ class BackAnalysis(Result):
     weights
         Posterior probability of each record at each value, tempered, shape (records, nodes).
     density
-        Of the logarithms of the first two measures, smoothed, shape (nodes, ratios).  Where
+        Density of the logarithms of the first two measures, smoothed, shape (nodes, ratios).  Where
         outcomes are of one kind it is no density: the chance of the survey, the mean over records
         of like ratio.
     ratios
@@ -75,7 +75,7 @@ class BackAnalysis(Result):
     bound
         "interval", "lower bound" where all fell, or "upper bound" where nothing fell.
     medians, lows, highs
-        Of each measure the posterior median, and the ends of its interval; NaN of what outcomes of
+        Posterior median of each measure, and the ends of its interval; NaN of what outcomes of
         one kind leave open.  A bound is where the chance of the survey is 1 - confidence.
     mc_errors
         Monte Carlo error of ln(median), or of that of the bound, from two halves of the draws.
@@ -155,8 +155,10 @@ class BackAnalysis(Result):
         at = np.log([first, second / first])
         if self.bound != "interval":
             at = np.clip(at, [each[0] for each in grid], [each[-1] for each in grid])
-        found = RegularGridInterpolator(grid, self.density, bounds_error=False, fill_value=0.0)
-        return float(found(at[np.newaxis])[0])
+        interpolate = RegularGridInterpolator(
+            grid, self.density, bounds_error=False, fill_value=0.0
+        )
+        return float(interpolate(at[np.newaxis])[0])
 
     def contains(self, first: float, second: float) -> bool:
         """Return whether values of the first two measures lie in the region.

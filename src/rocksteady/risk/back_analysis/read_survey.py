@@ -42,7 +42,7 @@ def read_survey(path: Path | str) -> Survey:
     path
         Table in CSV and UTF-8, an object in each line: ``name``, its sizes and what else is known
         of it as for `ObjectPrior` (a number, ``low:high`` or ``mean+-sd``), and ``outcome`` (fell,
-        overturned, toppled or 1; stood, standing, survived or 0).  Of an asymmetric object
+        overturned, toppled or 1; stood, standing, survived or 0).  For an asymmetric object
         ``reversed`` (yes or no) is whether it faces the other way; an empty cell is an unknown
         facing.  Other columns are not read.
 

@@ -28,9 +28,9 @@ class Survey(Result):
     fell
         Whether it fell, True or False for each.
     reversed
-        Whether the object faces the other way, so that the shaking acts with the other sign: True,
-        False, or None where its facing is unknown; by default None of all.  It matters for objects
-        with two different sides alone.
+        Whether the object is turned by 180 degrees, so that the shaking acts with the other sign:
+        True, False, or None where its facing is unknown; by default None of all.  It matters for
+        objects with two different sides alone.
     sources
         Hash (SHA-256) of each file that they come from, by name; default none.
 

@@ -12,7 +12,7 @@ HEIGHTS_M = (0.5, 1.6)
 SLENDERNESS = (2.5, 6.0)
 """Height over width."""
 TRUE_PGA_G = 0.35
-"""PGA under which an object falls if a static formula and a quarter more say so."""
+"""PGA of the survey: an object falls where this exceeds 1.25 times its width over height."""
 
 
 @checked

@@ -1,1 +1,1 @@
-"""Calibration: what outcomes of tests say of a block, and predictions of others."""
+"""Calibration: what follows from outcomes of tests for a block, and predictions of others."""

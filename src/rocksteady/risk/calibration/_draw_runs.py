@@ -34,7 +34,7 @@ class DrawRuns:
     sigma
         Standard deviation of it, shape (tests, draws).
     unknown
-        How many runs have no answer; they count as standing.
+        Number of runs without an answer; they count as standing.
     """
 
     fell: Bools
@@ -74,7 +74,7 @@ def run_draws(
     if (deviation > 0.0).any():
         scatter = Scatter(deviation=deviation, draws=1, seed=int(rng.integers(2**31)))
     measured = any(test.peak_rad is not None for test in tests)
-    found = fates_on_records(
+    dataset = fates_on_records(
         space.block.blocks(block_values),
         tests,
         gains=np.exp(gain),
@@ -83,10 +83,10 @@ def run_draws(
         model=model,
         run=run,
     )
-    status = found["status"].transpose("test", "block", "gain", "draw").values[..., 0]
-    peaks = np.full(status.shape, np.nan)  # without a measured peak none is asked for
+    status = dataset["status"].transpose("test", "block", "gain", "draw").values[..., 0]
+    peaks = np.full(status.shape, np.nan)  # without a measured peak none is needed
     if measured:
-        peaks = found["peak_angle"].transpose("test", "block", "gain", "draw").values[..., 0]
+        peaks = dataset["peak_angle"].transpose("test", "block", "gain", "draw").values[..., 0]
     unknown = np.isin(status, (Status.LOST_CONTACT, Status.UNDECIDED, Status.ROCKING))
     alpha = space.derived(values)["alpha_rad"]
     return DrawRuns(
@@ -112,7 +112,7 @@ def log_likelihood(
     stood counts with the normal density of the peak about its own, and an outlier with a uniform
     density up to the alpha of the outline.
     """
-    found = np.zeros(share.shape)
+    total = np.zeros(share.shape)
     for place, test in enumerate(tests):
         if test.fell is None:
             continue
@@ -122,5 +122,5 @@ def log_likelihood(
             density = np.exp(-0.5 * apart * apart) / (test.sigma_rad * np.sqrt(2.0 * np.pi))
             likely = np.where(runs.fell[place], 0.0, density).mean(axis=1)
             unlike /= outline_alpha_rad
-        found[:, place] = np.log((1.0 - outliers) * likely + outliers * unlike + 1e-300)
-    return found
+        total[:, place] = np.log((1.0 - outliers) * likely + outliers * unlike + 1e-300)
+    return total

@@ -46,11 +46,11 @@ def count_flips(
         looser = Nonlinear(tolerance=min(LARGEST_TOLERANCE, LOOSER * model.tolerance))
         variants.append((f"tolerance {looser.tolerance:g}", None, looser))
     usual = _fates(posteriors, tests, model, run)
-    found = {}
+    flips = {}
     for words, change, equations in variants:
         changed = tests if change is None else _changed(tests, change)
-        found[words] = int((usual != _fates(posteriors, changed, equations, run)).sum())
-    return found
+        flips[words] = int((usual != _fates(posteriors, changed, equations, run)).sum())
+    return flips
 
 
 def _fates(
@@ -62,13 +62,13 @@ def _fates(
     """Return which tests fall."""
     fell = np.zeros(len(tests), dtype=bool)
     for posterior in posteriors:
-        own = [place for place, test in enumerate(tests) if test.object == posterior.object]
+        places = [place for place, test in enumerate(tests) if test.object == posterior.object]
         values = posterior.space.block_values(posterior.median_values()[np.newaxis])
         block = posterior.space.block.block(values[0])
-        found = fates_on_records(
-            block, [tests[place] for place in own], outputs=("status",), model=model, run=run
+        dataset = fates_on_records(
+            block, [tests[place] for place in places], outputs=("status",), model=model, run=run
         )
-        fell[own] = (found["status"].values == Status.OVERTURNED).reshape(len(own))
+        fell[places] = (dataset["status"].values == Status.OVERTURNED).reshape(len(places))
     return fell
 
 

@@ -1,4 +1,4 @@
-"""What outcomes say of each parameter: prior beside posterior, and a verdict."""
+"""What follows from outcomes for each parameter: prior beside posterior, and a verdict."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -14,13 +14,13 @@ Floats = NDArray[np.float64]
 IDENTIFIED, BOUND, RETURNED = "identified", "bound", "prior returned"
 LIMIT, NARROWED = "at the prior's limit", "narrowed"
 NARROW = 0.7
-"""Standard deviation over that of the prior below which outcomes say something."""
+"""Standard deviation over that of the prior below which outcomes are informative."""
 EDGE, CROWD = 0.05, 0.3
 """Share of the prior at one of its ends, and the share of the posterior there that is too much."""
 MEANINGS: Mapping[str, str] = {
     IDENTIFIED: "outcomes fix it within its prior",
     BOUND: "outcomes of one kind bound it on one side, at 90 %",
-    RETURNED: "outcomes say nothing of it: its prior comes back",
+    RETURNED: "outcomes do not inform it: its prior comes back",
     LIMIT: "outcomes push it to an end of its prior: widen the prior, or doubt the model",
     NARROWED: "narrower than its prior, but only alpha is identified by outcomes",
 }
@@ -38,7 +38,7 @@ def parameters_of(
     Parameters
     ----------
     posterior
-        Of the object.
+        Posterior of the object.
     prior
         Values of draws of the prior by name, as `Posterior.columns`.
     fell

@@ -25,9 +25,9 @@ class Proposal:
     Attributes
     ----------
     draws
-        How many come from it.
+        Number of draws that come from it.
     centre, root
-        Of the t distribution: its middle and the Cholesky factor of its scale; None of the prior.
+        Middle of the t distribution, and the Cholesky factor of its scale; None for the prior.
     """
 
     draws: int
@@ -69,8 +69,8 @@ class Proposal:
             - np.log(np.diag(self.root)).sum()
         )
         heavy = constant - 0.5 * (FREEDOM + size) * np.log1p(distance / FREEDOM)
-        found: Floats = heavy + 0.5 * squares
-        return found
+        density: Floats = heavy + 0.5 * squares
+        return density
 
 
 def base_weights(scores: Floats, proposals: Sequence[Proposal]) -> Floats:
@@ -85,8 +85,8 @@ def base_weights(scores: Floats, proposals: Sequence[Proposal]) -> Floats:
     """
     total = sum(each.draws for each in proposals)
     parts = [np.log(each.draws / total) + each.log_density(scores) for each in proposals]
-    found: Floats = -np.logaddexp.reduce(parts, axis=0)
-    return found
+    weights: Floats = -np.logaddexp.reduce(parts, axis=0)
+    return weights
 
 
 def refine(scores: Floats, base: Floats, log_likelihood: Floats, draws: int) -> Proposal:

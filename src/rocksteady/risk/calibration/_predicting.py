@@ -107,14 +107,14 @@ def error_warnings(error: Floats, effective: Floats, limit: float) -> list[str]:
 
 
 def digest_of(test: ShakingTest) -> str:
-    """Return a hash (SHA-256) of all that decides a test's fate but for its outcome."""
-    found = hashlib.sha256()
+    """Return a hash (SHA-256) of all that decides a test's fate, except its outcome."""
+    digest = hashlib.sha256()
     parts = (test.object, test.gain, test.reversed, test.sigma_ln)
-    found.update(repr(parts).encode())
+    digest.update(repr(parts).encode())
     for record in (test.record, test.vertical):
         if record is not None:
-            found.update(repr(record.dt_s).encode() + record.acceleration_m_s2.tobytes())
-    return found.hexdigest()
+            digest.update(repr(record.dt_s).encode() + record.acceleration_m_s2.tobytes())
+    return digest.hexdigest()
 
 
 def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
@@ -152,10 +152,10 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) 
                 "give tests of one of them",
             )
     keys = ("p", "low", "high", "error", "effective")
-    found = {key: np.full(len(tests), np.nan) for key in keys}
+    columns = {key: np.full(len(tests), np.nan) for key in keys}
     for place, (name, posterior) in enumerate(posteriors.items()):
-        own = [row for row, test in enumerate(tests) if test.object == name]
-        if not own:
+        rows = [row for row, test in enumerate(tests) if test.object == name]
+        if not rows:
             continue
         order = np.argsort(-posterior.weights, kind="stable")
         heavy = int(np.searchsorted(np.cumsum(posterior.weights[order]), KEPT)) + 1
@@ -164,7 +164,7 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) 
         runs = run_draws(
             posterior.space,
             values,
-            [tests[row] for row in own],
+            [tests[row] for row in rows],
             gains=sampling.gains,
             seed=(sampling.seed, place, STREAM),
             model=source.model,
@@ -174,5 +174,5 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) 
         outliers = posterior.space.outliers(values)[:, np.newaxis]
         share = (1.0 - outliers) * share + 0.5 * outliers
         for key, column in predict_with((weights / weights.sum())[:, np.newaxis], share).items():
-            found[key][own] = column
-    return HeldOut(**found)
+            columns[key][rows] = column
+    return HeldOut(**columns)

@@ -30,8 +30,8 @@ def normal_strata(draws: int, tests: int, count: int, rng: np.random.Generator) 
     from scipy.special import ndtri
 
     u = rng.random((draws, tests)).T[:, :, np.newaxis]
-    found: Floats = ndtri((np.arange(count) + np.maximum(u, 1e-12)) / count)
-    return found
+    strata: Floats = ndtri((np.arange(count) + np.maximum(u, 1e-12)) / count)
+    return strata
 
 
 def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Floats:
@@ -73,12 +73,12 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
     .. [2] B. Efron and C. Morris, J. Am. Stat. Assoc. 70, 311-319 (1975).
     """
     tests, draws, count = fell.shape
-    found: Floats = fell.mean(axis=2).T
+    shares: Floats = fell.mean(axis=2).T
     lean, others = features[:, 0], features[:, 1:]
     others = others[:, others.std(axis=0) > 1e-9]
     others = (others - others.mean(axis=0)) / others.std(axis=0)
     picked = min(count, max(1, MOST_RUNS // draws))
-    # Other strata at each draw, so that all of them are there evenly.
+    # Other strata at each draw, so that all of them occur evenly.
     column = (np.arange(draws)[:, np.newaxis] + (count * np.arange(picked)) // picked) % count
     row = np.arange(draws)[:, np.newaxis]
     wide = np.repeat(others, picked, axis=0).T
@@ -104,10 +104,10 @@ def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) ->
         strata = count if sigma[test].any() else 1  # without an error of the gain all runs are one
         part = (strata * fitted) % 1.0
         explained = float((part * (1.0 - part)).mean()) / strata**2
-        apart = float(np.square(found[:, test] - fitted).mean())
+        apart = float(np.square(shares[:, test] - fitted).mean())
         weight = min(1.0, explained / apart) if apart > 0.0 else 1.0
-        found[:, test] += weight * (fitted - found[:, test])
-    return found
+        shares[:, test] += weight * (fitted - shares[:, test])
+    return shares
 
 
 def _logistic(design: Floats, fell: Bools) -> Floats:

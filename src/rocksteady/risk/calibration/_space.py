@@ -44,8 +44,8 @@ class Space:
 
     def spread(self, name: str) -> Spread:
         """Return the prior of a parameter."""
-        found = dict(self._free_noise()).get(name)
-        return self.block.spreads[name] if found is None else found
+        prior = dict(self._free_noise()).get(name)
+        return self.block.spreads[name] if prior is None else prior
 
     def values_of(self, scores: Floats) -> Floats:
         """Return values from normal scores: those of the prior are standard normal."""

@@ -108,8 +108,8 @@ def calibrate(
     >>> from rocksteady import make_synthetic_tests
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
-    >>> found = calibrate(tests, sampling=Sampling(draws=60, gains=2), model=Linear())
-    >>> [row["verdict"] for row in found.parameters if row["parameter"] == "scatter"]
+    >>> calibration = calibrate(tests, sampling=Sampling(draws=60, gains=2), model=Linear())
+    >>> [row["verdict"] for row in calibration.parameters if row["parameter"] == "scatter"]
     ['prior returned']
     """
     options = Sampling() if sampling is None else sampling
@@ -148,7 +148,7 @@ def calibrate(
         for row in parameters_of(posterior, _prior_columns(posterior), given.of(name).fell)
     ]
     flips = count_flips(list(posteriors.values()), given.tests, model=equations, run=run)
-    found = Calibration(
+    calibration = Calibration(
         tests=given,
         prior=known,
         sampling=options,
@@ -163,7 +163,7 @@ def calibrate(
         warnings=(),
         evidence=evidence,
     )
-    return replace(found, warnings=_warnings(found, fits))
+    return replace(calibration, warnings=_warnings(calibration, fits))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -186,21 +186,21 @@ class _Fit:
     evidence: Evidence
 
 
-def _fit(space: Space, tests: Observations, own: Integers, codes: Integers, plan: _Plan) -> _Fit:
+def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, plan: _Plan) -> _Fit:
     """Return the draws of an object, in rounds."""
-    picked = [tests.tests[place] for place in own]
+    picked = [tests.tests[place] for place in places]
     sampling, seed = plan.sampling, (plan.sampling.seed, plan.number)
     proposals: list[Proposal] = []
     scores = np.empty((0, space.size))
     runs: DrawRuns | None = None
-    found: _Fit | None = None
+    fit: _Fit | None = None
     outline = space.block.outline_alpha_rad
     for place, draws in enumerate(sampling.per_round):
-        if found is None:
+        if fit is None:
             proposal = Proposal(draws=draws)
         else:
-            total = found.evidence.log_likelihood.sum(axis=1)
-            proposal = refine(scores, found.evidence.base, total, draws)
+            total = fit.evidence.log_likelihood.sum(axis=1)
+            proposal = refine(scores, fit.evidence.base, total, draws)
         proposals.append(proposal)
         added = proposal.sample(space.size, (*seed, place))
         scores = np.concatenate([scores, added])
@@ -224,16 +224,16 @@ def _fit(space: Space, tests: Observations, own: Integers, codes: Integers, plan
             base=base_weights(scores, proposals),
             log_likelihood=likelihood,
             share=(1.0 - outliers)[:, np.newaxis] * share + 0.5 * outliers[:, np.newaxis],
-            tests=own,
+            tests=places,
         )
-        found = _Fit(space=space, values=values, runs=runs, evidence=evidence)
-        alone = replace(evidence, tests=np.arange(len(own)))
-        grouped = np.unique(codes[own], return_inverse=True)[1]
+        fit = _Fit(space=space, values=values, runs=runs, evidence=evidence)
+        alone = replace(evidence, tests=np.arange(len(places)))
+        grouped = np.unique(codes[places], return_inverse=True)[1]
         held = hold_out([alone], grouped, 1.0, ends=False)
         if float(held.error.max()) < sampling.error and float(held.effective.min()) > 50.0:
             break
-    assert found is not None
-    return found
+    assert fit is not None
+    return fit
 
 
 def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
@@ -273,11 +273,11 @@ def _temper(value: object) -> float | None:
     return in_range("temper", value, 0.0, 1.0, "(]", hint="give 1 for none, or 'auto'")
 
 
-def _warnings(found: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]:
+def _warnings(calibration: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]:
     """Return what limits a calibration."""
-    sentences = list(found.tests.warnings)
-    for fit, (name, posterior) in zip(fits, found.posteriors.items(), strict=True):
-        rows = [row for row in found.parameters if row["object"] == name]
+    sentences = list(calibration.tests.warnings)
+    for fit, (name, posterior) in zip(fits, calibration.posteriors.items(), strict=True):
+        rows = [row for row in calibration.parameters if row["object"] == name]
         for row in rows:
             if row["verdict"] == LIMIT:
                 sentences.append(
@@ -297,16 +297,16 @@ def _warnings(found: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]:
             )
         if not (fit.runs.fell.any(axis=(1, 2)) & ~fit.runs.fell.all(axis=(1, 2))).any():
             sentences.append(
-                f"no test of {name} says anything: in each of them all draws fall, or all stand"
+                f"no test of {name} is informative: in each of them all draws fall, or all stand"
             )
         if fit.runs.unknown:
             sentences.append(
                 f"{fit.runs.unknown:,} of {fit.runs.fell.size:,} runs of {name} have no answer, "
                 "and count as standing"
             )
-    predictions = found.validation.predictions
+    predictions = calibration.validation.predictions
     sentences += error_warnings(
-        predictions.mc_error, predictions.effective_draws, found.sampling.error
+        predictions.mc_error, predictions.effective_draws, calibration.sampling.error
     )
-    sentences += found.validation.warnings
+    sentences += calibration.validation.warnings
     return tuple(dict.fromkeys(sentences))

@@ -42,9 +42,9 @@ class Calibration(Result):
     Attributes
     ----------
     tests, prior, sampling, model
-        What it was made of.
+        Inputs of the calibration.
     folds
-        What was held out together.
+        Tests that are held out together.
     temper
         Exponent of the likelihood, 1 for none.
     tempered_by_choice
@@ -58,7 +58,7 @@ class Calibration(Result):
     validation
         Held-out scores, and predictions of each test without its group.
     flips
-        How many fates of the median blocks change, by how records are processed and solved.
+        Number of fates of the median blocks that change, by how records are processed and solved.
     warnings
         Sentences on what limits the answer.
     evidence
@@ -99,7 +99,7 @@ class Calibration(Result):
         Parameters
         ----------
         tests
-            Of calibrated objects; outcomes are not needed, and do not change the answer.
+            Tests of calibrated objects; outcomes are not needed, and do not change the answer.
         run
             Executor and workers; default `Run()`.
 
@@ -231,15 +231,15 @@ class Calibration(Result):
     def _remarks(self) -> list[str]:
         """Return what the verdicts and the temper mean."""
         used = dict.fromkeys(row["verdict"] for row in self.parameters)
-        found = [f"{verdict}: {MEANINGS[verdict]}." for verdict in used]
+        remarks = [f"{verdict}: {MEANINGS[verdict]}." for verdict in used]
         if self.temper != 1.0:
-            found.append(
+            remarks.append(
                 f"The likelihood is taken to the power {number(self.temper)}, which held-out tests "
                 "prefer; that is no Bayesian posterior, and the untempered scores stand beside."
             )
         if len(self.posteriors) > 1:
-            found.append("Each object has its own posterior and its own errors.")
-        return found
+            remarks.append("Each object has its own posterior and its own errors.")
+        return remarks
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:

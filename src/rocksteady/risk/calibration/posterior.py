@@ -34,8 +34,8 @@ class Posterior(Result):
     values
         Shape (draws, parameters), in the order of `names`.
     weights, untempered_weights, prior_weights
-        Of the draws, each summing to 1, shape (draws,): with the likelihood to the power of the
-        temper, with the likelihood itself, and without it.
+        Weights of the draws, each summing to 1, shape (draws,): with the likelihood to the power of
+        the temper, with the likelihood itself, and without it.
     fates
         Share of the runs of each draw and test that fell, shape (draws, tests of the object).
     """
@@ -66,8 +66,8 @@ class Posterior(Result):
     @cached_property
     def columns(self) -> dict[str, Floats]:
         """Each parameter and each derived number by its name, shape (draws,)."""
-        found = {name: self.values[:, place] for place, name in enumerate(self.names)}
-        return found | self.space.derived(self.values)
+        columns = {name: self.values[:, place] for place, name in enumerate(self.names)}
+        return columns | self.space.derived(self.values)
 
     def of(self, name: str) -> Floats:
         """Return the draws of a parameter, or of a derived number, by its name.
@@ -98,8 +98,8 @@ class Posterior(Result):
     def median_values(self) -> Floats:
         """Return the weighted median of each parameter, shape (parameters,)."""
         wide = np.broadcast_to(self.weights[:, np.newaxis], self.values.shape)
-        found: Floats = weighted_quantiles(self.values, wide, (0.5,))[0]
-        return found
+        medians: Floats = weighted_quantiles(self.values, wide, (0.5,))[0]
+        return medians
 
     def describe(self) -> Description:
         """Return the median and the 90 % interval of each number."""

@@ -11,7 +11,7 @@ MOST_DRAWS: Final = 100_000
 MOST_GAINS: Final = 1000
 MOST_ROUNDS: Final = 6
 EACH: Final = 100
-"""Draws of a round, by default at least: fewer say too little of the posterior for the next."""
+"""Draws of a round, by default at least: fewer describe the posterior too badly for the next."""
 
 
 @checked
@@ -33,7 +33,7 @@ class Sampling:
     error
         Monte Carlo error of a prediction that is small enough, default 0.01.
     seed
-        Of all draws, default 0.
+        Seed of all draws, default 0.
 
     Raises
     ------

@@ -65,11 +65,11 @@ class StoredPosterior(Result):
     posteriors
         Weighted draws by object, without the fates of the training tests.
     predictions
-        Of the training tests, each without its group.
+        Predictions of the training tests, each without its group.
     trained
         Hash (SHA-256) of each training test, by its name.
     sampling, model
-        Of the calibration.
+        Sampling and model of the calibration.
     """
 
     posteriors: Mapping[str, Posterior]
@@ -126,11 +126,13 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     >>> from rocksteady import make_synthetic_tests, read_posterior, write_calibration
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2))
-    >>> found = calibrate(tests, sampling=Sampling(draws=30, rounds=1, gains=1), model=Linear())
+    >>> calibration = calibrate(
+    ...     tests, sampling=Sampling(draws=30, rounds=1, gains=1), model=Linear()
+    ... )
     >>> with TemporaryDirectory() as folder:
-    ...     files = write_calibration(found, folder)
+    ...     files = write_calibration(calibration, folder)
     ...     stored = read_posterior(folder)
-    >>> bool((stored.predict(tests).p == found.predict(tests).p).all())
+    >>> bool((stored.predict(tests).p == calibration.predict(tests).p).all())
     True
     """
     path = Path(folder)
@@ -183,12 +185,12 @@ def _refuse_changed(contents: Mapping[str, bytes], hashes: Mapping[str, str]) ->
 
 def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Posterior:
     """Return the posterior of an object."""
-    own = [row for row in rows if row["object"] == name]
+    rows_of_object = [row for row in rows if row["object"] == name]
     keys = (*space.names, *WEIGHTS)
-    table = np.array([[float(row[key]) for key in keys] for row in own]).reshape(
-        len(own), len(keys)
+    table = np.array([[float(row[key]) for key in keys] for row in rows_of_object]).reshape(
+        len(rows_of_object), len(keys)
     )
-    if not own or not np.isfinite(table).all():
+    if not rows_of_object or not np.isfinite(table).all():
         raise ValueError(f"posterior.csv has no draws of {name}, or one is no number")
     size = space.size
     return Posterior(
@@ -198,7 +200,7 @@ def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Po
         weights=table[:, size].copy(),
         untempered_weights=table[:, size + 1].copy(),
         prior_weights=table[:, size + 2].copy(),
-        fates=np.empty((len(own), 0)),
+        fates=np.empty((len(rows_of_object), 0)),
     )
 
 

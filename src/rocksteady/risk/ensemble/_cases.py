@@ -68,14 +68,14 @@ def ways_to_run(
     grounds: Sequence[GroundShaking], directions: Sequence[str], lifts: Sequence[str]
 ) -> list[Way]:
     """Return the ways in which records are run; a record has none of its own twice."""
-    found = []
+    ways = []
     for lift, direction, (place, ground) in product(lifts, directions, enumerate(grounds)):
         if ground.vertical is None and lift != lifts[0]:
             continue  # what the run without one is
-        own = ground if lift == "with" else GroundShaking(record=ground.record)
-        turned = turned_round(own) if direction == DIRECTIONS[1] else own
-        found.append(Way(shaking=turned, record=place, direction=direction, lift=lift))
-    return found
+        shaking = ground if lift == "with" else GroundShaking(record=ground.record)
+        turned = turned_round(shaking) if direction == DIRECTIONS[1] else shaking
+        ways.append(Way(shaking=turned, record=place, direction=direction, lift=lift))
+    return ways
 
 
 def fates(
@@ -122,14 +122,14 @@ def fates(
     runs = np.array([mirrored_from in (None, each.direction) for each in ways])[way] | ~symmetric
     status = np.full(len(motion), int(Status.UNDECIDED))
     peaks, impacts = np.full(len(motion), np.nan), np.zeros(len(motion), dtype=np.int64)
-    found = shaken_fates(
+    ends = shaken_fates(
         [each.shaking for each in ways],
         ground=way[runs],
         scale=scale[runs],
         sides=sides[runs],
         gravity=np.array([each.block.gravity for each in bodies])[body][runs],
     )
-    status[runs], peaks[runs], impacts[runs] = found.status, found.peak_angle, found.impacts
+    status[runs], peaks[runs], impacts[runs] = ends.status, ends.peak_angle, ends.impacts
     return {"status": status, "peak_angle": peaks, "impacts": impacts}
 
 
@@ -157,9 +157,9 @@ def whole(
     cells = list(product(records, directions, lifts))
     index = np.array([[source(*cell, mirror=bool(same)) for cell in cells] for same in symmetric])
     shape = (len(bodies), len(records), len(directions), len(lifts))
-    found = {}
+    columns = {}
     for name in ("status", "peak_angle", "impacts"):
         values = swept[name].transpose("block", "motion", "draw", "level").values
         picked = values[np.arange(len(bodies))[:, np.newaxis], index]
-        found[name] = picked.reshape(*shape, *values.shape[2:])
-    return found
+        columns[name] = picked.reshape(*shape, *values.shape[2:])
+    return columns

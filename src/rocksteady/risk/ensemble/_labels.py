@@ -60,7 +60,7 @@ def labelled(
     level = {"long_name": "factor of all accelerations", "units": "1"}
     if intensity is not None:
         level = {"long_name": intensity.label, "units": intensity.unit or "1"}
-    found: dict[str, Any] = {
+    columns: dict[str, Any] = {
         "record": ("record", list(names), {"long_name": "ground motion"}),
         "direction": ("direction", coordinates["direction"], {"long_name": "sign of the record"}),
         "vertical": ("vertical", coordinates["vertical"], {"long_name": "vertical component"}),
@@ -73,17 +73,17 @@ def labelled(
             {"units": "1", "long_name": "factor of all accelerations"},
         ),
     }
-    found |= side_coordinates(bodies)
-    two = "negative_alpha" in found
+    columns |= side_coordinates(bodies)
+    two = "negative_alpha" in columns
     for prefix, side, column in (("", "positive", 0), ("negative_", "negative", 1))[: 1 + two]:
-        found[f"{prefix}restitution"] = (
+        columns[f"{prefix}restitution"] = (
             ("block", "draw"),
             ratios[:, :, column],
             {"units": "1", "long_name": "restitution" + (f" of the {side} side" if two else "")},
         )
     beside = dict.fromkeys((*stripes.beside, *(() if intensity is None else (intensity,))))
     for each in beside:
-        found[f"im_{each.key}"] = (
+        columns[f"im_{each.key}"] = (
             ("block", "record"),
             measured(each, records, bodies),
             {
@@ -96,7 +96,7 @@ def labelled(
         )
     return xarray.Dataset(
         {name: (DIMENSIONS, arrays[name], words[name]) for name in arrays},
-        coords=found,
+        coords=columns,
         attrs={
             **attributes,
             "seed": str(band.seed),
@@ -109,11 +109,11 @@ def warnings_of(
     names: Sequence[str], records: Sequence[Record], scale: Floats, status: NDArray[Any]
 ) -> str:
     """Return sentences on what to mind, as a list in JSON."""
-    found = []
+    remarks = []
     alike: dict[tuple[float, bytes], list[str]] = {}
     for name, record in zip(names, records, strict=True):
         alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
-    found += [
+    remarks += [
         f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
         f"{len(same)} records and are one."
         for same in alike.values()
@@ -122,7 +122,7 @@ def warnings_of(
     large = scale > LARGE_FACTOR
     if large.any():
         strongest = names[int(np.unravel_index(int(np.argmax(scale)), scale.shape)[1])]
-        found.append(
+        remarks.append(
             f"Records are scaled by up to {number(float(scale.max()))} ({strongest}), in "
             f"{100.0 * large.mean():.0f} % of the runs by more than {LARGE_FACTOR:g}: a real "
             "motion that strong usually has another spectrum and duration."
@@ -130,7 +130,7 @@ def warnings_of(
     for outcome in (Status.LOST_CONTACT, Status.UNDECIDED):
         count = int((status == outcome).sum())
         if count:
-            found.append(
+            remarks.append(
                 f"{count:,} of {status.size:,} runs ended {outcome.label}, without an answer."
             )
-    return json.dumps(found)
+    return json.dumps(remarks)

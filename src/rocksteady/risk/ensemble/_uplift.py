@@ -59,16 +59,19 @@ def driving(
         count = len(samples) - 1
         start: Floats = record.dt_s * np.arange(count, dtype=np.float64)
         return Lines(start, np.full(count, record.dt_s), samples[:-1], samples[1:])
-    own = record.dt_s * np.arange(len(samples))
-    other = vertical.dt_s * np.arange(len(vertical.acceleration_m_s2))
-    times = np.union1d(own, other)
+    record_times = record.dt_s * np.arange(len(samples))
+    vertical_times = vertical.dt_s * np.arange(len(vertical.acceleration_m_s2))
+    times = np.union1d(record_times, vertical_times)
     ends = []
     for at, beside in ((times[:-1], times[1:]), (times[1:], times[:-1])):
         value = np.zeros(len(at))
-        for t, y, factor in ((own, samples, 1.0), (other, vertical.acceleration_m_s2, -lift)):
+        for t, y, factor in (
+            (record_times, samples, 1.0),
+            (vertical_times, vertical.acceleration_m_s2, -lift),
+        ):
             # After its last sample a component is nothing, at once.
-            there = np.maximum(at, beside) <= t[-1]
-            value += factor * np.where(there, np.interp(at, t, y), 0.0)
+            shaken = np.maximum(at, beside) <= t[-1]
+            value += factor * np.where(shaken, np.interp(at, t, y), 0.0)
         ends.append(value)
     lengths: Floats = np.diff(times)
     return Lines(times[:-1], lengths, ends[0], ends[1])
@@ -101,11 +104,11 @@ def uplift_times(
     ndarray, shape (blocks, records, directions, verticals, levels)
     """
     alphas = [(block.positive.alpha, block.negative.alpha) for block in blocks]
-    gates = np.array(alphas if linear else [[tan(one) for one in both] for both in alphas])
+    gates = np.array(alphas if linear else [[tan(angle) for angle in pair] for pair in alphas])
     limits = gates * np.array([block.gravity for block in blocks])[:, np.newaxis]
     limits[[block.one_sided for block in blocks], 1] = np.inf  # the wall holds it
     count, records, levels = scale.shape
-    found = np.full((count, records, len(directions), len(lifts), levels), np.nan)
+    earliest = np.full((count, records, len(directions), len(lifts), levels), np.nan)
     for record, ground in enumerate(grounds):
         for i, direction in enumerate(directions):
             sign = -1.0 if direction == DIRECTIONS[1] else 1.0
@@ -122,5 +125,5 @@ def uplift_times(
                             share = float(gates[row, column])
                             lines = driving(ground.record, driven, share, vertical)
                             times[row] = lines.first_above(thresholds[row])
-                    found[:, record, i, j] = np.fmin(found[:, record, i, j], times)
-    return found
+                    earliest[:, record, i, j] = np.fmin(earliest[:, record, i, j], times)
+    return earliest

@@ -32,9 +32,9 @@ def uplift_of(
     ensemble
         From `run_ensemble`.
     measure
-        Of the intensity.
+        Measure of the intensity.
     intensity, lifted, trials
-        Of each observation, with its numbers of uplifts and of runs; of one shape.
+        Intensity, number of uplifts and number of runs of each observation, all of one shape.
 
     Returns
     -------

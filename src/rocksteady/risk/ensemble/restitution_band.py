@@ -31,16 +31,16 @@ class RestitutionBand:
     """Band of restitutions that an ensemble covers.
 
     Blocks in tests lose less at impacts than Housner's value, as a rule, or a little more: so no
-    single value is the answer.  Of a block against a wall the band is that of the wall.
+    single value is the answer.  For a block against a wall the band is that of the wall.
 
     Parameters
     ----------
     low
-        One end: in (0, 1], or in [0, 1] for blocks against a wall, "housner" or ("housner", 0.965)
-        for a factor of each block's own value by angular momentum; by default the block's own
-        restitution e.
+        Lower end: in (0, 1], or in [0, 1] for blocks against a wall, "housner" or ("housner",
+        0.965) for a factor of each block's own value by angular momentum; by default the block's
+        own restitution e.
     high
-        The other end, of the same forms; default min(0.98, sqrt(e)), which lies below e for the
+        Upper end, of the same forms; default min(0.98, sqrt(e)), which lies below e for the
         most slender blocks.
     draws
         Values in equal steps from `low` to `high`, ends included; a single draw is `low`.
@@ -49,7 +49,7 @@ class RestitutionBand:
         Standard deviation of the restitution from impact to impact, about the value of its draw;
         default 0.
     seed
-        Of the scatter, from 0 to 2^64 - 1; default 0.
+        Seed of the scatter, from 0 to 2^64 - 1; default 0.
 
     Raises
     ------
@@ -98,7 +98,7 @@ class RestitutionBand:
         >>> band.ratios(Block.from_p(alpha=0.2, p=2.0)).tolist()
         [[0.8, 0.8], [0.9, 0.9]]
 
-        Of a block against a wall it is twice that of the wall.
+        For a block against a wall it is twice that of the wall.
 
         Raises
         ------

@@ -48,8 +48,8 @@ def run_ensemble(
 
     Every run is what `simulate` finds for the block, its restitution and the scaled record.  Of the
     infinitely many impacts before a rest those are counted that came before it was proved, which
-    `simulate` does later.  Of a symmetric block the reversed record gives the mirror image: that is
-    copied, not computed again.  A block against a wall has none: the reversed record is another
+    `simulate` does later.  For a symmetric block the reversed record gives the mirror image: that
+    is copied, not computed again.  A block against a wall has none: the reversed record is another
     motion of it.
 
     Parameters

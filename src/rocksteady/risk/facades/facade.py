@@ -189,8 +189,8 @@ class Facade:
     one_sided
         Whether the building behind stops it; default None: True, of a parapet False.
     restitution
-        Of the impacts on the building behind, in [0, 1], or of two-sided rocking, in (0, 1];
-        "housner" (default) for conservation of angular momentum.
+        Restitution of the impacts on the building behind, in [0, 1], or of two-sided rocking, in
+        (0, 1]; "housner" (default) for conservation of angular momentum.
 
     Raises
     ------
@@ -353,14 +353,14 @@ class Facade:
 
     def _check_stands(self) -> None:
         """Refuse a facade that falls without an earthquake, or that ties hold in any."""
-        found = self.mechanism
-        held = found.stabilising_kn_m
-        if self.ties and held > MOST_HELD * found.weight_moment_kn_m:
+        mechanism = self.mechanism
+        held = mechanism.stabilising_kn_m
+        if self.ties and held > MOST_HELD * mechanism.weight_moment_kn_m:
             raise ModelError(
                 "force_kn of the ties",
                 Words(f"hold {number(held)} kN m about the hinge, with the weights"),
                 f"a facade is held by at most {MOST_HELD:g} times its weights times their heights, "
-                f"which are {number(found.weight_moment_kn_m)} kN m",
+                f"which are {number(mechanism.weight_moment_kn_m)} kN m",
                 KILONEWTONS,
             )
         if held > 0.0:

@@ -41,11 +41,11 @@ class Check:
     page
         Its pages, of the transcription.
     quantity, unit
-        What is compared: "acceleration" in g, or "displacement" in m.
+        Quantity that is compared: "acceleration" in g, or "displacement" in m.
     demand
-        What the earthquake demands; None without, infinite with a run beyond d0.
+        Demand of the earthquake; None without a demand, infinite with a run beyond d0.
     capacity
-        What the facade has.
+        Capacity of the facade.
     satisfied
         Whether the demand is at most the capacity; None without a demand.
     remarks
@@ -82,7 +82,7 @@ class FacadeCheck(Result):
     Attributes
     ----------
     facade, demand, runs
-        What was checked, for what, and its runs under records; None without.
+        Facade, demand and runs under records; None without.
     checks
         One for each limit state and method.
     """
@@ -116,8 +116,8 @@ class FacadeCheck(Result):
     @property
     def states(self) -> tuple[LimitState, ...]:
         """The limit states with a verdict."""
-        found = {check.limit_state: None for check in self.checks if check.satisfied is not None}
-        return tuple(found)
+        states = {check.limit_state: None for check in self.checks if check.satisfied is not None}
+        return tuple(states)
 
     @property
     def reasons(self) -> tuple[Remark, ...]:
@@ -160,8 +160,8 @@ class FacadeCheck(Result):
     @property
     def remarks(self) -> tuple[Remark, ...]:
         """What a reader must know of the formulas."""
-        found = self.mechanism
-        numbers = (1.0 / found.e_star, found.alpha0, found.uplift_g, found.a0_g)
+        mechanism = self.mechanism
+        numbers = (1.0 / mechanism.e_star, mechanism.alpha0, mechanism.uplift_g, mechanism.a0_g)
         remarks = [Remark("transcription"), Remark("second_conditions")]
         if self.runs is not None:
             remarks.append(Remark("uplift", tuple(f"{value:.3g}" for value in numbers)))

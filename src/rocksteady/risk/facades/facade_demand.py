@@ -55,11 +55,11 @@ class FacadeDemand:
         """Refuse limit states in a wrong order: a rarer earthquake has no smaller a_g."""
         states = {"sld": self.sld, "slv": self.slv, "slc": self.slc}
         sites = [(key, site) for key, site in states.items() if isinstance(site, ElasticSpectrum)]
-        for (key, site), (rarer, other) in itertools.pairwise(sites):
-            if site.ag_g > other.ag_g:
+        for (key, site), (rarer, rarer_site) in itertools.pairwise(sites):
+            if site.ag_g > rarer_site.ag_g:
                 raise ModelError(
                     f"ag_g of {key}",
-                    Words(f"is {site.ag_g:g}, above that of {rarer}, {other.ag_g:g}"),
+                    Words(f"is {site.ag_g:g}, above that of {rarer}, {rarer_site.ag_g:g}"),
                     "SLD, SLV and SLC are earthquakes of rising return periods",
                     f"check whether {key} and {rarer} are exchanged",
                 )

@@ -48,9 +48,9 @@ class FacadeRuns(Result):
     Attributes
     ----------
     facade
-        What was run.
+        Facade of the runs.
     limit_state
-        What the records stand for, "SLV" or "SLC".
+        Limit state of the records, "SLV" or "SLC".
     model
         Equations of motion.
     records, directions
@@ -83,14 +83,14 @@ class FacadeRuns(Result):
     @property
     def displacement_m(self) -> Floats:
         """Largest displacement of each run [m], shape (records, directions)."""
-        found: Floats = self.share * self.facade.mechanism.d0_m
-        return found
+        displacement: Floats = self.share * self.facade.mechanism.d0_m
+        return displacement
 
     @property
     def largest_m(self) -> Floats:
         """Largest displacement of each record [m], that of the worse sign, shape (records,)."""
-        found: Floats = self.displacement_m.max(axis=1)
-        return found
+        largest: Floats = self.displacement_m.max(axis=1)
+        return largest
 
     @property
     def enough(self) -> bool:
@@ -109,8 +109,8 @@ class FacadeRuns(Result):
     @property
     def beyond_d0(self) -> NDArray[np.bool_]:
         """Whether each run went beyond d0, shape (records, directions)."""
-        found: NDArray[np.bool_] = self.share > 1.0
-        return found
+        beyond: NDArray[np.bool_] = self.share > 1.0
+        return beyond
 
     @property
     def beyond(self) -> tuple[str, ...]:
@@ -279,15 +279,15 @@ def run_facade(
     Raises
     ------
     InputError, ModelError
-        If `scale` and `pga_g` are both given or not above 0, a record is there twice or has too
+        If `scale` and `pga_g` are both given or not above 0, a record occurs twice or has too
         large accelerations, or the linear model meets a vertical motion.
 
     Examples
     --------
     >>> from rocksteady import Facade, make_synthetic_suite, run_facade
     >>> wall = Facade(name="front", thickness_m=0.5, height_m=4.0)
-    >>> found = run_facade(wall, make_synthetic_suite(7), pga_g=0.3)
-    >>> found.satisfied, found.beyond
+    >>> runs = run_facade(wall, make_synthetic_suite(7), pga_g=0.3)
+    >>> runs.satisfied, runs.beyond
     (True, ())
     """
     grounds = grounds_of(records)
@@ -303,7 +303,7 @@ def run_facade(
         motions.append(across if up is None else BaseMotion(across, up))
     equations = Nonlinear() if model is None else model
     signs = DIRECTIONS if directions == "both" else (directions,)
-    found = simulate_many(
+    dataset = simulate_many(
         mechanism.block(),
         motions,
         reverse="both" if directions == "both" else directions == DIRECTIONS[1],
@@ -311,8 +311,8 @@ def run_facade(
         run=run,
     )
     shape = (len(grounds), len(signs))
-    status = found["status"].values.astype(np.int64).reshape(shape)
-    tilt = found["peak_angle"].values.reshape(shape)
+    status = dataset["status"].values.astype(np.int64).reshape(shape)
+    tilt = dataset["peak_angle"].values.reshape(shape)
     return FacadeRuns(
         facade=facade,
         limit_state=limit_state,
@@ -342,8 +342,8 @@ def _factors(scale: float | None, pga_g: float | None, peaks: Floats) -> Floats:
         factor = 1.0 if scale is None else in_range("scale", scale, 0.0, LARGEST, hint=hint)
         return np.full(len(peaks), factor)
     level = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give a PGA in g, as 0.3")
-    found: Floats = level * STANDARD_GRAVITY / peaks
-    return found
+    factors: Floats = level * STANDARD_GRAVITY / peaks
+    return factors
 
 
 def _finite(value: float | None) -> float | None:

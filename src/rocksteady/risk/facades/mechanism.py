@@ -54,14 +54,15 @@ class Mechanism(Result):
     one_sided
         Whether what stands behind stops the facade.
     restitution
-        Of the impacts on what stands behind, or of two-sided rocking; "housner" or a number.
+        Restitution of the impacts on the building behind, or of two-sided rocking; "housner" or a
+        number.
 
     Examples
     --------
     >>> from rocksteady import Facade
     >>> wall = Facade(name="wall", thickness_m=0.3, height_m=3.0, confidence_factor=1.0)
-    >>> found = wall.mechanism
-    >>> print(f"{found.a0_g:.6f} g, {found.d0_m:.3f} m, {found.t_slv_s:.6f} s")
+    >>> mechanism = wall.mechanism
+    >>> print(f"{mechanism.a0_g:.6f} g, {mechanism.d0_m:.3f} m, {mechanism.t_slv_s:.6f} s")
     0.133333 g, 0.200 m, 1.685384 s
     """
 

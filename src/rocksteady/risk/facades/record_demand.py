@@ -43,7 +43,7 @@ class RecordDemand:
     Raises
     ------
     InputError
-        If there are fewer than 7, or one is there twice.
+        If there are fewer than 7, or one occurs twice.
 
     Examples
     --------
@@ -128,11 +128,11 @@ class RecordDemand:
             peaks = [record.peak_acceleration_m_s2 for record in self.records]
             return float(np.mean(peaks)) / STANDARD_GRAVITY
         if (0.0, damping) not in self._kept:
-            found = [
+            spectra = [
                 compute_response_spectrum(record, PERIODS_S, damping=damping)
                 for record in self.records
             ]
-            mean = np.mean([each.pseudo_acceleration_m_s2 for each in found], axis=0)
+            mean = np.mean([each.pseudo_acceleration_m_s2 for each in spectra], axis=0)
             self._kept[0.0, damping] = mean / STANDARD_GRAVITY
         periods = np.append(0.0, PERIODS_S)
         values = np.append(self.sa_g(0.0, damping), self._kept[0.0, damping])
@@ -149,8 +149,8 @@ def _largest(record: Record, end: float, damping: float) -> float:
     """Return the largest S_D of a record at periods up to one."""
     low = min(max(end / COARSE, SHORTEST * record.dt_s), end)
     coarse = np.linspace(low, end, COARSE)
-    found = compute_response_spectrum(record, coarse, damping=damping).displacement_m
-    top = int(np.argmax(found))
+    displacement = compute_response_spectrum(record, coarse, damping=damping).displacement_m
+    top = int(np.argmax(displacement))
     between = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, COARSE - 1)], FINE)
     fine = compute_response_spectrum(record, between, damping=damping).displacement_m
-    return float(max(found[top], fine.max()))
+    return float(max(displacement[top], fine.max()))

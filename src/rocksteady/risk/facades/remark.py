@@ -44,7 +44,7 @@ class Remark:
     Attributes
     ----------
     key
-        Of `TEMPLATES`.
+        Key of `TEMPLATES`.
     values
         Numbers and names in the remark, as texts.
     """

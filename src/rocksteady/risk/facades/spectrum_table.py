@@ -43,7 +43,7 @@ class SpectrumTable:
 
     Between its rows ln Sa is linear in ln T; between two dampings in ln(damping).  At a damping
     outside of those given the nearest is scaled by ``eta = sqrt(10/(5 + xi)) >= 0.55``, xi in per
-    cent, but for the row at period 0.  Beyond its rows a table is not continued.
+    cent, except in the row at period 0.  Beyond its rows a table is not continued.
 
     Parameters
     ----------
@@ -218,23 +218,25 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
             columns.append(np.asarray(numeric_array(name, given), np.float64))
         except UnfitError as unfit:
             raise InputError(name, given, *unfit.args) from None
-    one, other = columns
+    first_column, second_column = columns
     try:
         rows = np.column_stack(columns)
     except ValueError:
         raise InputError("values_g", values, "there is one for each period", hint) from None
-    if one.ndim != 1 or other.ndim not in (1, 2) or not rows.size:
+    if first_column.ndim != 1 or second_column.ndim not in (1, 2) or not rows.size:
         raise InputError("values_g", values, "there is one for each period", hint)
     if rows[:, 1:].max() > MOST_G:
         hint = "give values in g: divide m/s^2 by 9.81 and per cent by 100"
         raise InputError("values_g", float(rows[:, 1:].max()), f"it is at most {MOST_G:g} g", hint)
-    if one.max() > LONGEST_S:
+    if first_column.max() > LONGEST_S:
         hint = "give periods in seconds, as 0.5"
-        raise InputError("periods_s", float(one.max()), f"it is at most {LONGEST_S:g} s", hint)
+        raise InputError(
+            "periods_s", float(first_column.max()), f"it is at most {LONGEST_S:g} s", hint
+        )
     row = isinstance(damping, list | tuple) or getattr(damping, "ndim", 0) == 1
     dampings = list(damping) if row else [damping]
     for each in dampings:
         damping_value(each)
-    found = tabulated(rows.tolist(), dampings)
-    assert found is not None
-    return found
+    spectrum = tabulated(rows.tolist(), dampings)
+    assert spectrum is not None
+    return spectrum

@@ -32,7 +32,7 @@ class Spread:
     others
         Stages without a curve.
     confidence
-        Of the band.
+        Confidence of the band.
     """
 
     drawn: Replicates | None

@@ -32,11 +32,11 @@ class Replicates:
     stages
         What was fitted; the probability is the product of their curves.
     confidence
-        Of the intervals.
+        Confidence of the intervals.
     value, covariance
-        Of the suite, shapes (q,) and (q, q): a and b of each stage in turn.
+        Estimate and covariance of the suite, shapes (q,) and (q, q): a and b of each stage in turn.
     values, covariances
-        Of the redrawn suites, shapes (r, q) and (r, q, q).
+        Estimates and covariances of the redrawn suites, shapes (r, q) and (r, q, q).
     """
 
     stages: tuple[Maximum, ...]
@@ -87,11 +87,11 @@ class Replicates:
                 return _predictor(self.stages[0], logs, coefficients)
             return _log_odds(self.stages, logs, coefficients)
 
-        for end, found in zip(ends, self.interval(quantity), strict=True):
+        for end, bound in zip(ends, self.interval(quantity), strict=True):
             end[inside] = (
-                self.stages[0].family.cdf(found)
+                self.stages[0].family.cdf(bound)
                 if len(self.stages) == 1
-                else 1.0 / (1.0 + np.exp(-np.maximum(found, -700.0)))
+                else 1.0 / (1.0 + np.exp(-np.maximum(bound, -700.0)))
             )
         return ends
 
@@ -232,14 +232,14 @@ def covariance_of(stages: Sequence[Maximum], at: Floats, weight: Floats) -> Floa
     inverse = np.zeros((rows, size, size))
     scores = np.empty((rows, weight.shape[1], size))
     for place, stage in enumerate(stages):
-        own = slice(2 * place, 2 * place + 2)
+        block = slice(2 * place, 2 * place + 2)
         design = stage.design
-        eta = at[:, own] @ design.T
+        eta = at[:, block] @ design.T
         counts = stage.counts
         failures, trials = weight @ counts.failures, weight @ counts.trials
         second = slopes(stage.family, eta, failures, trials)[1]
         bread = np.einsum("rl,li,lj->rij", second, design, design)
-        inverse[:, own, own] = _inverse(bread)
+        inverse[:, block, block] = _inverse(bread)
         up, down = stage.family.hazard(eta), stage.family.hazard(-eta)
         for column in range(2):
             of_failure = counts.failures @ (up * design[:, column]).T

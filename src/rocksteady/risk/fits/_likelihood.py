@@ -141,7 +141,7 @@ def solve_score(
         first, second = slopes(family, design @ at, failures, trials)
         return first @ design / size, (design * (second / -size)[:, None]).T @ design
 
-    found = root(score, start, jac=True, method="lm", options={"xtol": 1e-11, "ftol": 1e-24})
+    result = root(score, start, jac=True, method="lm", options={"xtol": 1e-11, "ftol": 1e-24})
     # At the last digits it may report no progress where it is as near as rounding lets it be.
-    arrived = bool(np.abs(found.fun).max() < 1e-9) and bool(np.isfinite(found.x).all())
-    return found.x if arrived else None
+    arrived = bool(np.abs(result.fun).max() < 1e-9) and bool(np.isfinite(result.x).all())
+    return result.x if arrived else None

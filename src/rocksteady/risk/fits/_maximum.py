@@ -30,13 +30,13 @@ class Maximum:
     Attributes
     ----------
     name
-        Of its family.
+        Name of its family.
     counts
-        What was fitted.
+        Inputs of the fit.
     centre, scale
         Mean and standard deviation of ln im over the trials.
     status
-        As of `FragilityCurve`.
+        As for `FragilityCurve`.
     coefficients
         a and b; NaN where there is no curve.
     step
@@ -76,7 +76,7 @@ class Maximum:
 
     @property
     def log_likelihood(self) -> float:
-        """Of single trials; of a flat curve where the likelihood does not rise."""
+        """Of single trials; for a flat curve where the likelihood does not rise."""
         failures, trials = self.counts.totals
         if self.status == FITTED:
             eta = self.design @ self.coefficients
@@ -114,7 +114,7 @@ def maximum_of(counts: Counts, family: str) -> Maximum:
         status, step = str(kind.status[0]), None
         if status == SEPARATED:
             step = (float(counts.levels[kind.stood[0]]), float(counts.levels[kind.failed[0]]))
-    found = Maximum(
+    maximum = Maximum(
         name=family,
         counts=counts,
         centre=centre,
@@ -124,9 +124,9 @@ def maximum_of(counts: Counts, family: str) -> Maximum:
         step=step,
     )
     if status != FITTED:
-        return found
+        return maximum
     start = np.array([float(function.quantile(failures.sum() / trials.sum())), 1.0])
-    a, b = maximise(function, found.design, failures, trials, start)
+    a, b = maximise(function, maximum.design, failures, trials, start)
     if b <= 0.0 or abs(centre - scale * a / b) > LARGEST_LOG:
-        return replace(found, status=NOT_RISING)
-    return replace(found, coefficients=np.array([a, b]))
+        return replace(maximum, status=NOT_RISING)
+    return replace(maximum, coefficients=np.array([a, b]))

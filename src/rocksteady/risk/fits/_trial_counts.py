@@ -30,7 +30,7 @@ class Counts:
     failures, trials
         By cluster and level, sparse; shape (c, l).
     multiplicity
-        How many times a cluster stands in the suite, shape (c,): 1 of a record.
+        Number of times that a cluster is in the suite, shape (c,): 1 for a record.
     """
 
     levels: Floats
@@ -54,8 +54,8 @@ def values_of(name: str, given: ArrayLike, *, positive: bool = False) -> Floats:
     """Return a row of numbers, or raise with the place of the first that is not valid."""
     array = np.asarray(given, dtype=np.float64)
     if array.ndim != 1 or array.size == 0:
-        found = Words(f"has the shape {array.shape}")
-        raise InputError(name, found, "it must be a row of numbers", "give one for each trial")
+        problem = Words(f"has the shape {array.shape}")
+        raise InputError(name, problem, "it must be a row of numbers", "give one for each trial")
     bad = ~np.isfinite(array)
     valid = "it must be finite and above 0" if positive else "it must be a whole number from 0"
     bad |= array <= 0.0 if positive else (array < 0.0) | (np.where(bad, 0.0, array) % 1.0 != 0.0)
@@ -77,7 +77,7 @@ def counts_of(
     Parameters
     ----------
     intensity
-        Of each observation, shape (n,).
+        Intensity of each observation, shape (n,).
     given
         Name and counts of what contains the next: trials, then (uplifted, then) failures; trials
         without counts are 1 each.
@@ -89,7 +89,7 @@ def counts_of(
     Returns
     -------
     list of Counts
-        Of each count among the one before it, over the same clusters.
+        Counts of each stage within the stage before it, over the same clusters.
     """
     nested = [
         np.ones_like(intensity) if counts is None else values_of(name, counts)
@@ -113,8 +113,8 @@ def counts_of(
         low, high = span_value("within", within, 0.0, np.inf, hint="give (lowest, highest)")
         inside &= (intensity >= low) & (intensity <= high)
     if not inside.any():
-        found = Words("has no trial" if within is None else "has no trial within the limits")
-        raise InputError("trials", found, "there must be one or more", "give the number of runs")
+        problem = Words("has no trial" if within is None else "has no trial within the limits")
+        raise InputError("trials", problem, "there must be one or more", "give the number of runs")
     intensity, nested = intensity[inside], [counts[inside] for counts in nested]
     levels, level = _levels(intensity)
     if names is None:
@@ -151,8 +151,8 @@ def _names(groups: ArrayLike | Sequence[str], needed: int) -> NDArray[Any]:
     """Return the record of each observation."""
     names: NDArray[Any] = np.asarray(groups)
     if names.ndim != 1:
-        found = Words(f"has the shape {names.shape}")
-        raise InputError("groups", found, "it must be a row", "give the record of each intensity")
+        problem = Words(f"has the shape {names.shape}")
+        raise InputError("groups", problem, "it must be a row", "give the record of each intensity")
     same_length("groups", len(names), needed)
     if names.dtype.kind == "f" and not np.isfinite(names).all():
         place = int(np.argmax(~np.isfinite(names)))

@@ -24,11 +24,11 @@ class Bands:
     Attributes
     ----------
     confidence
-        Of the bands, in (0, 1); default 0.9.
+        Confidence of the bands, in (0, 1); default 0.9.
     replicates
         Suites that are drawn from the records, with replacement; default 1000, at least 100.
     seed
-        Of the draws, a whole number from 0; default 0.
+        Seed of the draws, a whole number from 0; default 0.
 
     Raises
     ------

@@ -45,14 +45,15 @@ class FragilityCurve(Result):
         "fitted"; "separated": a step; "never" and "always": without a failure, without a survival;
         "not-rising": failures lie at no higher intensities than survivals, and no curve is forced.
     median
-        Intensity of probability .5; of a step the geometric mean of its two sides; NaN without a
+        Intensity of probability .5; for a step the geometric mean of its two sides; NaN without a
         curve.
     beta
         Standard deviation of ln im (lognormal) or its scale (logistic); 0 of a step, NaN without.
     step
         Highest intensity with a survival and lowest with a failure; None unless separated.
     log_likelihood
-        Of single trials: binomial coefficients are left out, so that grouping does not matter.
+        Log-likelihood of single trials: binomial coefficients are left out, so that grouping does
+        not matter.
     deviance
         Twice the log-likelihood that the shares at each distinct intensity have above the curve.
     misfit
@@ -107,9 +108,9 @@ class FragilityCurve(Result):
         Returns
         -------
         ndarray
-            Of the same shape.  A step has .5 at its median.  Without a failure it is 0 up to the
-            highest intensity, without a survival 1 from the lowest on, and NaN elsewhere and of
-            data that do not rise.
+            Probability, of the same shape.  A step has .5 at its median.  Without a failure it is 0
+            up to the highest intensity, without a survival 1 from the lowest on, and NaN elsewhere
+            and of data that do not rise.
 
         Raises
         ------
@@ -140,7 +141,7 @@ class FragilityCurve(Result):
         Returns
         -------
         tuple of ndarray or None
-            Lower and upper end, each of the same shape; None without bands.  Of a step they are
+            Lower and upper end, each of the same shape; None without bands.  For a step they are
             0 and 1 between its sides; without a failure the upper end, without a survival the
             lower one, is a bound from one side, of that confidence.
 
@@ -257,7 +258,7 @@ def fit_curve(
     Parameters
     ----------
     intensity
-        Of each observation, above 0, shape (n,).
+        Intensity of each observation, above 0, shape (n,).
     failures
         Their number in each observation, shape (n,).
     trials
@@ -277,7 +278,7 @@ def fit_curve(
     Returns
     -------
     FragilityCurve
-        Its status tells data that have no such curve.
+        Its status marks data that have no such curve.
 
     Raises
     ------

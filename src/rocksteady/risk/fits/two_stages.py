@@ -52,7 +52,7 @@ class TwoStageCurve(Result):
     plain
         One curve without stages, for comparison.
     log_likelihood
-        Of both stages together: of the three outcomes of each trial.
+        Log-likelihood of both stages together: of the three outcomes of each trial.
     misfit
         Largest difference of the share of failures and the product over the stripes.
     stripes
@@ -99,7 +99,7 @@ class TwoStageCurve(Result):
         Returns
         -------
         ndarray
-            Of the same shape: the product; 0 where one factor is, NaN where a factor is unknown.
+            The product, of the same shape; 0 where one factor is, NaN where a factor is unknown.
 
         Raises
         ------
@@ -140,7 +140,7 @@ class TwoStageCurve(Result):
         return (low, high) if self.gate is None else (low * self._lifts(at), high * self._lifts(at))
 
     def _lifts(self, at: Floats) -> Floats:
-        """Return the probability of uplift; of an exact gate 0 at the gate itself."""
+        """Return the probability of uplift; for an exact gate 0 at the gate itself."""
         return (
             self.uplift.probability(at) if self.gate is None else np.where(at > self.gate, 1.0, 0.0)
         )
@@ -223,7 +223,7 @@ class TwoStageCurve(Result):
             return [Fact("gate", None), Fact("offset", self.offset)]
         name, unit = self.measure
         over = self.given_uplift.measure[0]
-        kept, other = (
+        kept, compared = (
             (f"the excess over uplift, {over}", name) if self.offset else (name, "the excess")
         )
         middle = value_words(self.given_uplift.median, unit, self.given_uplift.median_band)
@@ -233,7 +233,7 @@ class TwoStageCurve(Result):
                 "offset",
                 self.offset,
                 "second stage",
-                f"in {kept}, at least as likely as in {other}",
+                f"in {kept}, at least as likely as in {compared}",
             ),
             Fact("", None, f"median of {kept}" if self.offset else "median given uplift", middle),
         ]
@@ -264,7 +264,7 @@ def fit_two_stages(
     Parameters
     ----------
     intensity
-        Of each observation, above 0, shape (n,).
+        Intensity of each observation, above 0, shape (n,).
     uplifted
         Number of trials with uplift in each observation, shape (n,); where the gate is exact, its
         intensity, a number: trials above it lift, and no others.
@@ -275,7 +275,7 @@ def fit_two_stages(
     family
         Distribution of ln im of both; default "lognormal".
     groups
-        Record of each observation, as of `rocksteady.fit_curve`.
+        Record of each observation, as for `rocksteady.fit_curve`.
     bands
         Options of the confidence bands; default none.
     measure
@@ -289,7 +289,7 @@ def fit_two_stages(
     Raises
     ------
     InputError
-        As of `rocksteady.fit_curve`, and if failures are above uplifted or a gate is not above 0.
+        As for `rocksteady.fit_curve`, and if failures are above uplifted or a gate is not above 0.
 
     Examples
     --------
@@ -336,7 +336,7 @@ def fit_two_stages(
         uplift = replace(uplift, warnings=tuple(few))
     limits = (f"uplift: {sentence}" for sentence in uplift.warnings)
     given_limits = (f"failure given uplift: {sentence}" for sentence in given_uplift.warnings)
-    found = TwoStageCurve(
+    curve = TwoStageCurve(
         uplift=uplift,
         given_uplift=given_uplift,
         plain=single,
@@ -351,12 +351,12 @@ def fit_two_stages(
         gate=gate,
         offset=offset,
     )
-    rows, misfit = compare_stripes(whole, found.probability(whole.levels))
-    middle = found.median if gate is None else given_uplift.median
+    rows, misfit = compare_stripes(whole, curve.probability(whole.levels))
+    middle = curve.median if gate is None else given_uplift.median
     band = None if spread is None else _crossings(spread, middle)
     if band is not None and gate is not None:
         band = max(gate, offset + band[0]), max(gate, offset + band[1])
-    return replace(found, stripes=rows, misfit=misfit, median_band=band)
+    return replace(curve, stripes=rows, misfit=misfit, median_band=band)
 
 
 def _behind_gate(stages: Sequence[Maximum], gate: float) -> tuple[list[Maximum], float]:

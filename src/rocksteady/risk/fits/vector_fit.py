@@ -34,14 +34,15 @@ class VectorFit(Result):
     Attributes
     ----------
     names
-        Of the intensities.
+        Names of the intensities.
     status
         "fitted"; "separated": a plane in ln im parts failures from survivals; "never" and "always":
         without a failure, without a survival.
     coefficients
         c_0, c_1, ...; NaN unless fitted.
     log_likelihood
-        Of single trials; of separated ones its supremum, 0 unless points lie on the plane.
+        Log-likelihood of single trials; of separated ones its supremum, 0 unless points lie on the
+        plane.
     explained
         Share of the deviance of a constant probability that the intensities explain; NaN without
         a failure or without a survival.
@@ -88,9 +89,9 @@ class VectorFit(Result):
         """
         at = intensities(intensity)
         if at.ndim == 0 or at.shape[-1] != len(self.names):
-            found = Words(f"has the shape {at.shape}")
+            problem = Words(f"has the shape {at.shape}")
             valid = f"its last axis must have the {len(self.names)} intensities"
-            raise InputError("intensity", found, valid, "give a column for each")
+            raise InputError("intensity", problem, valid, "give a column for each")
         tiny = np.finfo(np.float64).tiny  # ln 0 times a coefficient of 0 would be NaN
         logs = np.log(np.clip(at, tiny, np.finfo(np.float64).max))
         eta = self.coefficients[0] + logs @ self.coefficients[1:]
@@ -144,38 +145,38 @@ def fit_vector(
     groups
         Record of each observation, to be counted; default: each trial is a record of its own.
     names
-        Of the k intensities; default "intensity 1" and so on.
+        Names of the k intensities; default "intensity 1" and so on.
 
     Returns
     -------
     VectorFit
-        Its status tells data without a maximum.
+        Its status marks data without a maximum.
 
     Raises
     ------
     InputError
-        As of `rocksteady.fit_curve`, and if the logarithms of the intensities depend linearly on
+        As for `rocksteady.fit_curve`, and if the logarithms of the intensities depend linearly on
         each other, as those of PGA, PGV and PGV/PGA do.
 
     Examples
     --------
     >>> from rocksteady import fit_vector
     >>> pairs = [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]]
-    >>> found = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
-    >>> found.status, found.coefficients.round(2).tolist()
+    >>> fit = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
+    >>> fit.status, fit.coefficients.round(2).tolist()
     ('fitted', [1.06, 0.85, 0.99])
     """
     at = np.asarray(intensity, dtype=np.float64)
     if at.ndim != 2 or 0 in at.shape:
-        found = Words(f"has the shape {at.shape}")
-        raise InputError("intensity", found, "it must be (n, k)", "give a column for each")
+        problem = Words(f"has the shape {at.shape}")
+        raise InputError("intensity", problem, "it must be (n, k)", "give a column for each")
     width = at.shape[1]
     for place in np.flatnonzero(~((at > 0.0) & np.isfinite(at)).all(axis=1))[:1]:
         values_of(f"intensity[{place}]", at[place], positive=True)
     given_names = [f"intensity {k + 1}" for k in range(width)] if names is None else list(names)
     if len(given_names) != width:
-        found = Words(f"has {len(given_names)} names")
-        raise InputError("names", found, f"it must have {width}", "name each column")
+        problem = Words(f"has {len(given_names)} names")
+        raise InputError("names", problem, f"it must have {width}", "name each column")
     # Rows stand in for the levels of one intensity: the same checks of the counts, the same sums.
     rows, place_of = np.unique(at, axis=0, return_inverse=True)
     row_number = place_of.ravel().astype(np.float64) + 1.0
@@ -219,8 +220,8 @@ def _fitted(logs: Floats, failures: Floats, trials: Floats) -> tuple[str, Floats
     singular = np.linalg.svd(design * np.sqrt(trials)[:, None], compute_uv=False)
     if len(singular) < design.shape[1] or singular[-1] < LEAST_INDEPENDENCE * singular[0]:
         valid = "the logarithms of its columns must not depend linearly on each other"
-        found = Words("has columns that repeat each other")
-        raise InputError("intensity", found, valid, "leave one of them out")
+        problem = Words("has columns that repeat each other")
+        raise InputError("intensity", problem, valid, "leave one of them out")
     parted = _parted(design, failures, trials)
     if parted.any():
         rest = ~parted
@@ -266,15 +267,15 @@ def _parted(design: Floats, failures: Floats, trials: Floats) -> NDArray[np.bool
     failed, stood = np.flatnonzero(failures > 0.0), np.flatnonzero(failures < trials)
     sides = np.concatenate([design[failed], -design[stood]])
     count, width = sides.shape
-    found = linprog(
+    result = linprog(
         np.concatenate([np.zeros(width), -np.ones(count)]),
         A_ub=hstack([csr_array(-sides), eye_array(count)], format="csr"),
         b_ub=np.zeros(count),
         bounds=[(None, None)] * width + [(0.0, 1.0)] * count,
         method="highs",
     )
-    if found.x is not None:
-        away = found.x[width:] > 0.5
+    if result.x is not None:
+        away = result.x[width:] > 0.5
         parted[np.concatenate([failed, stood])[away]] = True
         # A point with failures and survivals has both sides and lies on the plane.
         parted[(failures > 0.0) & (failures < trials)] = False

@@ -89,7 +89,7 @@ def labels_of(ensemble: "xarray.Dataset") -> Labels:
     Raises
     ------
     InputError
-        If it is none, or more than 1 % of its runs have no answer.
+        If the dataset is no ensemble, or more than 1 % of its runs have no answer.
     """
     if ensemble.attrs.get("kind") != "rocking ensemble":
         raise InputError(
@@ -136,5 +136,5 @@ def measure_of(ensemble: "xarray.Dataset") -> Intensity:
 
 def _counted(labels: NDArray[np.bool_]) -> Integers:
     """Return how many runs of one block, record and level have a label."""
-    found: Integers = labels.sum(axis=VARIANTS, dtype=np.int64)
-    return found
+    counts: Integers = labels.sum(axis=VARIANTS, dtype=np.int64)
+    return counts

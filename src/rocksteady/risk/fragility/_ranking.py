@@ -29,15 +29,15 @@ def rank_measures(
     """
     single = [measure for measure in measures if measure.scales]
     still = [measure for measure in measures if not measure.scales]
-    found = [_alone(labels, measure, state, family) for measure in single]
+    ranking = [_alone(labels, measure, state, family) for measure in single]
     pairs = [*product(single, still)]
     plain = {measure.key: measure for measure in single}
     if {"pga_g", "pgv_m_s"} <= plain.keys():
         pairs.append((plain["pga_g"], plain["pgv_m_s"]))
     if family == "lognormal":
         together = (_together(labels, pair, state) for pair in pairs)
-        found += [each for each in together if each is not None]
-    return tuple(sorted(found, key=lambda each: each.aic))
+        ranking += [each for each in together if each is not None]
+    return tuple(sorted(ranking, key=lambda each: each.aic))
 
 
 def _alone(

@@ -7,7 +7,7 @@ from rocksteady.seismic.measures.scalar import Intensity
 
 @dataclass(frozen=True, kw_only=True)
 class Efficiency:
-    """Efficiency of a measure of intensity in telling failures from survivals.
+    """Efficiency of a measure of intensity in separating failures from survivals.
 
     Attributes
     ----------
@@ -16,9 +16,9 @@ class Efficiency:
     state
         The damage state.
     status, median, beta
-        Of the curve over the measure, as of `FragilityCurve`; NaN of a pair.
+        As for `FragilityCurve`, for the curve over the measure; NaN for a pair.
     log_likelihood, aic
-        Of the single runs, and Akaike's criterion.
+        Log-likelihood of the single runs, and Akaike's criterion.
     """
 
     measure: tuple[Intensity, ...]

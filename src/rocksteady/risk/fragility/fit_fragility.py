@@ -82,8 +82,8 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None)
     >>> stripes = Stripes("pgv_m_s", [0.8, 1.2, 1.6, 2.0], beside=())
     >>> block = Block.rectangle(width=0.4, height=1.6)
     >>> runs = run_ensemble(block, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
-    >>> found = fit_fragility(runs, fitting=Fitting(states=["overturned"], bands=None))
-    >>> print(f"{found.state('overturned').curve.median:.2f}")
+    >>> fragility = fit_fragility(runs, fitting=Fitting(states=["overturned"], bands=None))
+    >>> print(f"{fragility.state('overturned').curve.median:.2f}")
     1.58
     """
     began = time.perf_counter()
@@ -145,14 +145,14 @@ def compute_fragility(
     >>> from rocksteady import Block, Fitting, Record, RestitutionBand, Stripes, compute_fragility
     >>> t = 0.02 * np.arange(100)
     >>> suite = [Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02) for f in (4, 6, 9, 12)]
-    >>> found = compute_fragility(
+    >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.4, height=1.6),
     ...     suite,
     ...     stripes=Stripes("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
     ...     restitution=RestitutionBand(draws=1),
     ...     fitting=Fitting(states=["uplift"], bands=None),
     ... )
-    >>> found.state("uplift").plain.status, found.state("uplift").plain.step
+    >>> fragility.state("uplift").plain.status, fragility.state("uplift").plain.step
     ('separated', (0.2, 0.3))
     """
     began = time.perf_counter()
@@ -165,8 +165,8 @@ def compute_fragility(
         vertical=vertical,
         run=run,
     )
-    found = fit_fragility(ensemble, fitting=fitting)
-    return replace(found, seconds=time.perf_counter() - began)
+    fragility = fit_fragility(ensemble, fitting=fitting)
+    return replace(fragility, seconds=time.perf_counter() - began)
 
 
 def _fitted(
@@ -230,14 +230,14 @@ def _likelihood(share: Floats, failures: Integers, trials: Integers) -> float:
 
 def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:
     """Return what limits the answer: of the runs, then of the curves, each sentence once."""
-    found = list(json.loads(labels.ensemble.attrs["warnings"]))
+    warnings = list(json.loads(labels.ensemble.attrs["warnings"]))
     if labels.without:
-        found.append(f"{labels.without:,} runs without an answer are left out of the fits")
+        warnings.append(f"{labels.without:,} runs without an answer are left out of the fits")
     records = re.compile(rf"\b{plural(labels.ensemble.sizes['record'], 'record')}\b")
     for each in states:
         for sentence in (*each.plain.warnings, *each.curve.warnings):
             # Of the number of records there is one sentence for all curves and stages.
             common = records.search(sentence) is not None
             text = re.sub(STAGE, "", sentence) if common else f"{each.state.name}: {sentence}"
-            found.append(text)
-    return tuple(dict.fromkeys(found))
+            warnings.append(text)
+    return tuple(dict.fromkeys(warnings))

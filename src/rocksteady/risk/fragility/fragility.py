@@ -46,7 +46,7 @@ class Fragility(Result):
     ensemble
         The runs.
     measure
-        What the curves are over.
+        Measure of the curves' axis.
     states
         Curves and points of each damage state.
     ranking
@@ -56,7 +56,7 @@ class Fragility(Result):
     warnings
         Sentences on what limits the answer.
     records, runs
-        How many there are; mirror images are runs that count once.
+        Number of records and of runs; mirror images are runs that count once.
     scale_factor_max
         Largest factor of a record's accelerations.
     seconds

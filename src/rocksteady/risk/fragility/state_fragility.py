@@ -68,31 +68,31 @@ class StateFragility:
     def _row(
         self, measure: str, stage: str, curve: FragilityCurve | TwoStageCurve
     ) -> dict[str, Any]:
-        one = curve if isinstance(curve, FragilityCurve) else None
+        lognormal = curve if isinstance(curve, FragilityCurve) else None
         low, high = getattr(curve, "median_band", None) or (None, None)
-        beta_low, beta_high = (None if one is None else one.beta_band) or (None, None)
-        step_low, step_high = (None if one is None else one.step) or (None, None)
+        beta_low, beta_high = (None if lognormal is None else lognormal.beta_band) or (None, None)
+        step_low, step_high = (None if lognormal is None else lognormal.step) or (None, None)
         return {
             "damage_state": self.state.name,
             "peak": self.state.peak,
             "measure": measure,
             "stage": stage,
-            "status": "product" if one is None else one.status,
+            "status": "product" if lognormal is None else lognormal.status,
             "median": number_or_none(curve.median),
             "offset": self.two_stage.offset if self.two_stage and stage == GIVEN else 0.0,
-            "beta": None if one is None else number_or_none(one.beta),
+            "beta": None if lognormal is None else number_or_none(lognormal.beta),
             "low": low,
             "high": high,
             "beta_low": beta_low,
             "beta_high": beta_high,
             "log_likelihood": curve.log_likelihood,
             "misfit": number_or_none(curve.misfit),
-            "gain": None if one or self.gain is None else number_or_none(self.gain),
-            "goodness": None if one is None else one.goodness,
+            "gain": None if lognormal or self.gain is None else number_or_none(self.gain),
+            "goodness": None if lognormal is None else lognormal.goodness,
             "step_low": step_low,
             "step_high": step_high,
-            "trials": None if one is None else one.trials,
-            "failures": None if one is None else one.failures,
+            "trials": None if lognormal is None else lognormal.trials,
+            "failures": None if lognormal is None else lognormal.failures,
         }
 
 

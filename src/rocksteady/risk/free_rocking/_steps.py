@@ -58,9 +58,9 @@ class Estimate:
     Attributes
     ----------
     factor, deviation
-        Shape (kinds,); the standard deviation knows that the scatter is an estimate.
+        Shape (kinds,); the standard deviation allows for the scatter being an estimate.
     interval
-        Of 90 %, shape (kinds, 2).
+        Interval of 90 %, shape (kinds, 2).
     scatter, scatter_interval
         Standard deviation of ln(e) from impact to impact, and its interval of 90 %.
     error
@@ -109,18 +109,18 @@ def estimate(steps: Steps, *, error: float | None) -> Estimate:
     values = [fit(each)[0] for each in scatters]
     least, best = _refined(lambda each: fit(each)[0], scatters, values)
     low, high = (_crossing(lambda each: fit(each)[0], best, least, sign) for sign in (-1, 1))
-    found = _of(steps, best, fit(best)[1], (low, high))
-    return _spread_out(found, steps, fit, least, spread) if free >= 2 else found
+    result = _of(steps, best, fit(best)[1], (low, high))
+    return _spread_out(result, steps, fit, least, spread) if free >= 2 else result
 
 
 def _spread_out(
-    found: Estimate,
+    estimate: Estimate,
     steps: Steps,
     fit: Callable[[float], tuple[float, float]],
     least: float,
     spread: float,
 ) -> Estimate:
-    """Return the estimate with errors that know how little is known of the scatter.
+    """Return the estimate with errors that allow for the uncertainty of the scatter.
 
     Given the scatter the factors are normal; the mixture of these has the restricted likelihood as
     its weight, over scatters that are all as likely before.
@@ -128,7 +128,7 @@ def _spread_out(
     from scipy.optimize import brentq
     from scipy.special import ndtr
 
-    top = max(found.scatter, spread)
+    top = max(estimate.scatter, spread)
     while fit(top)[0] - least < 20.0 and top < 1e3 * spread:
         top *= 1.5
     scatters = np.concatenate([[0.0], np.geomspace(0.02 * spread, top, POINTS)])
@@ -142,7 +142,7 @@ def _spread_out(
     ]
     factors = np.array([factor for factor, _ in pairs])
     deviations = np.sqrt([np.diag(covariance) for _, covariance in pairs])
-    whole = np.sqrt(weights @ (deviations**2 + (factors - found.factor) ** 2))
+    whole = np.sqrt(weights @ (deviations**2 + (factors - estimate.factor) ** 2))
     ends = np.empty((len(whole), 2))
     for kind, width in enumerate(whole.tolist()):
         middle, each = factors[:, kind], deviations[:, kind]
@@ -153,9 +153,9 @@ def _spread_out(
             ) -> float:
                 return float(weights @ ndtr((at - m) / d)) - share
 
-            centre, reach = float(found.factor[kind]), 10.0 * width
+            centre, reach = float(estimate.factor[kind]), 10.0 * width
             ends[kind, end] = brentq(short, centre - reach, centre + reach)
-    return replace(found, deviation=whole, interval=ends)
+    return replace(estimate, deviation=whole, interval=ends)
 
 
 def _trials(scale: float) -> list[float]:
@@ -175,10 +175,10 @@ def _refined(
     ends = at[max(place - 1, 1)], at[min(place + 1, len(at) - 1)]
     if ends[0] == at[place]:
         ends = 0.2 * at[place], ends[1]
-    found = minimize_scalar(
+    result = minimize_scalar(
         deviance, bounds=ends, method="bounded", options={"xatol": 1e-4 * at[1]}
     )
-    return min((float(found.fun), float(found.x)), (values[place], at[place]))
+    return min((float(result.fun), float(result.x)), (values[place], at[place]))
 
 
 def _crossing(deviance: Callable[[float], float], best: float, least: float, sign: int) -> float:
@@ -196,10 +196,10 @@ def _crossing(deviance: Callable[[float], float], best: float, least: float, sig
     return float(brentq(fall, best, end, rtol=1e-4)) if end < 1e3 else math.inf
 
 
-def errors_of(steps: Steps, found: Estimate) -> tuple[Floats, Floats]:
+def errors_of(steps: Steps, estimate: Estimate) -> tuple[Floats, Floats]:
     """Return the expected errors of ln(v) before and after each step, given all steps."""
-    root, shares, change, design = _whitened(steps, found.scatter, found.error)
-    pull = change - design @ found.factor
+    root, shares, change, design = _whitened(steps, estimate.scatter, estimate.error)
+    pull = change - design @ estimate.factor
     for place in range(len(pull) - 1, -1, -1):  # the other half of the solution
         if place + 1 < len(pull):
             pull[place] -= shares[place + 1] * pull[place + 1]
@@ -207,7 +207,7 @@ def errors_of(steps: Steps, found: Estimate) -> tuple[Floats, Floats]:
     earlier = np.where(steps.follows, np.concatenate([[0.0], pull[:-1]]), 0.0)
     goes_on = np.concatenate([steps.follows[1:], [False]])
     later = np.where(goes_on, np.concatenate([pull[1:], [0.0]]), 0.0)
-    before, after = (found.error * steps.before) ** 2, (found.error * steps.after) ** 2
+    before, after = (estimate.error * steps.before) ** 2, (estimate.error * steps.after) ** 2
     return before * (earlier - pull), after * (pull - later)
 
 
@@ -244,7 +244,7 @@ def _whitened(
 
 
 def _deviance(steps: Steps, scatter: float, error: float) -> float:
-    """Return minus twice the restricted log-likelihood, but for a constant."""
+    """Return minus twice the restricted log-likelihood, up to a constant."""
     root, _, change, design = _whitened(steps, scatter, error)
     information = design.T @ design
     factor = np.linalg.solve(information, design.T @ change)

@@ -28,7 +28,7 @@ from rocksteady.risk.free_rocking.restitution_fit import (
 Floats = NDArray[np.float64]
 
 LOST = 6.0
-"""Peaks below so many standard deviations of the measuring error are left out."""
+"""Peaks below this number of standard deviations of the measuring error are left out."""
 FEWEST_FOR_ERROR = 8
 """Steps below which the measuring error is not estimated."""
 FEWEST_FOR_TREND = 4
@@ -60,7 +60,7 @@ def fit_restitution(
     with Housner's value h of the impact, its factor f, and a scatter tau from impact to impact.  A
     peak measured with an error of standard deviation sigma has an error of ``sigma (d ln v/d
     theta)`` in ln(v), which enters the step before it and the step after it with opposite signs:
-    that is what tells it apart from the scatter.  Factors are the generalised least squares for the
+    this separates it from the scatter.  Factors are the generalised least squares for the
     covariance of the steps, tau, and sigma where it is not given, those of largest restricted
     likelihood [1]_; sigma (d ln v/d theta) is that of the peaks which all steps let expect.
     Standard errors and intervals of the factors are those of the mixture over all scatters, with
@@ -127,9 +127,9 @@ def fit_restitution(
     sound = min(pair) > 0.0
     base = pair if sound else (1.0, 1.0)
     single = [row for row in rows if row.impacts == 1.0]
-    both = {row.side for row in single} == {1, -1}
-    apart = not block.symmetric and both if each_side is None else each_side
-    if apart and not both:
+    two_sided = {row.side for row in single} == {1, -1}
+    apart = not block.symmetric and two_sided if each_side is None else each_side
+    if apart and not two_sided:
         raise InputError(
             "each_side",
             each_side,
@@ -140,24 +140,24 @@ def fit_restitution(
     free = len(rows) - (2 if apart else 1)
     known = given or len(rows) < FEWEST_FOR_ERROR
     error = 1.0 if given else 0.0
-    found = estimate(steps, error=error if known else None)
+    estimated = estimate(steps, error=error if known else None)
     for _ in range(ROUNDS):
         # A peak that was measured too large has too small an error of ln(v): of true peaks none.
-        rows = _at_expected_peaks(rows, errors_of(steps, found), block, equations)
+        rows = _at_expected_peaks(rows, errors_of(steps, estimated), block, equations)
         steps = _steps(rows, base, apart=apart)
-        found = estimate(steps, error=error if known else None)
-    if not given and found.error == 0.0 and not known:
+        estimated = estimate(steps, error=error if known else None)
+    if not given and estimated.error == 0.0 and not known:
         known = True
     places = (0, 1) if apart else (0, 0)
-    factors = tuple(math.exp(found.factor[place]) for place in places)
-    errors = tuple(float(found.deviation[place]) for place in places)
-    low, high = (np.exp(found.interval[list(places), end]) * base for end in (0, 1))
+    factors = tuple(math.exp(estimated.factor[place]) for place in places)
+    errors = tuple(float(estimated.deviation[place]) for place in places)
+    low, high = (np.exp(estimated.interval[list(places), end]) * base for end in (0, 1))
     ratios = factors[0] * base[0], factors[1] * base[1]
     mean = math.sqrt(ratios[0] * ratios[1])
-    impacts = _impacts(rows, found)
-    trend = _trend(rows, impacts, steps, found)
+    impacts = _impacts(rows, estimated)
+    trend = _trend(rows, impacts, steps, estimated)
     half_periods = _half_periods(releases, block, equations, ratios)
-    sigma = None if given else found.error
+    sigma = None if given else estimated.error
     if given:
         values = np.unique(np.concatenate([np.asarray(each.sigma_rad) for each in releases]))
         sigma = float(values[0]) if len(values) == 1 else None
@@ -172,9 +172,9 @@ def fit_restitution(
         housner=pair if sound else None,
         factor=(factors[0], factors[1]) if sound else None,
         factor_error=(factors[0] * errors[0], factors[1] * errors[1]) if sound else None,
-        scatter=mean * found.scatter,
-        scatter_low=mean * found.scatter_interval[0],
-        scatter_high=mean * found.scatter_interval[1] if free > 0 else math.inf,
+        scatter=mean * estimated.scatter,
+        scatter_low=mean * estimated.scatter_interval[0],
+        scatter_high=mean * estimated.scatter_interval[1] if free > 0 else math.inf,
         sigma_rad=sigma,
         sigma_estimated=not given,
         trend=None if trend is None else trend[0],
@@ -303,8 +303,8 @@ def _at_expected_peaks(
             peaks = peaks_at(speeds[here], side, block, model)
             spread[here, end] = sigma[here] * np.abs(slopes(peaks, sides[here], block, model))
     return [
-        replace(row, spread=(one, two))
-        for row, (one, two) in zip(rows, spread.tolist(), strict=True)
+        replace(row, spread=(before, after))
+        for row, (before, after) in zip(rows, spread.tolist(), strict=True)
     ]
 
 
@@ -326,7 +326,7 @@ def _steps(rows: Sequence[_Row], base: tuple[float, float], *, apart: bool) -> S
     )
 
 
-def _impacts(rows: Sequence[_Row], found: Estimate) -> tuple[Impact, ...]:
+def _impacts(rows: Sequence[_Row], estimate: Estimate) -> tuple[Impact, ...]:
     """Return the steps as people read them."""
     return tuple(
         Impact(
@@ -336,15 +336,15 @@ def _impacts(rows: Sequence[_Row], found: Estimate) -> tuple[Impact, ...]:
             peak_rad=row.peaks[0],
             next_rad=row.peaks[1],
             restitution=(ratio := math.exp(row.change / row.impacts)),
-            measuring_error=ratio * found.error * math.hypot(*row.spread) / row.impacts,
+            measuring_error=ratio * estimate.error * math.hypot(*row.spread) / row.impacts,
             residual=residual,
         )
-        for row, residual in zip(rows, found.residuals.tolist(), strict=True)
+        for row, residual in zip(rows, estimate.residuals.tolist(), strict=True)
     )
 
 
 def _trend(
-    rows: Sequence[_Row], impacts: Sequence[Impact], steps: Steps, found: Estimate
+    rows: Sequence[_Row], impacts: Sequence[Impact], steps: Steps, estimate: Estimate
 ) -> tuple[float, float] | None:
     """Return the change of the restitution with theta/alpha, and its standard error.
 
@@ -361,7 +361,7 @@ def _trend(
         after=steps.after,
         follows=steps.follows,
     )
-    factor, covariance = solved(again, found.scatter, found.error)
+    factor, covariance = solved(again, estimate.scatter, estimate.error)
     mean = math.exp(float(np.mean([math.log(each.restitution) for each in impacts])))
     return mean * float(factor[-1]), mean * math.sqrt(float(covariance[-1, -1]))
 
@@ -384,9 +384,9 @@ def _half_periods(
         speeds = velocities(peaks, sides, block, model)
         for k in np.flatnonzero(sides[:-1] == sides[1:]):
             ratio = ratios[0] if sides[k] == 1 else ratios[1]
-            other = -int(sides[k])
-            peak = peaks_at(np.array([ratio * speeds[k]]), other, block, model)
-            computed[k] += 2.0 * _quarters(peak, np.array([other]), block, model)[0]
+            opposite = -int(sides[k])
+            peak = peaks_at(np.array([ratio * speeds[k]]), opposite, block, model)
+            computed[k] += 2.0 * _quarters(peak, np.array([opposite]), block, model)[0]
         shares += (np.diff(np.asarray(release.times_s)) / computed).tolist()
     shares = [share for share in shares if math.isfinite(share)]
     return float(np.median(shares)) if shares else None
@@ -394,49 +394,49 @@ def _half_periods(
 
 def _quarters(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:
     """Return a quarter of the period of free rocking at each peak [s]."""
-    found = np.empty(peaks.shape)
+    quarters = np.empty(peaks.shape)
     for sign, side in ((1, block.positive), (-1, block.negative)):
         here = sides == sign
         ratio = np.minimum(peaks[here] / side.alpha, 1.0 - 1e-12)
         alpha = None if isinstance(model, Linear) else side.alpha
-        found[here] = free_rocking_period(ratio, alpha=alpha) / (4.0 * side.p)
-    return found
+        quarters[here] = free_rocking_period(ratio, alpha=alpha) / (4.0 * side.p)
+    return quarters
 
 
 def _warnings(fit: RestitutionFit, *, short: bool) -> tuple[str, ...]:
-    """Return what speaks against a fit."""
-    found = []
+    """Return the reasons against a fit."""
+    warnings = []
     rising = [each for each in fit.impacts if each.restitution > 1.0]
     if rising:
         named = ", ".join(f"impact {each.number} of {each.release}" for each in rising[:3])
         more = f" and {len(rising) - 3} more" if len(rising) > 3 else ""
         clear = [e for e in rising if e.restitution - 1.0 > CLEAR * e.measuring_error]
         why = "more than the measuring error explains" if clear else "within the measuring error"
-        found.append(
+        warnings.append(
             f"The peaks grow over {named}{more}, {why}: check their order and sides, and whether "
             "the base was still."
         )
     if max(fit.restitution) > 1.0:
-        found.append("A restitution above 1 is that of no impact: blocks take at most 1.")
+        warnings.append("A restitution above 1 is that of no impact: blocks take at most 1.")
     if fit.left_out:
-        found.append(
+        warnings.append(
             f"{plural(fit.left_out, 'peak')} left out: from the first one below {LOST:g} standard "
             "deviations of the measuring error on, a release shows nothing of its impacts."
         )
     if short and len(fit.impacts) < FEWEST_FOR_ERROR:
-        found.append(
+        warnings.append(
             f"From {plural(len(fit.impacts), 'step')} the measuring error cannot be estimated: the "
             "scatter holds it too. Give sigma_rad, or more impacts."
         )
     if fit.trend is not None and fit.trend_error and abs(fit.trend) > CLEAR * fit.trend_error:
-        found.append(
+        warnings.append(
             f"The restitution changes with the amplitude, by {number(fit.trend, 2)} over a "
             "theta/alpha of 1: one value stands for the measured range."
         )
     if fit.half_periods is not None and abs(fit.half_periods - 1.0) > FAR:
-        found.append(
+        warnings.append(
             f"Measured half periods are {number(fit.half_periods)} of the computed ones: the block "
             "does not agree with its outline, as where the base that rocks is narrower, and e "
             "depends on alpha."
         )
-    return tuple(found)
+    return tuple(warnings)

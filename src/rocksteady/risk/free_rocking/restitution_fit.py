@@ -71,7 +71,7 @@ class RestitutionFit(Result):
     Attributes
     ----------
     block, model, releases
-        What was fitted.
+        Inputs of the fit.
     restitution, standard_error, low, high
         Geometric mean of the restitution over the impacts, its standard error, and its interval.
     housner
@@ -98,7 +98,7 @@ class RestitutionFit(Result):
         Impacts until the peaks are 5 % of the first one of the first release, by the fit and by
         Housner's values; None where they never are.
     warnings
-        What speaks against the fit.
+        Reasons against the fit.
     """
 
     block: Block
@@ -260,23 +260,23 @@ class RestitutionFit(Result):
 
 def velocities(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:
     """Return the angular velocity at the impact after, or before, each peak [rad/s]."""
-    found = np.empty(peaks.shape)
+    values = np.empty(peaks.shape)
     for sign, side in ((1, block.positive), (-1, block.negative)):
         here = sides == sign
-        found[here] = side.p * np.sqrt(2.0 * _energy(peaks[here], side.alpha, model))
-    return found
+        values[here] = side.p * np.sqrt(2.0 * _energy(peaks[here], side.alpha, model))
+    return values
 
 
 def slopes(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:
     """Return the change of the logarithm of `velocities` with the peak [1/rad]."""
-    found = np.empty(peaks.shape)
+    values = np.empty(peaks.shape)
     for sign, side in ((1, block.positive), (-1, block.negative)):
         here = sides == sign
         force = side.alpha - peaks[here]
         if not isinstance(model, Linear):
             force = np.sin(force)
-        found[here] = 0.5 * force / _energy(peaks[here], side.alpha, model)
-    return found
+        values[here] = 0.5 * force / _energy(peaks[here], side.alpha, model)
+    return values
 
 
 def peaks_at(velocity: Floats, side: int, block: Block, model: Model) -> Floats:
@@ -297,10 +297,10 @@ def peaks_at(velocity: Floats, side: int, block: Block, model: Model) -> Floats:
 def _two(ratios: Sequence[float]) -> tuple[float, float]:
     """Return two restitutions, which of a fit may exceed 1."""
     if len(ratios) != 2:
-        valid = "there are two impacts, the one that ends positive rotation and the other"
+        valid = "there are two impacts: the end of positive and the end of negative rotation"
         raise InputError("ratios", ratios, valid, "give a pair, as (0.9, 0.9)")
     hint = "give ratios of angular velocities after and before an impact"
-    first, second = (in_range("ratios", one, 0.0, MOST, "(]", hint=hint) for one in ratios)
+    first, second = (in_range("ratios", ratio, 0.0, MOST, "(]", hint=hint) for ratio in ratios)
     return first, second
 
 
@@ -312,12 +312,12 @@ def decayed(release: Release, block: Block, model: Model, ratios: tuple[float, f
     ends = np.where(sides[:-1] == 1, ratios[0], ratios[1])
     kept = np.cumprod(np.concatenate([[1.0], np.where(steps > 0.0, steps, ends)]))
     start = velocities(first[:1], sides[:1], block, model)[0]
-    found = np.empty(sides.shape)
+    peaks_after = np.empty(sides.shape)
     for sign in (1, -1):
         here = sides == sign
-        found[here] = peaks_at(start * kept[here], sign, block, model)
-    found[0] = first[0]
-    return found
+        peaks_after[here] = peaks_at(start * kept[here], sign, block, model)
+    peaks_after[0] = first[0]
+    return peaks_after
 
 
 def impacts_until(

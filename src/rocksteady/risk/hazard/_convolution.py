@@ -40,7 +40,7 @@ class Integral:
     ends
         Logarithms of the intensities between which the pieces are, ascending, shape (pieces, 2).
     values
-        Of each piece [1/year].
+        Rate of each piece [1/year].
     lump
         Rate beyond the last level of a curve without tails, times the probability there [1/year].
     below, above
@@ -111,7 +111,7 @@ def convolve(
     Parameters
     ----------
     probability
-        Of failure, at intensities of the hazard curve.
+        Probability of failure, at intensities of the hazard curve.
     knots
         Logarithms of intensities at which it changes fast, or is not smooth.
     hazard
@@ -128,8 +128,8 @@ def convolve(
         at = np.searchsorted(x, u)
         exponent = np.clip(height[at] - k[at] * (u - start[at]), -LARGEST_EXPONENT, None)
         rate = np.exp(np.minimum(exponent, LARGEST_EXPONENT))
-        found: Floats = k[at] * rate * probability(np.exp(np.clip(u, -FURTHEST, FURTHEST)))
-        return found
+        values: Floats = k[at] * rate * probability(np.exp(np.clip(u, -FURTHEST, FURTHEST)))
+        return values
 
     inside = _integrate(density, _edges(x, knots))
     first = x[0] - np.arange(REACH + 1.0)[::-1]
@@ -154,9 +154,9 @@ def _nothing() -> tuple[Floats, Floats]:
     return np.empty((0, 2)), np.empty(0)
 
 
-def _last(found: tuple[Floats, Floats]) -> float:
+def _last(integral: tuple[Floats, Floats]) -> float:
     """Return the part of an integral in the first unit of its width."""
-    ends, values = found
+    ends, values = integral
     return float(values[ends[:, 1] <= ends[0, 0] + 1.0 + 1e-9].sum())
 
 
@@ -175,11 +175,11 @@ def _integrate(density: Callable[[Floats], Floats], edges: Floats) -> tuple[Floa
     for count in range(MOST_HALVINGS):
         middle = 0.5 * (left + right)
         first, second = _gauss(density, left, middle), _gauss(density, middle, right)
-        both = first + second
-        largest = abs(total + float(both.sum()))
-        agrees = (np.abs(both - whole) <= ACCURACY * largest) | (count == MOST_HALVINGS - 1)
-        done.append((left[agrees], right[agrees], both[agrees]))
-        total += float(both[agrees].sum())
+        integral = first + second
+        largest = abs(total + float(integral.sum()))
+        agrees = (np.abs(integral - whole) <= ACCURACY * largest) | (count == MOST_HALVINGS - 1)
+        done.append((left[agrees], right[agrees], integral[agrees]))
+        total += float(integral[agrees].sum())
         more = ~agrees
         if not more.any():
             break
@@ -205,5 +205,5 @@ def _gauss(density: Callable[[Floats], Floats], left: Floats, right: Floats) -> 
     nodes, weights = _rule()
     half = 0.5 * (right - left)
     at = 0.5 * (left + right)[:, np.newaxis] + half[:, np.newaxis] * nodes
-    found: Floats = half * (density(at.ravel()).reshape(at.shape) @ weights)
-    return found
+    integral: Floats = half * (density(at.ravel()).reshape(at.shape) @ weights)
+    return integral

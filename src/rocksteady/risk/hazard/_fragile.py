@@ -89,14 +89,16 @@ class Converted:
             If the curve returns anything but probabilities.
         """
         at = self.factor * intensity
-        found = np.asarray(self.curve.probability(at), dtype=np.float64)
+        probability = np.asarray(self.curve.probability(at), dtype=np.float64)
         if self.statuses & UNKNOWN_OUTSIDE:
-            found = np.ones_like(intensity)
+            probability = np.ones_like(intensity)
             for stage in self.stages[1:] or self.stages:
                 above = np.maximum(at - self._offset(stage), 0.0)
                 known = np.asarray(stage.probability(above), dtype=np.float64)
-                found = found * np.where(np.isnan(known), 1.0, known)
-        valid = found.shape == intensity.shape and bool(np.all((found >= 0.0) & (found <= 1.0)))
+                probability = probability * np.where(np.isnan(known), 1.0, known)
+        valid = probability.shape == intensity.shape and bool(
+            np.all((probability >= 0.0) & (probability <= 1.0))
+        )
         if not valid:
             raise InputError(
                 "fragility",
@@ -104,7 +106,7 @@ class Converted:
                 "its probabilities must lie in [0, 1] at each intensity",
                 "give a fitted curve, or (median, beta)",
             )
-        return found
+        return probability
 
     @property
     def stages(self) -> list[Any]:
@@ -125,10 +127,10 @@ class Converted:
     def band(self, intensity: Floats) -> tuple[Floats, Floats] | None:
         """Return the band of the probability at intensities; None where there is none."""
         band = getattr(self.curve, "probability_band", None)
-        found = band(self.factor * intensity) if callable(band) else None
-        if found is None:
+        limits = band(self.factor * intensity) if callable(band) else None
+        if limits is None:
             return None
-        low, high = (np.clip(np.asarray(side, dtype=np.float64), 0.0, 1.0) for side in found)
+        low, high = (np.clip(np.asarray(side, dtype=np.float64), 0.0, 1.0) for side in limits)
         return None if bool(np.isnan(low).any() or np.isnan(high).any()) else (low, high)
 
     def quantile(self, p: float) -> float:
@@ -138,24 +140,24 @@ class Converted:
     @property
     def beta(self) -> float:
         """Standard deviation of the logarithm: of other curves that from median to 5 %."""
-        own = getattr(self.curve, "beta", None)
-        if getattr(self.curve, "family", "lognormal") == "lognormal" and isinstance(own, float):
-            return own
+        beta = getattr(self.curve, "beta", None)
+        if getattr(self.curve, "family", "lognormal") == "lognormal" and isinstance(beta, float):
+            return beta
         return math.log(self.quantile(0.5) / self.quantile(0.05)) / Q05
 
     @property
     def sampled(self) -> tuple[float, float] | None:
         """Intensities between which the fragility rests on runs; None where it has none."""
-        found = getattr(self.curve, "sampled", None)
-        if not (isinstance(found, tuple) and len(found) == 2):
+        range_sampled = getattr(self.curve, "sampled", None)
+        if not (isinstance(range_sampled, tuple) and len(range_sampled) == 2):
             return None
-        return found[0] / self.factor, found[1] / self.factor
+        return range_sampled[0] / self.factor, range_sampled[1] / self.factor
 
     @property
     def knots(self) -> Floats:
         """Logarithms of intensities at which the probability changes fast, steps among them."""
-        found = [self._offset(stage) + _quantile(stage, p) for stage in self.stages for p in _KNOTS]
-        inside = [value / self.factor for value in found if 0.0 < value < math.inf]
+        knots = [self._offset(stage) + _quantile(stage, p) for stage in self.stages for p in _KNOTS]
+        inside = [value / self.factor for value in knots if 0.0 < value < math.inf]
         inside += [value for value in self.sampled or () if 0.0 < value < math.inf]
         return np.log(np.array(inside)) if inside else np.empty(0)
 

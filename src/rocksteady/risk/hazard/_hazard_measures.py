@@ -41,13 +41,13 @@ def intensity_named(name: str, measure: object) -> Intensity:
     word, colon, period = measure.partition(":") if isinstance(measure, str) else ("", "", "")
     period_s = read_number(period) if colon else None
     try:
-        found = Intensity(word, period_s)
+        intensity = Intensity(word, period_s)
     except InputError as error:
         raise InputError(name, measure, error.valid, error.hint) from None
     if colon and period_s is None:
         hint = 'write a period in seconds, as "sa_g:1.0"'
         raise InputError(name, measure, "its period must be a number", hint)
-    return found
+    return intensity
 
 
 def ground_measure(name: str, measure: object) -> Intensity:
@@ -56,11 +56,11 @@ def ground_measure(name: str, measure: object) -> Intensity:
     Parameters and errors are those of `intensity_named`; what needs a block, or does not grow with
     the shaking, is refused too.
     """
-    found = None
+    intensity = None
     with suppress(InputError):
-        found = intensity_named(name, measure)
-    fits = found is not None and GROUND.get(found.name) == (found.period_s is not None)
-    if found is None or not fits or not 1e-6 <= (found.period_s or 1.0) <= 1e6:
+        intensity = intensity_named(name, measure)
+    fits = intensity is not None and GROUND.get(intensity.name) == (intensity.period_s is not None)
+    if intensity is None or not fits or not 1e-6 <= (intensity.period_s or 1.0) <= 1e6:
         names = ", ".join(f"{each}:PERIOD" if needs else each for each, needs in GROUND.items())
         raise InputError(
             name,
@@ -68,7 +68,7 @@ def ground_measure(name: str, measure: object) -> Intensity:
             f"a hazard curve is over one of {names}",
             'write a period in seconds, as "sa_g:1.0"',
         )
-    return found
+    return intensity
 
 
 def written(measure: Intensity) -> str:

@@ -1,4 +1,4 @@
-"""Hazard curves as OpenQuake exports them: one row a site, probabilities in a time."""
+"""Hazard curves as OpenQuake exports them: one row per site, probabilities in a time."""
 
 import math
 import re
@@ -49,7 +49,7 @@ def read_sites(
     names
         What `find_names` returns.
     measure, poe_years
-        Of a file without a header line; None else.
+        As given, for a file without a header line; None else.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def read_sites(
         if len(fields) != len(columns):
             raise text.error(
                 f"it has {len(fields)} columns, and there are {len(columns)} names",
-                "export the file anew",
+                "export the file again",
                 line=row,
             )
         values = [number_of(fields[place], separator) for place in of_levels]
@@ -115,25 +115,25 @@ def rate_of(text: HazardText, poe: float | None, years: float, line: int) -> flo
 
 def _measure(text: HazardText, header: str, measure: Intensity | None) -> tuple[Intensity, float]:
     """Return the measure, and the unit of the file's levels in that of the measure."""
-    found = _IMT.search(header)
-    if found is None:
+    match = _IMT.search(header)
+    if match is None:
         if measure is None:
             raise text.error('no imt="PGA" or the like stands above the columns', "give measure=")
         return measure, _openquake_unit(measure)
-    word, _, period = found[1].rstrip(")").partition("(")
+    word, _, period = match[1].rstrip(")").partition("(")
     period_s = read_number(period)
     known = {"PGA": "pga_g", "PGV": "pgv_m_s"}.get(word.upper())
     if word.upper() == "SA" and period_s is not None:
         known = f"sa_g:{period_s!r}"
     if known is None or (period and word.upper() != "SA"):
-        raise text.error(f"its imt is {found[1]}: known are PGA, PGV [cm/s] and SA(PERIOD)")
+        raise text.error(f"its imt is {match[1]}: known are PGA, PGV [cm/s] and SA(PERIOD)")
     try:
         stated = ground_measure("imt", known)
     except InputError as error:
-        raise text.error(f"its imt is {found[1]}: {error.valid}") from None
+        raise text.error(f"its imt is {match[1]}: {error.valid}") from None
     if measure is not None and measure != stated:
         raise InputError(
-            "measure", written(measure), f"the file states {found[1]}", "leave out measure="
+            "measure", written(measure), f"the file states {match[1]}", "leave out measure="
         )
     return stated, _openquake_unit(stated)
 
@@ -145,14 +145,14 @@ def _openquake_unit(measure: Intensity) -> float:
 
 def _years(text: HazardText, header: str, poe_years: float | None) -> float:
     """Return the time of the probabilities [years]."""
-    found = _TIME.search(header)
-    if found is None:
+    match = _TIME.search(header)
+    if match is None:
         if poe_years is None:
             raise text.error("no investigation_time stands above the columns", "give poe_years=")
         return poe_years
-    years = read_number(found[1])
+    years = read_number(match[1])
     if years is None or not 0.0 < years <= 1e6:
-        raise text.error(f"investigation_time = {found[1]} is no time in years")
+        raise text.error(f"investigation_time = {match[1]} is no time in years")
     if poe_years is not None and poe_years != years:
         raise InputError(
             "poe_years", poe_years, f"the file states {years:g} years", "leave out poe_years="

@@ -59,7 +59,7 @@ def read_columns(
     text
         The file.
     measure, level_unit, poe_years
-        Of columns without names or units; None else.
+        As given, for columns without names or units; None else.
 
     Raises
     ------
@@ -159,11 +159,11 @@ def _level(
         raise InputError(
             "measure", written(given), f"the file states {name!r}", "leave out measure="
         )
-    found = _UNIT.search(name)
-    of_name = next((part for part in found.groups() if part), "") if found else ""
+    match = _UNIT.search(name)
+    of_name = next((part for part in match.groups() if part), "") if match else ""
     size = _size(of_name, words)
     if level_unit is None and size is None:
-        if given is None or (found is not None and found[1] and _PERIOD.search(name) is None):
+        if given is None or (match is not None and match[1] and _PERIOD.search(name) is None):
             raise text.error(
                 f"{name!r} names no unit of {_kind(words)}",
                 f'give level_unit=, as "{words.unit}"',
@@ -210,12 +210,12 @@ def _size(written: object, measure: Intensity) -> float | None:
 def _rate(text: HazardText, name: str, poe_years: float | None) -> Callable[[float, int], float]:
     """Return the function that makes annual rates of the second column."""
     years = poe_years
-    found = _IN_YEARS.search(name)
+    match = _IN_YEARS.search(name)
     if _OTHER_TIME.search(name):
         raise text.error(f"{name!r} is of a time that is not counted in years", _NAME_IT)
     part = 0.01 if _PERCENT.search(name) else 1.0
     if _POE.search(name):
-        stated = float(found[1]) if found else 1.0 if _ANNUAL.search(name) else None
+        stated = float(match[1]) if match else 1.0 if _ANNUAL.search(name) else None
         if stated is None and years is None:
             raise text.error(f"{name!r} are probabilities in a time", "give poe_years=")
         if stated is not None and years is not None and stated != years:

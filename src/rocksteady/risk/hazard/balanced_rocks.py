@@ -55,7 +55,7 @@ class BranchTest(Result):
     fragility, branches
         What was given.
     measure, age_years, alpha_cv, level
-        Likewise.
+        As given to `rocksteady.reject_branches`.
     annual_rates
         Rate of toppling on each branch, the mean over alpha [1/year], shape (branches,).
     survival
@@ -150,19 +150,19 @@ def reject_branches(
 
     If it topples at a rate r, it stands for its age with the probability exp(-age r): a branch is
     rejected at the confidence 1 - exp(-age r).  The alpha of an object in the field is known to
-    some per cent.  Its capacity goes with tan alpha, as PGA/(g tan alpha) and p PGV/(g tan alpha)
-    have it, whose p is of the size alone.  So the fragility's intensities are multiplied by a
+    some per cent.  Its capacity goes with tan alpha, as in PGA/(g tan alpha) and p PGV/(g tan
+    alpha), whose p depends on the size alone.  So the fragility's intensities are multiplied by a
     lognormal factor of median 1, and the survival is averaged over it by Gauss and Hermite's rule;
     not the rate, as the object has one alpha at all times.
 
     Parameters
     ----------
     fragility
-        Of toppling, as for `rocksteady.compute_risk`.
+        Fragility of toppling, as for `rocksteady.compute_risk`.
     branches
         Hazard curves of one measure, with their weights or all without: then equal ones.
     age_years
-        How long the object has stood in its present shape [years].
+        Time that the object has stood in its present shape [years].
     measure, block
         As for `rocksteady.compute_risk`; default None, the branches' own measure.
     alpha_cv
@@ -191,8 +191,8 @@ def reject_branches(
     >>> from rocksteady import HazardCurve, reject_branches
     >>> low = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-3, 1e-6], name="low")
     >>> high = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-2, 1e-4], name="high")
-    >>> found = reject_branches((0.3, 0.4), [low, high], 10_000.0)
-    >>> found.rejected.tolist(), found.confidence.round(2).tolist()
+    >>> test = reject_branches((0.3, 0.4), [low, high], 10_000.0)
+    >>> test.rejected.tolist(), test.confidence.round(2).tolist()
     ([False, True], [0.53, 1.0])
     """
     age_years = in_range("age_years", age_years, 0.0, OLDEST_YEARS, hint="give an age in years")

@@ -58,8 +58,8 @@ class Risk(Result):
         What power-law tails of the hazard hold, below its first level and above its last [1/year];
         infinite where they have no bound.
     median, beta
-        Of the fragility, in the hazard's unit; beta of a curve that is not lognormal is that from
-        its median to its 5 %.
+        Median and beta of the fragility, in the hazard's unit; beta of a curve that is not
+        lognormal is that from its median to its 5 %.
     k, closed_form_rate
         Slope of the hazard at the median, and H(median) exp(k^2 beta^2/2) [1/year]; nan where the
         hazard curve does not reach the median.
@@ -147,8 +147,8 @@ class Risk(Result):
         # At an end of the curve the stretch inside counts.
         place = np.searchsorted(self.hazard.levels, at)
         place = np.where(at == self.hazard.levels[0], 1, place)
-        found: Floats = self.hazard.rate(at) * slopes[place] * self.failure_probability(at)
-        return found
+        density: Floats = self.hazard.rate(at) * slopes[place] * self.failure_probability(at)
+        return density
 
     def describe(self) -> Description:
         """Return rate, probability, capacities and where the risk comes from."""
@@ -250,7 +250,7 @@ class Risk(Result):
         if self.unsampled is not None and self.unsampled > MUCH:
             yield (
                 f"{number(100.0 * self.unsampled, 2)} % of the risk are from intensities that no "
-                "run of the fragility has: there the fitted curve alone speaks."
+                "run of the fragility has: there the fitted curve alone counts."
             )
         if self.hazard.intensity.name == "pgv_m_s" and not hasattr(self.fragility, "uplift"):
             yield (
@@ -296,7 +296,7 @@ def compute_risk(
         What the fragility is over: an `Intensity`, or its text as ``"sa_g:1.0"`` or, with a block,
         ``"p_pgv_per_uplift"``; default None, the hazard's own.
     block
-        Of a fragility over a dimensionless measure; none by default.
+        Block of a fragility over a dimensionless measure; none by default.
     beta_u
         Standard deviation of the logarithm of the median, which is not known well; default 0.  It
         lowers the HCLPF capacity alone: the rate is that of the fragility as it is.  For the mean
@@ -330,7 +330,7 @@ def compute_risk(
     years = in_range("years", years, 0.0, LONGEST_YEARS, hint=hint)
     beta_u = in_range("beta_u", beta_u, 0.0, 20.0, "[]", hint="give 0, or .2 to .4")
     curve, words, remarks = fragility_over(fragility, hazard, measure, block)
-    found = failure_integral(curve, hazard)
+    integral = failure_integral(curve, hazard)
     median, beta = curve.quantile(0.5), curve.beta if curve.quantile(0.5) > 0.0 else math.nan
     k, closed = _closed_form(hazard, median, beta)
     return Risk(
@@ -340,21 +340,21 @@ def compute_risk(
         factor=curve.factor,
         years=years,
         beta_u=beta_u,
-        annual_rate=found.total,
+        annual_rate=integral.total,
         annual_rate_band=_edge_rates(curve, hazard),
-        rate_below=found.below,
-        rate_above=found.above,
+        rate_below=integral.below,
+        rate_above=integral.above,
         median=median,
         beta=beta,
         k=k,
         closed_form_rate=closed,
         hclpf=median * math.exp(-HCLPF_FACTOR * (beta + beta_u)),
-        contributing=(found.quantile(0.05), found.quantile(0.5), found.quantile(0.95)),
-        contributions=found.between(hazard.levels),
+        contributing=(integral.quantile(0.05), integral.quantile(0.5), integral.quantile(0.95)),
+        contributions=integral.between(hazard.levels),
         unsampled=(
             None
             if curve.sampled is None
-            else found.share_outside(curve.sampled, float(hazard.levels[-1]))
+            else integral.share_outside(curve.sampled, float(hazard.levels[-1]))
         ),
         remarks=remarks,
     )
@@ -419,8 +419,8 @@ def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
     InputError
         If the hazard's lower tail rises faster than the fragility falls.
     """
-    found = convolve(curve.probability, curve.knots, hazard)
-    if hazard.tail == "power-law" and math.isinf(found.below):
+    integral = convolve(curve.probability, curve.knots, hazard)
+    if hazard.tail == "power-law" and math.isinf(integral.below):
         raise InputError(
             "tail",
             hazard.tail,
@@ -428,7 +428,7 @@ def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
             "is infinite",
             "leave the hazard curve without tails",
         )
-    return found
+    return integral
 
 
 def _edge_rates(curve: Converted, hazard: HazardCurve) -> tuple[float, float] | None:

@@ -44,9 +44,9 @@ class HazardCurve(Result):
     rates
         Annual rate of exceedance of each [1/year], nowhere rising, above 0.
     name
-        Of the quantile or of the branch of the logic tree; none by default.
+        Name of the quantile or of the branch of the logic tree; none by default.
     weight
-        Of the branch, in (0, 1]; none by default.
+        Weight of the branch, in (0, 1]; none by default.
     site
         Longitude and latitude [degrees]; none by default.
     tail

@@ -36,7 +36,7 @@ def read_hazard_curves(
     path
         The file: separated by commas, semicolons, tabs or blanks.
     measure
-        As for `HazardCurve`, where the file does not name it; default None, as the file has it.
+        As for `HazardCurve`, where the file does not name it; default None, as stated in the file.
     level_unit
         Unit of the levels of two columns that do not name it, as ``"cm/s"``; default None.
     poe_years

@@ -41,7 +41,7 @@ def _gains(tests: Sequence[ShakingTest]) -> list[str]:
 
 def _peaks(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> list[str]:
     """Return a sentence on angles beyond the slenderness, at which no object stands."""
-    most = {name: one.outline_alpha_rad for name, one in objects.items()}
+    most = {name: prior.outline_alpha_rad for name, prior in objects.items()}
     beyond = [each for each in tests if (each.peak_rad or 0.0) > most[each.object]]
     if not beyond:
         return []
@@ -75,7 +75,7 @@ def _left_moving(record: Record) -> bool:
 
 
 def _coarse(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> list[str]:
-    rates = {name: _rate(one) for name, one in objects.items()}
+    rates = {name: _rate(prior) for name, prior in objects.items()}
     coarse = [test for test in tests if test.record.dt_s * rates[test.object] > COARSE]
     if not coarse:
         return []

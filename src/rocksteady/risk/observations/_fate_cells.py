@@ -36,7 +36,7 @@ class Shaken:
     factors
         On the accelerations, shape (tests, blocks, gains) or (tests, 1, gains).
     sides
-        Of the blocks of each object, as `seismic.spectra.batch.sides_in_si` has them, shape
+        Sides of the blocks of each object, as from `seismic.spectra.batch.sides_in_si`, shape
         (objects, blocks, 2, 3) or (objects, blocks, 2, 5).
     gravity
         Acceleration of gravity [m/s^2], shape (objects, blocks).

@@ -50,7 +50,10 @@ def least_momentum_ratio(numbers: Mapping[str, Floats]) -> float:
 
 def blocks_of_sides(sides: Floats) -> list[Block]:
     """Return the blocks of sides of shape (n, 2, 4)."""
-    return [Block(positive=one, negative=other) for one, other in map(_pair, sides.tolist())]
+    return [
+        Block(positive=positive, negative=negative)
+        for positive, negative in map(_pair, sides.tolist())
+    ]
 
 
 def _pair(rows: list[list[float]]) -> tuple[Side, Side]:
@@ -84,7 +87,7 @@ def _shapes(numbers: Mapping[str, Floats]) -> tuple[Floats, Floats]:
         if gyration is None:
             gyration = np.sqrt((width * width + tall * tall) / 12.0)
     sides, momentum = _unlike(left, right, 0.5 * height, gyration)
-    # What is computed of a rectangle in another way is the same but for rounding.
+    # What is computed of a rectangle in another way is the same except for rounding.
     plain &= left == right
     if plain.any():
         base, tall = 2.0 * left[plain], height[plain]
@@ -96,10 +99,10 @@ def _shapes(numbers: Mapping[str, Floats]) -> tuple[Floats, Floats]:
 
 def _symmetric(alpha: Floats, radius: Floats, p: Floats) -> tuple[Floats, Floats]:
     """Return equal sides, and Housner's restitution."""
-    one = np.stack([alpha, radius, p, np.zeros_like(p)], axis=1)
+    rows = np.stack([alpha, radius, p, np.zeros_like(p)], axis=1)
     sine = sin(alpha)
     ratio = 1.0 - 2.0 * (p * p * radius / STANDARD_GRAVITY) * (sine * sine)
-    return np.stack([one, one], axis=1), np.stack([ratio, ratio], axis=1)
+    return np.stack([rows, rows], axis=1), np.stack([ratio, ratio], axis=1)
 
 
 def _unlike(left: Floats, right: Floats, centre: Floats, gyration: Floats) -> tuple[Floats, Floats]:

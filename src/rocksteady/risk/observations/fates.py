@@ -51,7 +51,7 @@ class Scatter:
     draws
         Runs of each block with other random numbers; default 1.
     seed
-        Of the random numbers, from 0 to 2^64 - 1; default 0.
+        Seed of the random numbers, from 0 to 2^64 - 1; default 0.
 
     Raises
     ------
@@ -222,18 +222,18 @@ def fates_on_records(
 
 def _tests(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
     """Return the tests, one or more, each of another name."""
-    found = list(tests.tests if isinstance(tests, Observations) else tests)
-    if not found or not all(isinstance(test, ShakingTest) for test in found):
+    given = list(tests.tests if isinstance(tests, Observations) else tests)
+    if not given or not all(isinstance(test, ShakingTest) for test in given):
         raise InputError(
             "tests",
-            found,
+            given,
             "it must be one ShakingTest or more",
             "give a list of them, or read_tests('tests.csv')",
         )
-    doubled = [name for name, times in Counter(test.name for test in found).items() if times > 1]
+    doubled = [name for name, times in Counter(test.name for test in given).items() if times > 1]
     if doubled:
         raise InputError("tests", doubled[0], "two tests have this name", "give each another name")
-    return found
+    return given
 
 
 def _bodies(
@@ -242,7 +242,7 @@ def _bodies(
     """Return the blocks of each object that is shaken; of all objects under one empty name."""
     if not isinstance(blocks, Mapping):
         return {"": blocks_of(blocks)}
-    found: dict[str, list[Block]] = {}
+    bodies: dict[str, list[Block]] = {}
     for test in tests:
         if test.object not in blocks:
             raise InputError(
@@ -251,18 +251,18 @@ def _bodies(
                 "each object of a test has blocks",
                 "add its blocks, or leave the test out",
             )
-        if test.object not in found:
-            found[test.object] = blocks_of(blocks[test.object])
-    first = next(iter(found))
-    for name, several in found.items():
-        if len(several) != len(found[first]):
+        if test.object not in bodies:
+            bodies[test.object] = blocks_of(blocks[test.object])
+    first = next(iter(bodies))
+    for name, several in bodies.items():
+        if len(several) != len(bodies[first]):
             raise InputError(
                 "blocks",
-                Words(f"has {len(found[first])} of {first!r} and {len(several)} of {name!r}"),
+                Words(f"has {len(bodies[first])} of {first!r} and {len(several)} of {name!r}"),
                 "each object has as many blocks",
                 "give as many for each",
             )
-    return found
+    return bodies
 
 
 def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Floats:
@@ -283,7 +283,7 @@ def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Flo
     for array in (given, factors):
         beyond = array[~((array >= 1.0 / LARGEST) & (array <= LARGEST))]
         if beyond.size:
-            hint = "give a factor, as 1.1; a test that is reversed says so itself"
+            hint = "give a factor, as 1.1; a reversed test has `reversed` set"
             in_range("gains", beyond[0].item(), 1.0 / LARGEST, LARGEST, "[]", hint=hint)
     return factors
 
@@ -319,27 +319,27 @@ def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray
 
 def _deviations(value: object) -> Floats:
     """Return deviations as a read-only array of shape () or (blocks,)."""
-    found = real_array("deviation", value)  # type: ignore[arg-type]
-    if found.ndim > 1:
+    deviations = real_array("deviation", value)  # type: ignore[arg-type]
+    if deviations.ndim > 1:
         raise InputError(
             "deviation",
-            Words(f"has the shape {found.shape}"),
+            Words(f"has the shape {deviations.shape}"),
             "it is a number, or one for each block",
             "give 0.05, or an array of shape (blocks,)",
         )
-    beyond = found[~((found >= 0.0) & (found <= MOST_SCATTER))]
+    beyond = deviations[~((deviations >= 0.0) & (deviations <= MOST_SCATTER))]
     if beyond.size:
         hint = "give a standard deviation, as 0.05"
         in_range("deviation", beyond.flat[0].item(), 0.0, MOST_SCATTER, "[]", hint=hint)
-    found = found.copy()
-    found.flags.writeable = False
-    return found
+    deviations = deviations.copy()
+    deviations.flags.writeable = False
+    return deviations
 
 
 def _deviation(scatter: Scatter, objects: Sequence[str], blocks: int) -> Floats:
     """Return the deviation of each block, shape (objects, blocks)."""
     given = scatter.deviation
-    found = np.empty((len(objects), blocks))
+    deviations = np.empty((len(objects), blocks))
     for place, name in enumerate(objects):
         if isinstance(given, Mapping) and name not in given:
             raise InputError(
@@ -348,26 +348,26 @@ def _deviation(scatter: Scatter, objects: Sequence[str], blocks: int) -> Floats:
                 "deviations by name go with blocks by name, one for each object",
                 "give blocks={name: [...]} and deviation={name: ...}",
             )
-        own = np.asarray(given[name] if isinstance(given, Mapping) else given)
-        if own.shape not in ((), (blocks,)):
+        values = np.asarray(given[name] if isinstance(given, Mapping) else given)
+        if values.shape not in ((), (blocks,)):
             raise InputError(
                 "deviation",
-                Words(f"has the shape {own.shape}"),
+                Words(f"has the shape {values.shape}"),
                 f"it is a number or one for each of the {blocks} blocks",
                 f"give 0.05, or an array of shape ({blocks},)",
             )
-        found[place] = own
-    return found
+        deviations[place] = values
+    return deviations
 
 
 def _outputs(outputs: Sequence[str]) -> list[str]:
     """Return the names of what is kept."""
-    found = list(outputs)
-    if not found or len(set(found)) < len(found) or not set(found) <= set(KEPT):
+    names = list(outputs)
+    if not names or len(set(names)) < len(names) or not set(names) <= set(KEPT):
         raise InputError(
             "outputs",
-            found,
+            names,
             "it has one or more of 'status', 'peak_angle' and 'impacts', each once",
             "give outputs=['status'], which is fastest",
         )
-    return found
+    return names

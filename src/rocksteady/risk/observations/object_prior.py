@@ -303,7 +303,7 @@ class ObjectPrior(Result):
         return sides_of_numbers(self._numbers(rows))
 
     def _numbers(self, rows: Floats) -> dict[str, Floats]:
-        """Return the column of each number, those that are exact among them."""
+        """Return the column of each number, exact numbers included."""
         return {
             key: rows[:, self.parameters.index(key)].copy()
             if key in self.parameters
@@ -395,16 +395,16 @@ def possible(key: str, value: Given) -> Spread:
 def _form(given: tuple[str, ...], name: str) -> int:
     """Return in which of the three ways the size is given."""
     heads = (*_FORMS[:2], _FORMS[2][:2])
-    found = [place for place, head in enumerate(heads) if set(head) & set(given)]
-    if len(found) != 1:
-        both = [next(key for key in heads[place] if key in given) for place in found]
+    places = [place for place, head in enumerate(heads) if set(head) & set(given)]
+    if len(places) != 1:
+        keys = [next(key for key in heads[place] if key in given) for place in places]
         raise ModelError(
             f"object {name}",
-            Words(f"has both {both[0]} and {both[1]}" if found else "has no size"),
+            Words(f"has both {keys[0]} and {keys[1]}" if places else "has no size"),
             f"the size is given in one way: {_WAYS}",
-            "leave one of the two out" if found else "add width_m and height_m",
+            "leave one of the two out" if places else "add width_m and height_m",
         )
-    (form,) = found
+    (form,) = places
     for key in _FORMS[form]:
         if key not in given:
             raise ModelError(

@@ -74,10 +74,13 @@ class Observations(Result):
             raise InputError(
                 "tests", doubled[0], "two tests have this name", "give each another name"
             )
-        for name, one in self.objects.items():
-            if not isinstance(one, ObjectPrior):
+        for name, prior in self.objects.items():
+            if not isinstance(prior, ObjectPrior):
                 raise InputError(
-                    f"objects[{name!r}]", one, "it must be an ObjectPrior", "give its sizes in one"
+                    f"objects[{name!r}]",
+                    prior,
+                    "it must be an ObjectPrior",
+                    "give its sizes in one",
                 )
         for test in tests:
             if test.object not in self.objects:
@@ -91,7 +94,7 @@ class Observations(Result):
         used = {test.object for test in tests}
         object.__setattr__(self, "tests", tests)
         object.__setattr__(
-            self, "objects", {name: one for name, one in self.objects.items() if name in used}
+            self, "objects", {name: prior for name, prior in self.objects.items() if name in used}
         )
         object.__setattr__(self, "sources", dict(self.sources))
         object.__setattr__(self, "remarks", tuple(self.remarks))
@@ -206,10 +209,10 @@ class Observations(Result):
 
     def _defaults_used(self) -> list[str]:
         """Return a sentence on each number that is not given of some objects."""
-        found = []
+        names = []
         for key, spread in DEFAULTS.items():
-            silent = [name for name, one in self.objects.items() if key in one.defaults]
+            silent = [name for name, prior in self.objects.items() if key in prior.defaults]
             if silent:
                 of = silent[0] if len(silent) == 1 else f"{len(silent)} objects"
-                found.append(f"{key} of {of} is not given: default {spread}, or that of the prior.")
-        return found
+                names.append(f"{key} of {of} is not given: default {spread}, or that of the prior.")
+        return names

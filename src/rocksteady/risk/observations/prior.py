@@ -123,8 +123,8 @@ class Prior(Result):
         spreads = {f"noise.{key}": getattr(self.noise, key) for key in _NOISE}
         spreads |= {f"object.{key}": spread_of(key, value) for key, value in self.defaults.items()}
         rows = [
-            {"parameter": key, "low": one.low, "high": one.high, "spread": str(one)}
-            for key, one in spreads.items()
+            {"parameter": key, "low": spread.low, "high": spread.high, "spread": str(spread)}
+            for key, spread in spreads.items()
         ]
         columns = [
             Column("parameter", "parameter", left=True),

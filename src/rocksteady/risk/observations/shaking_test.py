@@ -40,7 +40,7 @@ class ShakingTest:
     vertical
         Vertical base acceleration, positive upwards; none by default.
     reversed
-        Whether the object stood the other way round, so that the record acts with the other sign;
+        Whether the object was turned by 180 degrees, so that the record acts with the other sign;
         default False.
     group
         Name of the tests that stay together when tests are held out; default the record's name.
@@ -126,14 +126,14 @@ class ShakingTest:
     def _check_peak(self) -> None:
         """Check the angle that was measured."""
         given = {key: getattr(self, key) for key in ("peak_rad", "sigma_rad")}
-        there = [key for key, value in given.items() if value is not None]
-        if not there:
+        keys = [key for key, value in given.items() if value is not None]
+        if not keys:
             return
-        if len(there) == 1:
-            missing = "sigma_rad" if there == ["peak_rad"] else "peak_rad"
+        if len(keys) == 1:
+            missing = "sigma_rad" if keys == ["peak_rad"] else "peak_rad"
             raise ModelError(
                 missing,
-                Words(f"is missing beside {there[0]}"),
+                Words(f"is missing beside {keys[0]}"),
                 "a measured angle and its measuring error go together",
                 "give both, as peak_rad 0.12 and sigma_rad 0.01, or neither",
             )

@@ -35,7 +35,8 @@ class Spread:
     low, high
         Bounds; equal of a value.
     mean, sd
-        Of the normal density before it is cut off; none for a value and for a uniform density.
+        Mean and standard deviation of the normal density before it is cut off; none for a value and
+        for a uniform density.
 
     Raises
     ------
@@ -205,7 +206,7 @@ class Spread:
     def log_density(self, values: ArrayLike) -> Floats:
         """Return the logarithm of the density at values of any shape; minus infinity outside.
 
-        Of a value without any spread it is 0 there.
+        For a value without any spread it is 0 there.
         """
         at = real_array("values", values)
         inside = (at >= self.low) & (at <= self.high)
@@ -258,10 +259,10 @@ def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:
 
     The sign is ":" or "+-", and empty of a single number.
     """
-    found = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
-    if found is None:
+    match = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
+    if match is None:
         return None
-    first, sign, second = found.groups()
+    first, sign, second = match.groups()
     if sign is None:
         return (float(first),), ""
     return (float(first), float(second)), ":" if sign == ":" else "+-"

@@ -165,10 +165,10 @@ def _around(truth: Block) -> ObjectPrior:
 
     if truth.symmetric:
         return ObjectPrior(name=NAME, alpha_rad=near(truth.alpha), p_rad_s=near(truth.p))
-    one, other = truth.positive, truth.negative
+    positive, negative = truth.positive, truth.negative
     return ObjectPrior(
         name=NAME,
-        left_m=near(one.distance),
-        right_m=near(other.distance),
-        mass_centre_height_m=near(one.centre_height),
+        left_m=near(positive.distance),
+        right_m=near(negative.distance),
+        mass_centre_height_m=near(positive.centre_height),
     )

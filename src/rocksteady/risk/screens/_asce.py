@@ -46,7 +46,7 @@ class RockingBody:
     inertia
         C_I = I_0/(M h^2), about the edge.
     gravity
-        [m/s^2]
+        Acceleration of gravity [m/s^2].
     vertical_ratio
         SA_V/SA_H.
     """
@@ -182,8 +182,8 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     """Return the root of a function between two points where its signs differ."""
     from scipy.optimize import brentq
 
-    found: float = brentq(function, low, high, xtol=1e-15 * low, rtol=1e-14, maxiter=500)
-    return found
+    root: float = brentq(function, low, high, xtol=1e-15 * low, rtol=1e-14, maxiter=500)
+    return root
 
 
 MOST_SHOWN = 3

@@ -35,20 +35,22 @@ def asce_row(case: Case) -> Screen:
         key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"
         return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
     chain, how = spectrum.at_damping(body.damping, longest)
-    found = find_rotations(body, chain)
-    for root in found.roots_rad:
+    rotations = find_rotations(body, chain)
+    for root in rotations.roots_rad:
         constants += [
             ("root", root, "rad"),
             ("f_e at the root", body.frequency_hz(root), "Hz"),
             ("SA_cap at the root", body.capacity_m_s2(root) / STANDARD_GRAVITY, "g"),
         ]
-    verdict, passes, needs = _verdict(body, found, longest)
-    value = found.roots_rad[-1] if found.roots_rad else None
+    verdict, passes, needs = _verdict(body, rotations, longest)
+    value = rotations.roots_rad[-1] if rotations.roots_rad else None
     remark = f"{how[0].upper()}{how[1:]}; power laws between its points."
     if value is not None:
-        remark += f" Roots at {rotations_text(found.roots_rad)}; the largest is shown."
-    if found.examined_rad < body.alpha:
-        remark += f" It ends at {number(chain.last_s)} s: up to {number(found.examined_rad)} rad."
+        remark += f" Roots at {rotations_text(rotations.roots_rad)}; the largest is shown."
+    if rotations.examined_rad < body.alpha:
+        remark += (
+            f" It ends at {number(chain.last_s)} s: up to {number(rotations.examined_rad)} rad."
+        )
     return _row(
         case,
         value,
@@ -61,17 +63,19 @@ def asce_row(case: Case) -> Screen:
     )
 
 
-def _verdict(body: RockingBody, found: Rotations, longest: float) -> tuple[str, bool | None, str]:
+def _verdict(
+    body: RockingBody, rotations: Rotations, longest: float
+) -> tuple[str, bool | None, str]:
     """Return the words, whether it passes, and what is missing."""
-    complete = found.examined_rad >= body.alpha
-    if not complete and (found.above_at_end or not found.roots_rad):
+    complete = rotations.examined_rad >= body.alpha
+    if not complete and (rotations.above_at_end or not rotations.roots_rad):
         return f"needs a spectrum up to {number(longest)} s", None, "spectrum"
-    if not found.roots_rad:
-        if found.above_at_end:
+    if not rotations.roots_rad:
+        if rotations.above_at_end:
             return "overturns: no root, demand above capacity", False, ""
         return "no rotation: capacity above demand", True, ""
-    largest = quantity(found.roots_rad[-1] / body.alpha, "alpha")
-    if found.above_at_end:
+    largest = quantity(rotations.roots_rad[-1] / body.alpha, "alpha")
+    if rotations.above_at_end:
         return f"may overturn beyond {largest}", False, ""
     return f"rocks up to {largest}", True, ""
 

@@ -1,4 +1,4 @@
-"""FEMA P-58's fragilities of nine unanchored cabinets, in every unit that tools ask for."""
+"""FEMA P-58's fragilities of nine unanchored cabinets, in every unit that tools need."""
 
 import math
 from dataclasses import dataclass

@@ -51,7 +51,7 @@ BOTH_WAYS = "Made for blocks that rock to both sides: the wall is left out."
 class Case:
     """A block, its demand and its friction, for all rows.
 
-    Rows that know one side take the one that lifts first.
+    Rows made for one side take the side that lifts first.
     """
 
     block: Block
@@ -212,7 +212,7 @@ def restitution_row(case: Case) -> Screen:
 
 def _wall_row(case: Case) -> Screen:
     """Return the row of the restitution that conserves angular momentum on base, wall and base."""
-    value, own = None, number(case.block.restitution)
+    value, restitution = None, number(case.block.restitution)
     with suppress(InputError):  # of a stocky block
         value = wall_ratio(case.block.positive, case.block.negative, case.block.gravity)
     stocky = "no answer: a wall does not turn back a block so stocky"
@@ -226,19 +226,19 @@ def _wall_row(case: Case) -> Screen:
         status="computed",
         value=value,
         unit="",
-        verdict=stocky if value is None else f"this block has {own}",
+        verdict=stocky if value is None else f"this block has {restitution}",
         remark="Of the wall; the free block's own is not used.",
     )
 
 
 def ishiyama_row(case: Case) -> Screen:
     """Return the row of Ishiyama's lower bounds."""
-    found = ishiyama_bounds(case.side, case.block.gravity)
+    bounds = ishiyama_bounds(case.side, case.block.gravity)
     pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
     needs, passes = "", None
-    if pga is not None and pga < found.pga_g:
+    if pga is not None and pga < bounds.pga_g:
         verdict, passes = "does not overturn: PGA below its bound", True
-    elif pgv is not None and pgv < found.pgv_m_s:
+    elif pgv is not None and pgv < bounds.pgv_m_s:
         verdict, passes = "does not overturn: PGV below its bound", True
     elif pga is not None and pgv is not None:
         verdict, passes = "may overturn: both bounds are exceeded", False
@@ -255,39 +255,39 @@ def ishiyama_row(case: Case) -> Screen:
         edition="Ishiyama 1982",
         source="Y. Ishiyama, Earthq. Eng. Struct. Dyn. 10, 635-650 (1982)",
         confidence=MEMORY_HIGH,
-        value=found.pgv_m_s,
+        value=bounds.pgv_m_s,
         unit="m/s",
         verdict=verdict,
         passes=passes,
         needs=needs,
         details=(
-            ("PGA bound", found.pga_g, "g"),
-            ("PGV bound", found.pgv_m_s, "m/s"),
+            ("PGA bound", bounds.pga_g, "g"),
+            ("PGV bound", bounds.pgv_m_s, "m/s"),
             ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
         ),
-        remark=f"Both must be exceeded, PGA {quantity(found.pga_g, 'g')} too.",
+        remark=f"Both must be exceeded, PGA {quantity(bounds.pga_g, 'g')} too.",
     )
 
 
 def kaneko_hayashi_row(case: Case) -> Screen:
     """Return the row of Kaneko and Hayashi's 50 % threshold."""
-    found = kaneko_hayashi(case.side, case.block.gravity)
+    bounds = kaneko_hayashi(case.side, case.block.gravity)
     pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
     details = [
-        ("A50", found.acceleration_g, "g"),
-        ("V50", found.velocity_m_s, "m/s"),
-        ("Fe", found.limit_hz, "Hz"),
+        ("A50", bounds.acceleration_g, "g"),
+        ("V50", bounds.velocity_m_s, "m/s"),
+        ("Fe", bounds.limit_hz, "Hz"),
     ]
-    value, needs, passes = found.acceleration_g, "", None
+    value, needs, passes = bounds.acceleration_g, "", None
     if pga is not None and pgv is not None:
         hertz = pga * STANDARD_GRAVITY / (2.0 * math.pi * pgv)
-        value = found.threshold_g(hertz)
+        value = bounds.threshold_g(hertz)
         details += [("F = PGA/(2 pi PGV)", hertz, "Hz"), ("threshold at F", value, "g")]
         passes = pga < value
         verdict = f"{'fewer' if passes else 'more'} than half overturn at {number(pga)} g"
-    elif pga is not None and pga < found.acceleration_g:
+    elif pga is not None and pga < bounds.acceleration_g:
         verdict, passes = f"fewer than half overturn at {number(pga)} g", True
-    elif pgv is not None and pgv < found.velocity_m_s:
+    elif pgv is not None and pgv < bounds.velocity_m_s:
         verdict, passes = f"fewer than half overturn at {number(pgv)} m/s", True
     else:
         needs = "pgv_m_s" if pga is not None else "pga_g and pgv_m_s"
@@ -305,8 +305,8 @@ def kaneko_hayashi_row(case: Case) -> Screen:
         passes=passes,
         needs=needs,
         details=tuple(details),
-        remark=f"A50 {quantity(found.acceleration_g, 'g')} up to Fe "
-        f"{quantity(found.limit_hz, 'Hz')}, V50 {quantity(found.velocity_m_s, 'm/s')} above it; "
+        remark=f"A50 {quantity(bounds.acceleration_g, 'g')} up to Fe "
+        f"{quantity(bounds.limit_hz, 'Hz')}, V50 {quantity(bounds.velocity_m_s, 'm/s')} above it; "
         "the frequency of the floor is taken as PGA/(2 pi PGV).",
     )
 

@@ -141,7 +141,7 @@ def circolare_rectangle(
         Its thickness t is twice the distance from edge to mass centre, its h twice the height of
         that.
     gravity
-        [m/s^2]
+        Acceleration of gravity [m/s^2].
     confidence_factor
         FC, from 1 (full knowledge) to 1.35.
     """
@@ -206,5 +206,5 @@ def velocity_number(side: Side, gravity: float, pgv_m_s: float) -> float:
 
 
 def share_at(number: float) -> Share | None:
-    """Return the range that a p PGV/(g tan alpha) falls into; None below 0.2 and from 2 on."""
+    """Return the range that a p PGV/(g tan alpha) falls into; None below 0.2 and at 2 or above."""
     return next((share for share in SHARES if share.low <= number < share.high), None)

@@ -46,7 +46,7 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     alpha - sin alpha): ``(A - k (A - a)) / (1 + k a (A - a))`` with k = (p^2 R/g) cos^2(alpha),
     which is Shenton's expression for p^2 R/g = 3/4.  Below uplift it is A.
 
-    Of a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
+    For a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
     is that of the free side: the wall holds what is driven into it.
 
     Parameters
@@ -89,7 +89,7 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     """Return how a block at rest answers a peak acceleration, after Shenton (1996).
 
     Below uplift and below sliding it rests.  It rocks with the friction of `needed_friction`,
-    slides with less than a = tan(alpha), and slides and rocks in between.  Of a block whose sides
+    slides with less than a = tan(alpha), and slides and rocks in between.  For a block whose sides
     differ the worse of both directions counts: sliding before both, both before rocking alone.
 
     Examples

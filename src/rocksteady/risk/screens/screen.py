@@ -23,14 +23,14 @@ class Screen(Result):
     Attributes
     ----------
     name
-        Of the row.
+        Name of the row.
     equation, edition, source
         Number or form of the equation, edition of the document, and the full reference.
     confidence
         How the formula was had: read in the source, from memory, or checked numerically.
     status
-        "computed"; "approximate" where the row was made for rectangles and the block is none;
-        "needs input"; "refused" where friction governs.
+        "computed"; "approximate" where the row was made for rectangles and the block is no
+        rectangle; "needs input"; "refused" where friction governs.
     value, unit
         The threshold or capacity; None where an input is missing.
     verdict
@@ -83,7 +83,9 @@ class Screen(Result):
 
     def describe(self) -> Description:
         """Return value, verdict and source, and the intermediate quantities."""
-        rows = [dict(zip(("quantity", "value", "unit"), one, strict=True)) for one in self.details]
+        rows = [
+            dict(zip(("quantity", "value", "unit"), detail, strict=True)) for detail in self.details
+        ]
         columns = (
             Column("quantity", "quantity", left=True),
             Column("value", "value", number),

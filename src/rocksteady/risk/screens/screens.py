@@ -57,7 +57,7 @@ class Screens(Result):
     Attributes
     ----------
     block, demand, friction
-        What was screened; no friction where it is not known.
+        Inputs of the screens; no friction where it is not known.
     rows
         One `Screen` for each formula.
     motion
@@ -142,9 +142,9 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     Parameters
     ----------
     block
-        The block.  Of one whose sides differ the side that lifts first is taken, and rows made for
-        rectangles say so; of one against a wall its free side, and rows made for rocking to both
-        sides say so.
+        The block.  For one whose sides differ the side that lifts first is taken, and rows made for
+        rectangles note this; for one against a wall its free side, and rows made for rocking to
+        both sides note this.
     demand
         Peak acceleration and velocity, and a spectrum where it is known.  A row whose input is
         missing names it.
@@ -166,8 +166,8 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     --------
     >>> from rocksteady import Block, Demand, screen_block
     >>> block = Block.rectangle(width=0.32, height=1.8)
-    >>> found = screen_block(block, Demand(pga_g=0.35, pgv_m_s=0.4), friction=0.4)
-    >>> print(found.motion, f"{found.row('friction to rock').value:.4f}")
+    >>> screens = screen_block(block, Demand(pga_g=0.35, pgv_m_s=0.4), friction=0.4)
+    >>> print(screens.motion, f"{screens.row('friction to rock').value:.4f}")
     rocks 0.2199
     """
     if friction is not None:

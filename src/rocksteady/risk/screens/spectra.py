@@ -90,8 +90,8 @@ class RecordSpectrum:
         shortest = max(RIGID_S, SHORTEST * self.record.dt_s)
         longest = max(min(longest_s, LONGEST_S), 2.0 * shortest)
         periods = np.geomspace(shortest, longest, RECORD_PERIODS)
-        found = compute_response_spectrum(self.record, periods, damping=damping)
-        values = found.pseudo_acceleration_m_s2
+        spectrum = compute_response_spectrum(self.record, periods, damping=damping)
+        values = spectrum.pseudo_acceleration_m_s2
         how = (
             f"spectrum of the record at {100.0 * damping:.3g} % damping, exact at "
             f"{RECORD_PERIODS} periods"
@@ -112,7 +112,7 @@ class TabulatedSpectrum:
 
         Between two dampings ln Sa is interpolated over ln(damping).  Outside all of them the
         nearest is scaled by ``eta = sqrt(10/(5 + xi)) >= 0.55``, xi in per cent (EN 1998-1 eq.
-        3.6), but for the row at period 0, which no damping changes.
+        3.6), except in the row at period 0, which no damping changes.
         """
         values, how = self.scaled(damping)
         periods = self.periods_s.copy()

@@ -34,7 +34,7 @@ def strong_shaking(record: Record, threshold_m_s2: float) -> StrongShaking:
     record
         The record.
     threshold_m_s2
-        Of the absolute acceleration [m/s^2], above 0.
+        Threshold of the absolute acceleration [m/s^2], above 0.
     """
     a = record.acceleration_m_s2
     first, last = np.empty(0), np.empty(0)

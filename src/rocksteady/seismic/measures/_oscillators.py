@@ -51,7 +51,7 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     Parameters
     ----------
     acceleration
-        Of the ground, shape (samples,).
+        Acceleration of the ground, shape (samples,).
     dt
         Time between two of them.
     frequency
@@ -82,7 +82,7 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     steady = _times(Parts(a[:-1] + slope * inverse.real, slope * inverse.imag), inverse)
     swing = Parts(z.real[:-1] - steady.real, z.imag[:-1] - steady.imag)
     reach = h * h * frequency * frequency * np.sqrt(np.square(swing.real) + np.square(swing.imag))
-    found = np.empty(3)
+    largest = np.empty(3)
     for kind, (before, power) in enumerate(pairwise(powers)):
         course = _imaginary(power, z)
         last = _times(power, Parts(float(z.real[-1]), float(z.imag[-1])))
@@ -93,8 +93,8 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
         of = np.flatnonzero(np.abs(course[:-1]) + speed + size * reach > best)
         constant = _imaginary(power, _some(steady, of))
         inside = _times(power, _some(swing, of))
-        found[kind] = _between(inside, constant, before.imag * slope[of], rate, h, best)
-    return found
+        largest[kind] = _between(inside, constant, before.imag * slope[of], rate, h, best)
+    return largest
 
 
 def _states(a: Floats, h: float, rate: Parts) -> Parts:
@@ -130,7 +130,7 @@ def _between(
     Parameters
     ----------
     swing, constant, slope
-        Of each sample.
+        Coefficients of each sample.
     rate, h
         L, and the length of a sample, below half a damped period.
     best
@@ -142,11 +142,11 @@ def _between(
     turned = _times(moving, _grown(rate, turn))
     ends = (moving.imag, turned.imag, _imaginary(moving, _grown(rate, h)))
     start, middle, end = (imaginary + slope for imaginary in ends)
-    for low, width, at, here, there in (
+    for low, width, at, here, last in (
         (np.zeros(len(turn)), turn, moving, start, middle),
         (turn, h - turn, turned, middle, end),
     ):
-        of = np.flatnonzero(here * there < 0.0)
+        of = np.flatnonzero(here * last < 0.0)
         if len(of) == 0:
             continue
         t, left, rising = low[of], _some(at, of), here[of] > 0.0

@@ -36,12 +36,12 @@ def impact_ratios(block: Block) -> tuple[float, float]:
 def side_coordinates(blocks: Sequence[Block]) -> dict[str, Any]:
     """Return alpha and p of the sides of blocks, and which stand against a wall, for a dataset.
 
-    ``alpha`` and ``p`` are those of the positive side; ``negative_alpha`` and ``negative_p`` are
-    there where the sides of a block differ, nan of a block without that side; ``one_sided`` where
+    ``alpha`` and ``p`` are those of the positive side; ``negative_alpha`` and ``negative_p`` exist
+    where the sides of a block differ, nan of a block without that side; ``one_sided`` where
     a block stands against a wall.
     """
     two = any(not block.symmetric and not block.one_sided for block in blocks)
-    found: dict[str, Any] = {}
+    coordinates: dict[str, Any] = {}
     for prefix, side in (("", "positive"), ("negative_", "negative"))[: 1 + two]:
         of = f" of the {side} side" if two else ""
         for name, unit, words in (
@@ -52,8 +52,16 @@ def side_coordinates(blocks: Sequence[Block]) -> dict[str, Any]:
                 math.nan if prefix and block.one_sided else getattr(getattr(block, side), name)
                 for block in blocks
             ]
-            found[f"{prefix}{name}"] = ("block", values, {"units": unit, "long_name": words + of})
+            coordinates[f"{prefix}{name}"] = (
+                "block",
+                values,
+                {"units": unit, "long_name": words + of},
+            )
     if any(block.one_sided for block in blocks):
         against = [block.one_sided for block in blocks]
-        found["one_sided"] = ("block", against, {"long_name": "whether it stands against a wall"})
-    return found
+        coordinates["one_sided"] = (
+            "block",
+            against,
+            {"long_name": "whether it stands against a wall"},
+        )
+    return coordinates

@@ -62,14 +62,14 @@ WORDS: Mapping[str, tuple[str, str]] = {
 class IntensityMeasures(Result):
     """Intensity measures of a record, from `rocksteady.measure_intensity`.
 
-    All are exact for an acceleration that is linear between samples, from rest, but for
+    All are exact for an acceleration that is linear between samples, from rest, except
     `arias_of_samples_m_s`, `mean_period_s`, which is made of the samples' Fourier amplitudes, and
     `housner_intensity_m`, an integral by Simpson's rule of exact ordinates.
 
     Attributes
     ----------
     record, block
-        What was measured, and the block of the last three; None without.
+        Record, and block of the last three measures; None without.
     pga_m_s2, pga_g, pgv_m_s, pgd_m
         Largest absolute acceleration [m/s^2], in units of 9.80665 m/s^2, velocity [m/s] and
         displacement [m] of the ground.
@@ -78,8 +78,8 @@ class IntensityMeasures(Result):
     arias_m_s
         pi/(2 g) times the integral of a^2 [m/s].
     arias_of_samples_m_s
-        The same by the trapezoidal rule on the squares of the samples [m/s], as most programs and
-        tables of records have it: larger, the more so the fewer samples a swing has.
+        The same by the trapezoidal rule on the squares of the samples [m/s], as in most programs
+        and tables of records: larger, the more so the fewer samples a swing has.
     cav_m_s
         The integral of abs(a) [m/s].
     significant_5_75_s, significant_5_95_s
@@ -97,14 +97,14 @@ class IntensityMeasures(Result):
     housner_intensity_m
         Integral of the pseudo-velocity over periods from 0.1 to 2.5 s [m].
     damping
-        Of those oscillators.
+        Damping of those oscillators.
     final_velocity_m_s, drifts
         Velocity of the ground at the record's end [m/s], and whether PGD is that of an error in the
         baseline: because that velocity is more than a twentieth of PGV, or PGD more than 5 s times
         PGV.
     pga_per_uplift, p_pgv_per_uplift, p_pgv_per_pga
         PGA/(g tan alpha), p PGV/(g tan alpha) and p PGV/PGA of a block, of the side that lifts
-        first; None without.  Below 1 the first says that a block at rest stays so.
+        first; None without.  Below 1 the first means that a block at rest stays so.
     """
 
     record: Record
@@ -183,21 +183,22 @@ def measure_intensity(
     record
         The record, whose ground begins at rest.
     block
-        Gives the dimensionless measures their slenderness and p; none without.
+        Block whose slenderness and p the dimensionless measures need; default none.
     damping
-        Of the oscillators of Housner's intensity, in [0, 1), 1 being critical; default 0.05.
+        Damping of the oscillators of Housner's intensity, in [0, 1), 1 being critical; default
+        0.05.
     threshold_m_s2
-        Of the bracketed and the uniform duration [m/s^2]; default 0.05 g.
+        Threshold of the bracketed and the uniform duration [m/s^2]; default 0.05 g.
 
     Returns
     -------
     IntensityMeasures
-        Equations and sources are in ``docs/measures.md``.
+        Equations and sources are in ``docs/guides/measures.md``.
 
     Raises
     ------
     InputError
-        If the block is none, a number is outside its range, or the record is beyond 1e50 m/s^2 or
+        If `block` is no block, a number is outside its range, or the record is beyond 1e50 m/s^2 or
         sampled at more than 10 s.
 
     Examples
@@ -207,8 +208,8 @@ def measure_intensity(
     >>> import numpy as np
     >>> from rocksteady import Block, Record, measure_intensity
     >>> samples = 2.0 * np.sin(2.0 * np.pi * np.arange(1001) / 1000)
-    >>> found = measure_intensity(Record(acceleration_m_s2=samples, dt_s=0.001))
-    >>> print(f"{found.pgv_m_s:.4f} {found.pgd_m:.4f} {found.cav_m_s:.4f}")
+    >>> result = measure_intensity(Record(acceleration_m_s2=samples, dt_s=0.001))
+    >>> print(f"{result.pgv_m_s:.4f} {result.pgd_m:.4f} {result.cav_m_s:.4f}")
     0.6366 0.3183 1.2732
     """
     if not (block is None or isinstance(block, Block)):
@@ -278,7 +279,7 @@ def mean_period(record: Record) -> float:
 
 def _felt(block: Block, pga: float, pgv: float) -> dict[str, float]:
     """Return the dimensionless measures of the side that lifts first."""
-    side = min((block.positive, block.negative), key=lambda one: one.alpha)
+    side = min((block.positive, block.negative), key=lambda body_side: body_side.alpha)
     uplift = block.gravity * tan(side.alpha)
     return {
         "pga_per_uplift": pga / uplift,

@@ -67,7 +67,7 @@ class ResponseSpectrum(Result):
     Attributes
     ----------
     record
-        What shakes them, from rest; afterwards the base stands still, and they swing on.
+        Record that shakes them, from rest; afterwards the base stands still, and they swing freely.
     periods_s
         Undamped natural periods T [s].
     damping
@@ -88,14 +88,14 @@ class ResponseSpectrum(Result):
     @property
     def pseudo_velocity_m_s(self) -> Floats:
         """PSV = w Sd [m/s], with w = 2 pi/T."""
-        found: Floats = 2.0 * math.pi / self.periods_s * self.displacement_m
-        return found
+        velocity: Floats = 2.0 * math.pi / self.periods_s * self.displacement_m
+        return velocity
 
     @property
     def pseudo_acceleration_m_s2(self) -> Floats:
         """PSA = w^2 Sd [m/s^2]: the spring's force over the mass, and Sa without damping."""
-        found: Floats = np.square(2.0 * math.pi / self.periods_s) * self.displacement_m
-        return found
+        acceleration: Floats = np.square(2.0 * math.pi / self.periods_s) * self.displacement_m
+        return acceleration
 
     def describe(self) -> Description:
         """Return the ordinates, a row for each period."""
@@ -170,8 +170,8 @@ def compute_response_spectrum(
 
     >>> from rocksteady import Record, compute_response_spectrum
     >>> step = Record(acceleration_m_s2=[1.0] * 101, dt_s=0.01)
-    >>> found = compute_response_spectrum(step, [0.5], damping=0.0)
-    >>> found.pseudo_acceleration_m_s2.round(12), found.acceleration_m_s2.round(12)
+    >>> result = compute_response_spectrum(step, [0.5], damping=0.0)
+    >>> result.pseudo_acceleration_m_s2.round(12), result.acceleration_m_s2.round(12)
     (array([2.]), array([2.]))
     """
     refuse_extreme(record)
@@ -187,8 +187,8 @@ def compute_response_spectrum(
             "give periods in seconds, as [0.1, 0.5, 1.0]",
         )
     ratio = in_range("damping", damping, 0.0, 1.0, "[)", hint="give 0.05 for 5 % of critical")
-    # One closed form a period, in arrays over the samples.
-    found = np.array(
+    # One closed form per period, in arrays over the samples.
+    largest = np.array(
         [
             peaks(record.acceleration_m_s2, record.dt_s, 2.0 * math.pi / period, ratio)
             for period in periods.tolist()
@@ -198,9 +198,9 @@ def compute_response_spectrum(
         record=record,
         periods_s=periods,
         damping=ratio,
-        displacement_m=found[:, 0],
-        velocity_m_s=found[:, 1],
-        acceleration_m_s2=found[:, 2],
+        displacement_m=largest[:, 0],
+        velocity_m_s=largest[:, 1],
+        acceleration_m_s2=largest[:, 2],
     )
 
 
@@ -224,9 +224,9 @@ def average_spectral_acceleration(
     damping
         zeta, 1 being critical, in [0, 1); default 0.05.
     factors
-        First and last period over T, ascending; from 0.2 T to 3 T as [1]_ has it by default.
+        First and last period over T, ascending; default 0.2 and 3, as in [1]_.
     count
-        How many periods, from 2 to 1000.
+        Number of periods, from 2 to 1000.
 
     Raises
     ------
@@ -252,5 +252,5 @@ def average_spectral_acceleration(
     if low >= high:
         raise InputError("factors", factors, "its ends must ascend", "give (0.2, 3.0)")
     periods = middle * np.linspace(low, high, count)
-    found = compute_response_spectrum(record, periods, damping=damping)
-    return exp(float(np.mean(log(found.pseudo_acceleration_m_s2))))
+    spectrum = compute_response_spectrum(record, periods, damping=damping)
+    return exp(float(np.mean(log(spectrum.pseudo_acceleration_m_s2))))

@@ -116,7 +116,7 @@ class Intensity:
 
     @property
     def label(self) -> str:
-        """What people call it."""
+        """Name of the measure in texts."""
         label = self._words.label
         if not self._words.of_period:
             return label
@@ -135,7 +135,7 @@ class Intensity:
 
     @property
     def needs_block(self) -> bool:
-        """Whether it is measured with a block alone."""
+        """Whether it needs a block."""
         return self._words.of_block or (self._words.of_period and self.period_s is None)
 
     def __str__(self) -> str:

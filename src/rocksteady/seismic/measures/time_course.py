@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 DRIFT = 0.05
-"""Velocity at the end over the largest one from which on a record is said to drift."""
+"""Velocity at the end over the largest one above which a record counts as drifting."""
 SLOWEST_S = 5.0
 """PGD over PGV [s] from which on it is; 1.4 s is the most of 66 records of PEER."""
 
@@ -42,7 +42,7 @@ class Peak:
     Attributes
     ----------
     value
-        With its sign, in the unit of what has it.
+        With its sign, in the unit of the quantity.
     t_s
         Time [s].
     """
@@ -169,16 +169,16 @@ class IntegratedRecord(Result):
         )
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a sample."""
+        """Return one row per sample."""
         return self.to_dataset().to_dataframe().reset_index()
 
     @property
     def drifts(self) -> bool:
-        """Whether the displacement is that of an error in the baseline, and no ground's.
+        """Whether the displacement comes from an error in the baseline.
 
-        So it is where the ground ends with more than a twentieth of its largest velocity, which a
-        real one does not; or where PGD is more than 5 s times PGV, as of swings of 30 s and longer,
-        which is what is left of a drift whose mean has been taken off.
+        True where the ground ends with more than a twentieth of its largest velocity, which a real
+        ground does not; or where PGD is more than 5 s times PGV, as with swings of 30 s and longer,
+        the rest of a drift whose mean has been removed.
         """
         largest = abs(self.peak_velocity.value)
         ending = abs(float(self.velocity_m_s[-1])) > DRIFT * largest
@@ -187,8 +187,8 @@ class IntegratedRecord(Result):
     @cached_property
     def husid(self) -> Floats:
         """Husid's curve: the part of the Arias intensity reached at each sample, from 0 to 1."""
-        found: Floats = self.arias_m_s / self.arias_m_s[-1]
-        return found
+        ratio: Floats = self.arias_m_s / self.arias_m_s[-1]
+        return ratio
 
     def time_of_arias(self, part: float) -> float:
         """Return when a part of the Arias intensity is reached [s], exact inside a sample too.

@@ -85,11 +85,11 @@ class Fared(NamedTuple):
     status: Integers
     """Codes of `rocksteady.Status`."""
     impacts: Integers
-    """Of the infinitely many before a rest those that came before it was proved."""
+    """Of the infinitely many impacts before a rest, the number before it was proved."""
     peak_angle: Floats
-    """Largest |theta|/alpha, as `rocksteady.Trajectory.peak` has it."""
+    """Largest |theta|/alpha, as in `rocksteady.Trajectory.peak`."""
     peak_velocity: Floats
-    """Largest |d(theta/alpha)/d(p t)|, as `rocksteady.Trajectory.peak_velocity` has it."""
+    """Largest |d(theta/alpha)/d(p t)|, as in `rocksteady.Trajectory.peak_velocity`."""
 
 
 def shaken_fates(
@@ -116,7 +116,7 @@ def shaken_fates(
     scale
         What its accelerations are multiplied by, above 0, shape (cells,).
     sides
-        Of the blocks, as `sides_in_si` or `scattered_sides` has them, shape (cells, 2, 3),
+        Sides of the blocks, as from `sides_in_si` or `scattered_sides`, shape (cells, 2, 3),
         (cells, 2, 5) or (cells, 2, 7), all of one model.
     gravity
         Acceleration of gravity [m/s^2], shape (cells,).
@@ -126,8 +126,8 @@ def shaken_fates(
     count = len(scale)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
     tops = np.full((count, PEAK_COLUMNS), np.nan)
-    own = sides.copy()
-    own[:, :, LEAN] /= scale[:, np.newaxis]
+    side_rows = sides.copy()
+    side_rows[:, :, LEAN] /= scale[:, np.newaxis]
     elastic = (np.abs(sides[:, :, RESTITUTION]) == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
     # Vertical motion is scaled in its table, where it counts in units of gravity.
@@ -135,13 +135,13 @@ def shaken_fates(
     for cells in _alike(ground, np.where(lifted, gravity, 1.0), np.where(lifted, scale, 1.0)):
         shaking = grounds[ground[cells[0]]]
         weight = 1.0 if shaking.vertical is None else float(gravity[cells[0]])
-        table = _table(shaking, is_nonlinear(own[cells[0]]), weight)
+        table = _table(shaking, is_nonlinear(side_rows[cells[0]]), weight)
         if shaking.vertical is not None:
             table = table.copy()
             table[:, LIFT:] *= scale[cells[0]]
         fates = np.empty(len(cells), dtype=np.int64), np.empty(len(cells), dtype=np.int64)
         highest = np.empty((len(cells), PEAK_COLUMNS if peaks else 0))
-        record_fates(table, own[cells], afterwards[cells], FLIGHT_LIMIT, *fates, highest)
+        record_fates(table, side_rows[cells], afterwards[cells], FLIGHT_LIMIT, *fates, highest)
         status[cells], impacts[cells] = fates
         if peaks:
             tops[cells] = highest
@@ -149,7 +149,7 @@ def shaken_fates(
 
 
 def _alike(*columns: NDArray[Any]) -> list[Integers]:
-    """Return the numbers of the cells of each kind: those that agree in all columns."""
+    """Return the numbers of the cells of each kind: cells that agree in all columns."""
     order = np.lexsort(columns)
     if not len(order):
         return []
@@ -208,7 +208,7 @@ def rectangles_in_si(
     factor = housner_factor(impact)
     ratios = np.full(len(alpha), impact if factor is None else math.nan)
     if factor is not None:
-        # One by one: NumPy's sine may round as its place in the array has it.
+        # One by one: NumPy's sine may round differently by its place in the array.
         ratio = _rectangle_at_wall if one_sided else housner_ratio
         ratios = factor * np.array([ratio(value) for value in alpha.tolist()])
     give_restitutions(sides, ratios[:, np.newaxis])
@@ -229,14 +229,14 @@ def _rectangle_at_wall(alpha: float) -> float:
 
 
 def give_restitutions(sides: Floats, ratios: Floats) -> None:
-    """Write restitutions into sides; of a block against a wall that of the wall.
+    """Write restitutions into sides; for a block against a wall that of the wall.
 
     Parameters
     ----------
     sides
-        Of the blocks, as `sides_in_si` has them, shape (cells, 2, 3) or more; changed here.
+        Sides of the blocks, as from `sides_in_si`, shape (cells, 2, 3) or more; changed here.
     ratios
-        From 0 to 1, shape (cells, 2), or (cells, 1) for both sides; of a block against a wall the
+        From 0 to 1, shape (cells, 2), or (cells, 1) for both sides; for a block against a wall the
         first counts.
     """
     wall = sides[:, 0, RESTITUTION] <= 0.0
@@ -281,7 +281,7 @@ def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
         )
     if not ((keys >= 0) & (keys <= LARGEST_KEY)).all():
         raise InputError(
-            "keys", keys, "a key is a whole number from 0 to 2^53 - 1", "number the cells from 0 on"
+            "keys", keys, "a key is a whole number from 0 to 2^53 - 1", "number the cells from 0"
         )
     scattered = np.zeros((len(sides), 2, SCATTERED_SIDE_COLUMNS))
     scattered[:, :, : sides.shape[2]] = sides

@@ -41,7 +41,7 @@ def describe(dataset: "xarray.Dataset") -> Description:
     Returns
     -------
     Description
-        A row for each cell under ``values``; of several records also one for each block under
+        A row for each cell under ``values``; for several records also one for each block under
         ``suite``, with quantiles of the peaks and the share that overturns.
     """
     dataset = dataset.load()

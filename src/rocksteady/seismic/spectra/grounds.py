@@ -77,7 +77,7 @@ def axis_values(name: str, given: ArrayLike) -> list[float]:
     Raises
     ------
     InputError
-        If they are no numbers, or none, no list, or one is there twice.
+        If they are no numbers, or none, no list, or one occurs twice.
     """
     values = np.atleast_1d(real_array(name, given))
     if values.ndim > 1 or not values.size:
@@ -86,8 +86,8 @@ def axis_values(name: str, given: ArrayLike) -> list[float]:
         )
     if len(np.unique(values)) < len(values):
         raise InputError(name, given, "it may have each value once", "leave the repetition out")
-    found: list[float] = values.tolist()
-    return found
+    points: list[float] = values.tolist()
+    return points
 
 
 def scale_values(given: ArrayLike) -> list[float]:
@@ -118,7 +118,7 @@ def check_grounds(
     grounds, largest
         The grounds, and the largest scale of each.
     blocks
-        Those that ask most of a ground: the one of the largest p, and the one that lifts first.
+        Sides that need most of a ground: the side of the largest p, and the side that lifts first.
     model
         The equations.
 

@@ -268,15 +268,15 @@ def _unfolded(
 
 def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
     """Return coordinates along the axis of blocks."""
-    found = side_coordinates(bodies)
+    coordinates = side_coordinates(bodies)
     ratios = np.array([impact_ratios(block) for block in bodies])
     words = {"units": "1", "long_name": "restitution"}
-    found["restitution"] = ("block", ratios[:, 0], words)
-    if "negative_alpha" in found:
+    coordinates["restitution"] = ("block", ratios[:, 0], words)
+    if "negative_alpha" in coordinates:
         words = {**words, "long_name": "restitution of the negative side"}
-        found["negative_restitution"] = ("block", ratios[:, 1], words)
+        coordinates["negative_restitution"] = ("block", ratios[:, 1], words)
     sizes = {"width": "distance between the edges", "height": "twice that of the mass centre"}
-    return found | {
+    return coordinates | {
         name: (
             "block",
             [float(getattr(block, name)) for block in bodies],

@@ -75,7 +75,7 @@ class OverturningScales(WindowLists):
     Attributes
     ----------
     block, model
-        What falls, and by which equations.
+        Block and equations of motion.
     motions, names
         The records, each with its vertical component where it has one, and their names.
     within
@@ -89,9 +89,9 @@ class OverturningScales(WindowLists):
         Ends of the windows, shape (records, windows); nan beyond the last of a record.  Windows
         that touch differ in their side.
     impacts
-        Before the block overturns at the lower end, the same shape; they vary in a window.
+        Impacts before the block overturns at the lower end, the same shape; they vary in a window.
     side
-        On which it falls, +1 or -1; 0 beyond the last.
+        Side on which it falls, +1 or -1; 0 beyond the last.
     first
         The smallest scale that overturns the block, shape (records,); nan where none does.
     share
@@ -99,7 +99,7 @@ class OverturningScales(WindowLists):
     pga_g, pgv_m_s
         PGA [g] and PGV [m/s] of the horizontal component at scale 1, shape (records,).
     left_out, left_out_width
-        How many windows there are beyond the widest 256, and how wide they are together.
+        Number of windows beyond the widest 256, and their total width.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
     unsettled
@@ -133,13 +133,17 @@ class OverturningScales(WindowLists):
         """Return the windows as an xarray Dataset over record and window."""
         import xarray
 
-        along, both = ("record",), ("record", "window")
+        along, per_window = ("record",), ("record", "window")
         scale = {"units": "1", "long_name": "factor of the accelerations"}
         values: dict[str, Any] = {
-            "low": (both, self.low, scale),
-            "high": (both, self.high, scale),
-            "impacts": (both, self.impacts, {"units": "1", "long_name": "impacts; -1: no window"}),
-            "side": (both, self.side, {"units": "1"}),
+            "low": (per_window, self.low, scale),
+            "high": (per_window, self.high, scale),
+            "impacts": (
+                per_window,
+                self.impacts,
+                {"units": "1", "long_name": "impacts; -1: no window"},
+            ),
+            "side": (per_window, self.side, {"units": "1"}),
             "first": (along, self.first, scale),
             "top": (along, self.top, scale),
             "share": (along, self.share, {"units": "1"}),
@@ -260,7 +264,7 @@ class OverturningScales(WindowLists):
         }
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-        """Yield a row a window, as files and people have it."""
+        """Yield one row per window, as in tables and files."""
         for row in rows:
             for mode in row["modes"]:
                 low, high = mode["interval"]
@@ -384,20 +388,20 @@ def _windows_of(
 ) -> dict[str, NDArray[Any]]:
     """Return the windows of some records."""
     sides = sides_of(block, model)
-    found = nothing_found(len(record), KEPT)
-    found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
+    windows_found = nothing_found(len(record), KEPT)
+    windows_found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
     for cell, ground in enumerate(record):
         table = _table(block, model, ground)
         lifts = _drive(ground.record, block) / block.uplift_acceleration
         end = max(min(high, _largest_scale(table)), low)
-        found["top"][cell] = end
+        windows_found["top"][cell] = end
         if end == low:
             continue
 
         def fates(scale: Floats, table: Floats = table) -> Any:
             # The impacts of a record are many, and make no windows of their own.
-            found = follow(scale, table=table, sides=sides)
-            return found._replace(impacts=found.impacts + MANY)
+            result = follow(scale, table=table, sides=sides)
+            return result._replace(impacts=result.impacts + MANY)
 
         windows = scan(
             fates,
@@ -410,9 +414,9 @@ def _windows_of(
             most=round(MOST * max(1.0, RESOLUTION / resolution)),
             numbered=False,
         )
-        keep(found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
-        found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
-    return found
+        keep(windows_found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
+        windows_found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
+    return windows_found
 
 
 def _drive(record: Record, block: Block) -> float:
@@ -427,10 +431,10 @@ def _table(block: Block, model: Model, ground: GroundShaking) -> Floats:
     if isinstance(model, Linear):
         return np.ascontiguousarray(segment_table(ground.record, block)[:-1])
     table = nonlinear_segment_table(ground.record, block, ground.vertical)
-    found = np.ascontiguousarray(table[:-1])
-    # A ceiling ends a march that is lost before it lies; the margin asks at what speed it will.
-    found[:, CEILING] = math.inf
-    return found
+    rows = np.ascontiguousarray(table[:-1])
+    # A ceiling ends a march that is lost before it lies; the margin needs its speed then.
+    rows[:, CEILING] = math.inf
+    return rows
 
 
 def _largest_scale(table: Floats) -> float:

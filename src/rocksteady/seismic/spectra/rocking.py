@@ -68,7 +68,7 @@ def compute_rocking_spectrum(
     ----------
     motions
         A record or several, or `BaseMotion` of a horizontal and a vertical record.  One that is
-        reversed (`Record.reversed`) drives the other rotation first; of a block against a wall
+        reversed (`Record.reversed`) drives the other rotation first; for a block against a wall
         it is another motion.
     alpha
         Slenderness [rad], a number or several.
@@ -76,7 +76,7 @@ def compute_rocking_spectrum(
         Periods 2 pi/p [s], a number or several.
     restitution
         A number in (0, 1]; "housner" (default) for that of each slenderness, or
-        ("housner", 0.965) for a measured factor of it.  Of blocks against a wall
+        ("housner", 0.965) for a measured factor of it.  For blocks against a wall
         (`Block.against_wall`) that of the wall, as ("wall", "housner"), or ("wall", 0.4) for a
         number in [0, 1].
     model
@@ -94,7 +94,7 @@ def compute_rocking_spectrum(
         Over ``record``, ``scale``, ``alpha`` and ``period``, in this order; what was given as a
         single record or number is no dimension.  ``peak_angle`` is the largest |theta|/alpha and
         ``peak_velocity`` the largest |d(theta/alpha)/d(p t)|: times alpha it is the angular
-        velocity over p [rad].  ``status`` has the flags of `Status`; of a block that is
+        velocity over p [rad].  ``status`` has the flags of `Status`; for a block that is
         "overturned" the peaks are those until it passes alpha for the last time, so that the first
         is 1, or more where it had been further out and come back.  ``impacts`` counts, of the
         infinitely many before a rest, those before it was proved.
@@ -136,7 +136,7 @@ def compute_rocking_spectrum(
     factors = scale_values(given)
     one_sided, impact = wall_of(restitution)
     factor = housner_factor(impact)
-    # Of the grid, the corner that asks most of the records, and the shape with least restitution.
+    # Of the grid, the corner that needs most of the records, and the shape with least restitution.
     corner, _ = (
         _rectangle(value, 2.0 * math.pi / min(periods), gravity, impact, one_sided=one_sided)
         for value in (min(slenderness), max(slenderness))

@@ -31,18 +31,18 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
     """
     drawing = picture_address(draw_object(assessment.described))
-    found = {
+    pictures = {
         "object": {"source": drawing, "narrow": drawing, "alt": _words_of_object(assessment)},
     }
     fragility = assessment.fragility
     if fragility is None:
-        return found
-    found["fragility"] = picture(
+        return pictures
+    pictures["fragility"] = picture(
         lambda axes: _draw_fragility(axes, assessment), 4.1, _words_of_curve(assessment)
     )
     if len(fragility.states) > 1:
         names = ", ".join(greek(each.state.name) for each in fragility.states)
-        found["states"] = picture(
+        pictures["states"] = picture(
             lambda axes: plot_fragility_states(fragility, axes, legend="below"),
             4.2,
             f"Shares of runs and fragility curves of the damage states {names}.",
@@ -50,7 +50,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     ranked = [each for each in fragility.ranking if math.isfinite(each.aic)]
     if len(ranked) > 1 and any(each.beta > 0.0 for each in ranked):
         best = " and ".join(greek(part.label) for part in ranked[0].measure)
-        found["ranking"] = picture(
+        pictures["ranking"] = picture(
             lambda axes: plot_ranking(fragility, axes),
             0.7 + ROW * len(ranked),
             f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
@@ -59,7 +59,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     bars = tornado_rows(assessment)
     if bars and abs(bars[0][1] - bars[0][2]) > LEAST_BAR:
         base = assessment.cases[0].probability
-        found["tornado"] = picture(
+        pictures["tornado"] = picture(
             lambda axes: plot_tornado(
                 [(name, 100.0 * low, 100.0 * high) for name, low, high in bars],
                 100.0 * base,
@@ -71,7 +71,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             f"{span(min(bars[0][1:]), max(bars[0][1:]), 100.0)} %.",
             phone=False,  # its names leave no room for bars; the table below has its numbers
         )
-    return found
+    return pictures
 
 
 def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:

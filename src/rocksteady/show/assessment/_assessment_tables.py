@@ -81,17 +81,17 @@ def _median_words(assessment: Assessment) -> tuple[str, str]:
         words += f" ({span(*band)})"
     low, high = curve.sampled
     beyond = "" if low <= median <= high else f"beyond what was run, {span(low, high)}{unit}"
-    one = unit_of(assessment)
-    if math.isnan(one) or one == 1.0:
+    at_one = unit_of(assessment)
+    if math.isnan(at_one) or at_one == 1.0:
         return words, beyond
-    peak = f"{number(one * median)} {PEAKS[fragility.measure.name][1]}"
+    peak = f"{number(at_one * median)} {PEAKS[fragility.measure.name][1]}"
     if band is not None:
-        peak += f" ({span(band[0], band[1], one)})"
+        peak += f" ({span(band[0], band[1], at_one)})"
     return peak, f"{words}, {beyond}" if beyond else words
 
 
 def _friction_words(assessment: Assessment) -> tuple[str, str]:
-    """Return the friction that rocking needs, and the one that is given."""
+    """Return the friction that rocking needs, and the given friction."""
     given = assessment.facts.friction
     known = "none given" if given is None else f"{span(*given)} given"
     need = assessment.friction_needed

@@ -50,7 +50,7 @@ def write_assessment(
     folder
         New, empty, or with files of an assessment, which `force` replaces.
     command
-        The command line that makes it again; default "".
+        Command line that repeats it; default "".
     files
         The files that were read, whose hashes are kept; none by default.
     force
@@ -60,7 +60,7 @@ def write_assessment(
     -------
     list of Path
         The report, a table with a row for each run, curves as pelicun and OpenQuake read them, and
-        the manifest of the run; without an ensemble report and manifest alone; of a table of
+        the manifest of the run; without an ensemble report and manifest alone; for a table of
         objects report, rows and manifest.
 
     Raises
@@ -78,9 +78,9 @@ def write_assessment(
     ...     "geometry": {"width_m": 0.4, "height_m": 1.8},
     ...     "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
     ... }
-    >>> found = assess_object(ObjectFile(values=values), make_synthetic_suite(2))
+    >>> assessment = assess_object(ObjectFile(values=values), make_synthetic_suite(2))
     >>> with TemporaryDirectory() as folder:
-    ...     [file.name for file in write_assessment(found, folder)]
+    ...     [file.name for file in write_assessment(assessment, folder)]
     ['report.html', 'run.json']
     """
     return fill_own_folder(
@@ -158,7 +158,7 @@ def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path)
             identifier,
             steps=True,
             floor=described.given.demand.place == "floor",
-            description=f"{described.name}: {assessment.facts.describe().headline}",
+            description=assessment.facts.describe().headline,
         )
     except InputError as error:
         return [f"No fragility for loss tools: {error}"]

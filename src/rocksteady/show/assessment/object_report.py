@@ -83,9 +83,9 @@ def write_report(
     ...         "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
     ...     }
     ... )
-    >>> found = assess_object(cabinet, make_synthetic_suite(2, seed=0))
+    >>> assessment = assess_object(cabinet, make_synthetic_suite(2, seed=0))
     >>> with TemporaryDirectory() as folder:
-    ...     file = write_report(f"{folder}/report.html", found)
+    ...     file = write_report(f"{folder}/report.html", assessment)
     ...     print(file.read_text(encoding="utf-8").count("<h1>"))
     1
     """
@@ -146,17 +146,17 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
 
 def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return sentences on what is assumed and what limits the answer."""
-    found = list(assessment.facts.warnings)
+    warnings = list(assessment.facts.warnings)
     if assessment.fragility is not None:
-        found += assessment.fragility.warnings
+        warnings += assessment.fragility.warnings
     made = sum(row["synthetic"] for row in motions)
     if made and assessment.fragility is not None:
-        found.append(
+        warnings.append(
             f"{made} of {plural(len(motions), 'motion')} {'is' if made == 1 else 'are'} synthetic, "
             "made from random numbers and no earthquake's: the answer is an example, not one for a "
             "site."
         )
-    return [sentence(greek(each)) for each in dict.fromkeys(found)]
+    return [sentence(greek(each)) for each in dict.fromkeys(warnings)]
 
 
 def _risk_notes(assessment: Assessment) -> list[str]:

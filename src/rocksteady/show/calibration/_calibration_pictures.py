@@ -31,17 +31,17 @@ Picture = dict[str, str]
 
 def pictures_of(calibration: Calibration) -> dict[str, Any]:
     """Return the pictures of a calibration's page by their places; lists where there are more."""
-    found: dict[str, Any] = {
+    pictures: dict[str, Any] = {
         "ladders": _ladders(calibration),
         "posteriors": _posteriors(calibration),
     }
     validation = calibration.validation
     if not validation.rows:
-        return found
-    found["reliability"] = picture(
+        return pictures
+    pictures["reliability"] = picture(
         partial(_reliability, calibration), 3.7, _words_of_reliability(validation)
     )
-    found["temper"] = picture(
+    pictures["temper"] = picture(
         partial(_temper, calibration),
         3.1,
         f"Held-out log score over {plural(len(validation.temper_scores), 'temper')}; the chosen "
@@ -49,7 +49,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
     )
     if len(validation.learning) > 1:
         first, last = (validation.learning[place]["groups"] for place in (0, -1))
-        found["learning"] = picture(
+        pictures["learning"] = picture(
             partial(_learning, calibration),
             3.1,
             f"Held-out accuracy after {first} to {last} groups, of the calibrated block, of a "
@@ -58,12 +58,12 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
     for by in ("record", "session"):
         rows = validation.residuals[by]
         if len(rows) > 1:
-            found[by] = picture(
+            pictures[by] = picture(
                 partial(_residuals, calibration, by),
                 1.1 + ROW * min(len(rows), MOST_RESIDUALS),
                 f"Falls less those predicted, of {plural(len(rows), by)}.",
             )
-    return found
+    return pictures
 
 
 def _reliability(calibration: Calibration, axes: Any) -> None:

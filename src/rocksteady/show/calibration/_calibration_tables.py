@@ -41,14 +41,14 @@ PARAMETERS = {
 VERDICTS = {
     "identified": ("agrees", "the tests narrow it inside what was known before"),
     "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
-    "prior returned": ("open", "it comes back as it was put in, and the tests say nothing of it"),
+    "prior returned": ("open", "it comes back as it was put in, and the tests do not inform it"),
     "bound": ("raised", "all outcomes are alike and bound it from one side, at 90 %"),
     "at the prior's limit": (
         "raised",
         "the tests push it to an end of what was thought possible: widen that, or doubt the model",
     ),
 }
-"""Look and meaning of each verdict; those that limit the answer stand out."""
+"""Look and meaning of each verdict; verdicts that limit the answer stand out."""
 MOST_ROWS = 12
 """Rows of the table of tests that were not expected."""
 
@@ -57,7 +57,7 @@ def sentence_of(calibration: Calibration) -> str:
     """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
     if not calibration.validation.rows:
         count = plural(len(calibration.tests), "test")
-        return f"By {count}, none of which can be held out: nothing tells how well they predict."
+        return f"By {count}, none of which can be held out: their predictions cannot be scored."
     rows = calibration.validation.rows
     mine, base = rows["calibrated"], rows["base rate"]
     right = round(mine.accuracy[0] * mine.tests)
@@ -176,8 +176,8 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
 
 def residual_rows(calibration: Calibration, by: str) -> list[Row]:
     """Return a row for each record or session, the largest misfit first."""
-    found = calibration.validation.residuals.get(by, ())
-    rows = sorted(found, key=lambda each: (-abs(each["z"]), each["name"]))
+    residuals = calibration.validation.residuals.get(by, ())
+    rows = sorted(residuals, key=lambda each: (-abs(each["z"]), each["name"]))
     return [
         {
             "name": each["name"],

@@ -21,8 +21,8 @@ GUARANTEES: Final = (
 )
 NOT_PROMISED: Final = (
     (
-        "That outcomes tell the height, the restitution or p: of a block that falls or stands only "
-        "alpha is identified, and the rest mostly comes back as it was put in."
+        "That outcomes determine the height, the restitution or p: of a block that falls or "
+        "stands only alpha is identified, and the rest mostly comes back as it was put in."
     ),
     (
         "That alpha is that of the outline: it is the one of a rigid block that falls as this one "

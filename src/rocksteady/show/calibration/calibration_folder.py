@@ -32,7 +32,7 @@ def write_calibration(
     folder
         New, empty, or with files of a calibration, which `force` replaces.
     command
-        The command line that makes it again; default "".
+        Command line that repeats it; default "".
     force
         Replace files of an earlier calibration; default False.
 
@@ -56,9 +56,9 @@ def write_calibration(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
     >>> with TemporaryDirectory() as folder:
-    ...     [file.name for file in write_calibration(found, folder)]
+    ...     [file.name for file in write_calibration(calibration, folder)]
     ['fit.json', 'parameters.csv', 'posterior.csv', 'predictions.csv', 'report.html']
     """
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def refuse_others(dataset: object) -> None:
-    """Refuse what is no dataset, one without values, and values that not every format can say."""
+    """Refuse what is no dataset, one without values, and values that not every format can hold."""
     import xarray
 
     if (

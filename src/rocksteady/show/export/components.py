@@ -138,14 +138,14 @@ class LossComponent:
     states
         In increasing order of severity.
     period_s
-        Of "sa_g" [s], 5 % damped.
+        Period of "sa_g" [s], 5 % damped.
     floor
         Whether the demand is that of a floor and not of the ground; off by default.
     no_damage
         Intensity up to which there is no damage at all, in the unit of the measure, as the uplift
         limit g tan(alpha) of a peak acceleration; None by default.
     description
-        Of the object, in a sentence.
+        Description of the object, in a sentence.
     left_out
         A sentence for each damage state that is not among the states.
 
@@ -190,7 +190,10 @@ class LossComponent:
             )
         if self.measure not in MEASURES:
             raise InputError(
-                "measure", self.measure, "loss tools know " + ", ".join(MEASURES), "use one of them"
+                "measure",
+                self.measure,
+                "loss tools accept " + ", ".join(MEASURES),
+                "use one of them",
             )
         if (self.period_s is not None) != (self.measure == "sa_g"):
             raise InputError(
@@ -204,7 +207,7 @@ class LossComponent:
         names = [state_name(state.name) for state in self.states]
         if not 1 <= len(names) <= MOST_STATES or len(set(names)) < len(names):
             valid = f"there must be 1 to {MOST_STATES}, of names that differ in letters and digits"
-            raise InputError("states", names, valid, "choose fewer, or name each anew")
+            raise InputError("states", names, valid, "choose fewer, or rename each")
 
     @classmethod
     def from_fragility(
@@ -227,7 +230,7 @@ class LossComponent:
         fragility
             From `rocksteady.compute_fragility`, of one block.
         identifier
-            Of the component.
+            Identifier of the component.
         floor
             Whether the motions are those of a floor; off by default.
         given_uplift
@@ -238,7 +241,7 @@ class LossComponent:
             Whether states without a lognormal, as a step, are kept for files of points; off by
             default. What never or always happens has no curve, and is left out in either case.
         description
-            Of the object, in a sentence.
+            Description of the object, in a sentence.
 
         Raises
         ------
@@ -286,7 +289,7 @@ def text_value(name: str, value: object) -> str:
     Raises
     ------
     InputError
-        If it is none.
+        If the value is no text.
     """
     if isinstance(value, str):
         return value
@@ -323,18 +326,18 @@ def _crossings(component: LossComponent) -> list[str]:
     """Return a sentence for each state that is likelier than a lighter one at some intensity."""
     if len(component.states) == 1:
         return []
-    found = []
+    crossings = []
     levels = levels_of(component, 200)
     rows = [state.probability(levels) for state in component.states]
     pairs = itertools.pairwise(zip(component.states, rows, strict=True))
     for (lighter, low), (worse, high) in pairs:
         over = high - low
         if over.max() > CROSSING:
-            found.append(
+            crossings.append(
                 f"The curve of '{worse.name}' is up to {over.max():.2g} above that of "
                 f"'{lighter.name}', at {levels[over.argmax()]:.3g}: raw fits are not forced apart."
             )
-    return found
+    return crossings
 
 
 def levels_of(component: LossComponent, count: int) -> Floats:
@@ -372,7 +375,7 @@ def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
     raise InputError(
         "measure",
         fragility.measure.name,
-        "loss tools know PGA, PGV and the spectral acceleration at a period",
+        "loss tools accept PGA, PGV and the spectral acceleration at a period",
         "fit the fragility in pga_g, pgv_m_s, sa_g or p_pgv_per_uplift",
     )
 
@@ -399,17 +402,17 @@ def _gate_of(fragility: Fragility) -> float | None:
     return math.tan(_side_of(fragility)[0])
 
 
-def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossState | str:
+def _state_of(fragility: StateFragility, factor: float, given_uplift: bool) -> LossState | str:
     """Return a damage state in the unit of the export, or why there is no curve of it."""
-    two, chosen, words = found.two_stage, found.plain, "of all runs"
+    two, chosen, words = fragility.two_stage, fragility.plain, "of all runs"
     if given_uplift and two is not None and two.offset:
         words = (
             f"of all runs, as given uplift the lognormal is in {two.given_uplift.measure[0]}, "
-            "which loss tools do not know"
+            "which loss tools do not accept"
         )
     elif given_uplift and two is not None:
         chosen, words = two.given_uplift, "of the runs that lift, given uplift"
-    best = found.curve
+    best = fragility.curve
     usable = chosen.status == "fitted" and chosen.family == "lognormal"
     if usable:
         note = (
@@ -424,7 +427,7 @@ def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossS
     if not usable and not has_curve:
         return note
     return LossState(
-        name=found.state.name,
+        name=fragility.state.name,
         median=chosen.median * factor if usable else None,
         beta=chosen.beta if usable else None,
         curve=_scaled(best, factor) if has_curve else None,

@@ -23,7 +23,7 @@ ROWS = 8192
 
 
 def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
-    """Save a dataset as CSV; `name` asked for it, and errors are as for `export`."""
+    """Save a dataset as CSV; errors are as for `export`, and call the file `name`."""
     refuse_others(dataset)
     outputs = {str(key): array.variable for key, array in dataset.data_vars.items()}
     first = next(iter(outputs.values()))
@@ -63,12 +63,12 @@ def _rows(
         shape = tuple(side.stop - side.start for side in region)
         columns = [_within(texts, region, shape) for texts in coordinates.values()]
         columns += [array[region].values.ravel() for array in outputs.values()]
-        said = [None] * len(coordinates) + list(words.values())
+        row = [None] * len(coordinates) + list(words.values())
         for begin in range(0, math.prod(shape), ROWS):
             yield from zip(
                 *(
                     _spoken(column[begin : begin + ROWS], meanings)
-                    for column, meanings in zip(columns, said, strict=True)
+                    for column, meanings in zip(columns, row, strict=True)
                 ),
                 strict=True,
             )

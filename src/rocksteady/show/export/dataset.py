@@ -19,9 +19,9 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
     Parameters
     ----------
     dataset
-        Of numbers, booleans and names, as sweeps return it.
+        Dataset of numbers, booleans and names, as sweeps return it.
     file
-        It appears when it is whole, in the place of one that is there.
+        It appears when it is whole, and replaces an existing file.
 
         ``.nc`` is NetCDF-4: every variable with its type, units, names and flags, compressed
         without loss.  Booleans are bytes of 0 and 1, which xarray reads as booleans.
@@ -44,10 +44,10 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady import DimensionlessBlock, map_attractors, export
     >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0]}
-    >>> found = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
+    >>> result = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
     >>> with TemporaryDirectory() as folder:
     ...     file = Path(folder) / "map.csv"
-    ...     export(found[["kind", "period"]], file)
+    ...     export(result[["kind", "period"]], file)
     ...     print(file.read_text(encoding="utf-8"))
     amplitude,frequency_ratio,kind,period
     0.5,1.0,rest,0
@@ -64,5 +64,5 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
             save_cells("file", path, dataset)
         case _:
             raise InputError(
-                "file", file, "its ending says the format: .nc or .csv", "name it as map.nc"
+                "file", file, "its extension sets the format: .nc or .csv", "name it as map.nc"
             )

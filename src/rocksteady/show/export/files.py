@@ -29,11 +29,11 @@ def check_writable(name: str, file: Path, *, force: bool) -> None:
         a device or a pipe. A link counts as what it leads to, and as existing where that is
         missing.
     """
-    found = durable.obstacle(file)
+    problem = durable.obstacle(file)
     if file == Path("-"):  # which elsewhere means standard output
         valid, hint = "standard output is kept for text and --json", "name a file"
-    elif found is not None:
-        valid, hint = found
+    elif problem is not None:
+        valid, hint = problem
     elif not os.access(durable.place_of(file).parent, os.W_OK):
         valid, hint = "its folder is not writable", "choose another folder"
     elif os.path.lexists(file) and not force:
@@ -56,12 +56,12 @@ def impossible_name(file: Path) -> str | None:
 
 
 def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
-    """Write a file that is whole, or leave what was there before.
+    """Write a file that is whole, or leave the old file.
 
     Parameters
     ----------
     name
-        What asked for the file, for the error.
+        Argument or flag of the file, for the error.
     file
         Where it goes; a link stays, and the file that it leads to is replaced.
     write
@@ -70,11 +70,11 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
     Raises
     ------
     OutputError
-        If it cannot be written, or what is there is no file.
+        If it cannot be written, or there is something other than a file.
     """
-    found = durable.obstacle(file)
-    if found is not None:
-        raise OutputError(name, file, found[0], found[1])
+    problem = durable.obstacle(file)
+    if problem is not None:
+        raise OutputError(name, file, problem[0], problem[1])
     try:
         durable.write(file, write)
     except FileExistsError as error:
@@ -149,7 +149,7 @@ def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None)
 
 
 def _plain(value: Any) -> Any:
-    """Return a value that JSON can say."""
+    """Return a value that JSON can hold."""
     if isinstance(value, dict):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):

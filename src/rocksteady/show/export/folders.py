@@ -44,9 +44,9 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     if target.is_dir():
         named = sorted(file for file in target.iterdir() if re.fullmatch(ours, file.name))
         for file in named:
-            found = durable.obstacle(file)
-            if found is not None:
-                raise OutputError("out", file, found[0], "move it, or name another folder")
+            problem = durable.obstacle(file)
+            if problem is not None:
+                raise OutputError("out", file, problem[0], "move it, or name another folder")
         held = [] if force else [file.name for file in named]
         if held:
             raise OutputError(
@@ -109,7 +109,7 @@ def fill_own_folder(
     Returns
     -------
     list of Path
-        What is there now.
+        The written files.
 
     Raises
     ------
@@ -142,7 +142,7 @@ def fill_folder(
     Returns
     -------
     list of Path
-        What is there now.
+        The written files.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def fill_folder(
 
 
 def _move(staged: Sequence[Path], folder: Path) -> list[Path]:
-    """Move files into a folder; where a link is there, write what it leads to.
+    """Move files into a folder; where the target is a link, write what it leads to.
 
     All are forced to the disk before the first is moved: a run that is ended while it waits for the
     disk leaves the old files, and no mixture of old and new ones.

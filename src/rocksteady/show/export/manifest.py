@@ -45,11 +45,11 @@ def make_manifest(
     ensemble
         From `rocksteady.run_ensemble`: its model, measure, seed, scatter and warnings.
     command
-        That makes the run again.
+        Command line that repeats the run.
     settings
-        What else was chosen, by name.
+        Further settings by name.
     warnings
-        Sentences on what to mind.
+        Warnings, as sentences.
 
     Returns
     -------

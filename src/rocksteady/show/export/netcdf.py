@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def save_netcdf(name: str, file: Path, dataset: "xarray.Dataset") -> None:
-    """Save a dataset as NetCDF-4; `name` asked for it, and errors are as for `export`."""
+    """Save a dataset as NetCDF-4; errors are as for `export`, and call the file `name`."""
     import h5netcdf
 
     refuse_others(dataset)
@@ -57,7 +57,7 @@ def _stored_type(array: "xarray.Variable") -> Any:
 
 def _written(attributes: Mapping[Any, Any]) -> dict[str, Any]:
     """Return attributes in numbers, texts and arrays of them: a boolean is 0 or 1."""
-    found: dict[str, Any] = {}
+    encoding: dict[str, Any] = {}
     for key, value in attributes.items():
         array = np.asarray(value)
         if array.dtype.kind not in "biufU" or array.ndim > 1 or array.size == 0:
@@ -68,8 +68,8 @@ def _written(attributes: Mapping[Any, Any]) -> dict[str, Any]:
                 "convert it, or leave it out",
             )
         boolean = array.dtype.kind == "b"
-        found[str(key)] = array.astype(np.int8)[()] if boolean else value
-    return found
+        encoding[str(key)] = array.astype(np.int8)[()] if boolean else value
+    return encoding
 
 
 def _filled(stream: Any, key: str, array: "xarray.Variable", place: "_Quiet") -> Any:
@@ -83,7 +83,7 @@ def _filled(stream: Any, key: str, array: "xarray.Variable", place: "_Quiet") ->
     dims = [str(dim) for dim in array.dims]
     variable = stream.create_variable(key, dims, dtype, **(options if packed else {}))
     if array.dtype.kind == "b":
-        variable.attrs["dtype"] = "bool"  # by which xarray knows it
+        variable.attrs["dtype"] = "bool"  # by which xarray recognises it
     for part in range(len(parts)):
         region = parts.region(part)
         values = array[region].values
@@ -93,7 +93,7 @@ def _filled(stream: Any, key: str, array: "xarray.Variable", place: "_Quiet") ->
 
 
 class _Quiet(FileIO):
-    """A file that keeps the first error of writing to itself until it is asked.
+    """A file that holds back the first error of writing until `check` raises it.
 
     HDF5 does not survive one: on a full disk it prints thousands of lines and crashes in the end.
     """

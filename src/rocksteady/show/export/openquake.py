@@ -54,7 +54,7 @@ def write_openquake(
     components
         One or more, of different identifiers and the same damage states.
     model_id
-        Of the model: letters, digits, "_" and "-", at most 75.
+        Identifier of the model: letters, digits, "_" and "-", at most 75.
     loss_category
         "contents", the default, or "nonstructural".
     points

@@ -46,7 +46,7 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     Raises
     ------
     InputError
-        If an identifier is there twice, or a state has no lognormal. Such a component would have
+        If an identifier occurs twice, or a state has no lognormal. Such a component would have
         to be marked incomplete, and pelicun then leaves out all of it, with its losses: a file
         like that is not written.
     OutputError
@@ -80,9 +80,9 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
                 )
     companion = table.with_suffix(".json")
     for file in (table, companion):
-        found = durable.obstacle(file)
-        if found is not None:
-            raise OutputError("path", file, *found)
+        problem = durable.obstacle(file)
+        if problem is not None:
+            raise OutputError("path", file, *problem)
     most = max(len(component.states) for component in components)
     head = [*HEAD, *(f"LS{k + 1}-{name}" for k in range(most) for name in OF_EACH)]
     text = json_text_of(components)

@@ -1,4 +1,4 @@
-"""What a page says of how it was made: versions, command and hashes."""
+"""How a page was made: versions, command and hashes."""
 
 from collections.abc import Mapping
 from typing import Any

@@ -90,12 +90,12 @@ def _names(tests: Sequence[ShakingTest]) -> dict[int, str]:
             if record is None or id(record) in files:
                 continue
             stem = _SAFE.sub("_", record.name or "record").strip(" .")[:_LONGEST_NAME] or "record"
-            number, own = 1, stem
-            while own.casefold() in used:
+            number, candidate = 1, stem
+            while candidate.casefold() in used:
                 number += 1
-                own = f"{stem} {number}"
-            used.add(own.casefold())
-            files[id(record)] = f"{own}.csv"
+                candidate = f"{stem} {number}"
+            used.add(candidate.casefold())
+            files[id(record)] = f"{candidate}.csv"
     return files
 
 
@@ -123,11 +123,11 @@ def _row(test: ShakingTest, files: Mapping[int, str]) -> list[object]:
 def _objects(objects: Mapping[str, ObjectPrior]) -> str:
     """Return the table of objects; what is a default has no value."""
     columns = [
-        key for key in BOUNDS if any(getattr(one, key) is not None for one in objects.values())
+        key for key in BOUNDS if any(getattr(prior, key) is not None for prior in objects.values())
     ]
     rows = []
-    for name, one in objects.items():
-        cells = [getattr(one, key) for key in columns]
+    for name, prior in objects.items():
+        cells = [getattr(prior, key) for key in columns]
         rows.append([name, *("" if cell is None else str(cell) for cell in cells)])
     return _csv(["name", *columns], rows)
 

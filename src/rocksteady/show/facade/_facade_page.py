@@ -51,7 +51,7 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
     named = places(facade, words)
     made = provenance(manifest)
     sentences = sentences_of(check, words)
-    there = [each for each in SECTIONS if each != "runs" or runs is not None]
+    sections = [each for each in SECTIONS if each != "runs" or runs is not None]
     values: dict[str, Any] = {
         "acting": acting_rows(check, words),
         "assumed": [words(f"assumed_{each}", **named) for each in ASSUMED],
@@ -78,7 +78,7 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
         "run_signs": [] if runs is None else [words[f"sign_{each}"] for each in runs.directions],
         "sections": [
             {"id": each, "number": place, "words": words[_section(each, check)]}
-            for place, each in enumerate(there, 1)
+            for place, each in enumerate(sections, 1)
         ],
         "sentences": sentences if headline_of(check, words) else [],
         "title": words("title", name=facade.name),

@@ -29,7 +29,7 @@ def pictures_of(check: FacadeCheck, words: Language) -> dict[str, dict[str, str]
     Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
     """
     code = words.code
-    found = {
+    pictures = {
         "section": _beside(
             lambda axes: plot_facade(check.facade, axes, language=code),
             SECTION, _words_of_section(check, words),
@@ -41,26 +41,26 @@ def pictures_of(check: FacadeCheck, words: Language) -> dict[str, dict[str, str]
     }  # fmt: skip
     runs = check.runs
     if isinstance(runs, FacadeRuns):
-        found["runs"] = picture(
+        pictures["runs"] = picture(
             lambda axes: plot_facade_runs(runs, axes, language=code),
             1.3 + ROW * min(len(runs.records), MOST_ROWS),
             _words_of_runs(runs, words),
         )
-    return found
+    return pictures
 
 
 def _beside(
     draw: "Callable[[Axes], object]", size: tuple[float, float], words: str
 ) -> dict[str, str]:
-    """Return a picture that stands beside another, drawn anew for a phone."""
-    found = {"alt": words}
+    """Return a picture that stands beside another, drawn again for a phone."""
+    picture = {"alt": words}
     page: Page
     for name, page in (("source", SCREEN), ("narrow", PHONE)):
         width, height = size if name == "source" else (PHONE.width(7.2), size[1])
         with page.figure(width, height, "") as figure:
             draw(figure.add_subplot())
-        found[name] = picture_address(figure)
-    return found
+        picture[name] = picture_address(figure)
+    return picture
 
 
 def _words_of_section(check: FacadeCheck, words: Language) -> str:

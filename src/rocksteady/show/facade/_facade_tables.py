@@ -79,7 +79,7 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
     if not check.states:
         values = {"a0": words.quantity(mechanism.a0_g, "g"), "d0": length(mechanism.d0_m, words)}
         return [words("sentence_none", **places(check.facade, words), **values)]
-    found = []
+    sentences = []
     for state in check.states:
         passed, failed = (
             words.joined([words[f"method_{each.method}"] for each in check.decided(state, which)])
@@ -87,13 +87,13 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
         )
         key = "differs" if passed and failed else "holds" if passed else "fails"
         name = words[state]
-        found.append(
+        sentences.append(
             words(
                 f"sentence_{key}", state=name[:1].upper() + name[1:], passed=passed, failed=failed,
                 methods=passed or failed,
             )
         )  # fmt: skip
-    return found
+    return sentences
 
 
 def check_rows(check: FacadeCheck, words: Language) -> list[Row]:
@@ -204,24 +204,24 @@ def acting_rows(check: FacadeCheck, words: Language) -> list[Row]:
 
 def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
     """Return symbol, meaning, value and formula of each number of the mechanism."""
-    found = check.mechanism
-    angle = words.marked(number(math.degrees(found.theta0_rad)))
+    mechanism = check.mechanism
+    angle = words.marked(number(math.degrees(mechanism.theta0_rad)))
     block = words["equivalent"]
     rows = [
-        ("α₀", "m_alpha0", words.number(found.alpha0), "C8.7.1.1 †"),
-        ("e*", "m_e_star", words.number(found.e_star), "C8.7.1.5 †"),
-        ("M*", "m_mass", words.quantity(found.mass_kg, "kg", 4), "e* †"),
-        ("FC", "m_fc", words.number(found.confidence_factor), "C8.5.IV †"),
-        ("a₀", "m_a0", words.quantity(found.a0_g, "g"), "C8.7.1.3 †"),
-        ("d₀", "m_d0", length(found.d0_m, words), "C8.7.1.2.1 †"),
-        ("d_SLV", "m_dslv", length(found.d_slv_m, words), "C8.7.1.2.1 †"),
-        ("d_SLC", "m_dslc", length(found.d_slc_m, words), "C8.7.1.2.1 †"),
-        ("T_SLV", "m_tslv", words.quantity(found.t_slv_s, "s"), "C8.7.1.10 †"),
-        ("T_SLC", "m_tslc", words.quantity(found.t_slc_s, "s"), "C8.7.1.11 †"),
+        ("α₀", "m_alpha0", words.number(mechanism.alpha0), "C8.7.1.1 †"),
+        ("e*", "m_e_star", words.number(mechanism.e_star), "C8.7.1.5 †"),
+        ("M*", "m_mass", words.quantity(mechanism.mass_kg, "kg", 4), "e* †"),
+        ("FC", "m_fc", words.number(mechanism.confidence_factor), "C8.5.IV †"),
+        ("a₀", "m_a0", words.quantity(mechanism.a0_g, "g"), "C8.7.1.3 †"),
+        ("d₀", "m_d0", length(mechanism.d0_m, words), "C8.7.1.2.1 †"),
+        ("d_SLV", "m_dslv", length(mechanism.d_slv_m, words), "C8.7.1.2.1 †"),
+        ("d_SLC", "m_dslc", length(mechanism.d_slc_m, words), "C8.7.1.2.1 †"),
+        ("T_SLV", "m_tslv", words.quantity(mechanism.t_slv_s, "s"), "C8.7.1.10 †"),
+        ("T_SLC", "m_tslc", words.quantity(mechanism.t_slc_s, "s"), "C8.7.1.11 †"),
         ("θ₀", "m_theta0", f"{angle}°", block),
-        ("p", "m_p", words.quantity(found.p_rad_s, "rad/s"), block),
-        ("λ", "m_lambda", words.number(found.base_factor), block),
-        ("α₀ g/FC", "m_uplift", words.quantity(found.uplift_g, "g"), block),
+        ("p", "m_p", words.quantity(mechanism.p_rad_s, "rad/s"), block),
+        ("λ", "m_lambda", words.number(mechanism.base_factor), block),
+        ("α₀ g/FC", "m_uplift", words.quantity(mechanism.uplift_g, "g"), block),
     ]
     return [
         {"symbol": symbol, "meaning": words[key], "value": value, "source": source}

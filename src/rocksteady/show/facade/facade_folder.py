@@ -53,7 +53,7 @@ def write_facade_folder(
     motions
         Records that were run, whose hashes are kept; none by default.
     command
-        The command line that makes it again; default "".
+        Command line that repeats it; default "".
     files
         The files that were read, whose hashes are kept; none by default.
     force

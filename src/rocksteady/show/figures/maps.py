@@ -35,17 +35,17 @@ NARROWEST = 1.35
 
 
 def map_figure(
-    found: "xarray.Dataset", title: str = "", page: Page = SCREEN, by: Colouring = "class"
+    dataset: "xarray.Dataset", title: str = "", page: Page = SCREEN, by: Colouring = "class"
 ) -> "Figure":
     """Return a figure of a map over one, two or three axes with several values.
 
-    Over three there is a panel for each value of the axis that has fewest (of those that are
+    Over three there is a panel for each value of the axis that has fewest (of axes that are
     neither amplitude nor frequency, where they are equal), with one legend, whose shares are of
     all panels together.
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.map_attractors` or `rocksteady.map_fates`.
     title
         Above the panels.
@@ -63,7 +63,7 @@ def map_figure(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, map_attractors
-    >>> found = map_attractors(
+    >>> result = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={
     ...         "restitution": [0.7, 0.9],
@@ -71,15 +71,15 @@ def map_figure(
     ...         "frequency_ratio": [1.0, 4.0, 8.0],
     ...     },
     ... )
-    >>> [axes.get_title(loc="left") for axes in map_figure(found).axes]
+    >>> [axes.get_title(loc="left") for axes in map_figure(result).axes]
     ['restitution = 0.7', 'restitution = 0.9']
     """
-    cells, shade = coloured(map_cells(found), found, by)
+    cells, shade = coloured(map_cells(dataset), dataset, by)
     panels = panels_axis(dict(zip(cells.names, cells.classes.shape, strict=True)))
     if panels is not None:
         return _panels(panels, cells, shade, title, page)
     with page.figure(8.0, 4.8, title) as figure:
-        draw_map(figure.add_subplot(), cells, found, shade, page.legend)
+        draw_map(figure.add_subplot(), cells, dataset, shade, page.legend)
     return figure
 
 
@@ -103,17 +103,17 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     """
     if len(counts) > 3:
         raise InputError(
-            "found",
+            "dataset",
             Words(f"has {len(counts)} axes: {', '.join(counts)}"),
             "a figure shows at most three axes with several values",
             "select a value of the others, as found.sel(restitution=0.8)",
         )
     if len(counts) < 3:
         return None
-    name = min(counts, key=lambda one: (counts[one], one in PLANE))
+    name = min(counts, key=lambda axis: (counts[axis], axis in PLANE))
     if counts[name] > MOST_PANELS:
         raise InputError(
-            "found",
+            "dataset",
             Words(f"has {counts[name]} values of {name}"),
             f"the axis with the fewest becomes panels, at most {MOST_PANELS}",
             f"draw some of them, as found.isel({name}=slice(0, {MOST_PANELS}))",

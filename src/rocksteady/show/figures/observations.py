@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ROWS = 24
-"""Records of the figure of a calibration, those that take most to fell an object."""
+"""Records of the figure of a calibration: the records that need the largest gain to fell an
+object."""
 
 
 def calibration_figure(calibration: Calibration, title: str = "", page: Page = SCREEN) -> "Figure":
@@ -52,12 +53,12 @@ def calibration_figure(calibration: Calibration, title: str = "", page: Page = S
     return figure
 
 
-def back_analysis_figure(found: BackAnalysis, title: str = "", page: Page = SCREEN) -> "Figure":
+def back_analysis_figure(analysis: BackAnalysis, title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the shakings that agree with a survey.
 
     Parameters
     ----------
-    found
+    analysis
         From `rocksteady.back_analyse`.
     title
         Above the panel.
@@ -65,7 +66,7 @@ def back_analysis_figure(found: BackAnalysis, title: str = "", page: Page = SCRE
         Width of the figure, and place of its legend.
     """
     with page.figure(6.6, 5.0, title) as figure:
-        plot_back_analysis(found, figure.add_subplot(), legend=page.legend)
+        plot_back_analysis(analysis, figure.add_subplot(), legend=page.legend)
     return figure
 
 

@@ -142,7 +142,7 @@ def _panels_of_motion(figure: "Figure", stacked: bool, shape: Sequence[float]) -
     Parameters
     ----------
     figure
-        On which they are.
+        Figure of the axes.
     stacked
         Whether all stand one above the other.
     shape
@@ -251,10 +251,10 @@ def edge_figure(
     return figure
 
 
-def shares_figure(found: BasinShares, title: str = "", page: Page = SCREEN) -> "Figure":
+def shares_figure(shares: BasinShares, title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the shares of basins over a parameter."""
     with page.figure(7.6, 4.4, title) as figure:
-        plot_basin_shares(found, figure.add_subplot(), legend=page.legend)
+        plot_basin_shares(shares, figure.add_subplot(), legend=page.legend)
     return figure
 
 
@@ -300,16 +300,16 @@ def overturning_figure(
 
 
 def fatal_figure(
-    found: OverturningScales | FatalKicks, title: str = "", page: Page = SCREEN
+    result: OverturningScales | FatalKicks, title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of the scales of records, or of the kicks, that overturn a block."""
-    height = 2.0 + 0.3 * len(found.names) if isinstance(found, OverturningScales) else 3.8
+    height = 2.0 + 0.3 * len(result.names) if isinstance(result, OverturningScales) else 3.8
     with page.figure(8.0, height, title) as figure:
         axes = figure.add_subplot()
-        if isinstance(found, OverturningScales):
-            plot_overturning_scales(found, axes, legend=page.legend)
+        if isinstance(result, OverturningScales):
+            plot_overturning_scales(result, axes, legend=page.legend)
         else:
-            plot_fatal_kicks(found, axes, legend=page.legend)
+            plot_fatal_kicks(result, axes, legend=page.legend)
     return figure
 
 

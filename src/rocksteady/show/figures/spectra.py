@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def spectrum_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) -> "Figure":
+def spectrum_figure(dataset: "xarray.Dataset", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of one record's rocking spectrum: angle and velocity, curves or maps.
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.compute_rocking_spectrum`, as for `rocksteady.plot_rocking_spectrum`, but
         of any number of slendernesses: more than six are a map.
     title
@@ -34,15 +34,15 @@ def spectrum_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREE
     page
         Width of the figure, and place of its legends.
     """
-    curves = found.sizes.get("alpha", 1) <= MOST_CURVES
+    curves = dataset.sizes.get("alpha", 1) <= MOST_CURVES
     with page.figure(10.4, 4.2, title, stacked=1.4) as figure:
         stacked = page.stacks(10.4)
         first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
         draw = plot_rocking_spectrum if curves else plot_spectrum_map
-        # One legend, on that side of the figure on which it goes: two would say the same twice.
+        # One legend, on that side of the figure on which it goes: two would repeat the same.
         last = page.legend == "right" and not stacked
-        draw(found, first, legend="none" if last else page.legend)
-        draw(found, second, quantity="peak_velocity", legend="right" if last else "none")
+        draw(dataset, first, legend="none" if last else page.legend)
+        draw(dataset, second, quantity="peak_velocity", legend="right" if last else "none")
     return figure
 
 
@@ -72,8 +72,8 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
             above = figure.add_subplot(grid[2 * row, column])
             below = figure.add_subplot(grid[2 * row + 1, column], sharex=above)
             last = number + 1 == len(parts)
-            told = last if page.legend == "right" else number == 0
-            plot_suite_spectrum(part, above, legend=page.legend if told else "none")
+            has_legend = last if page.legend == "right" else number == 0
+            plot_suite_spectrum(part, above, legend=page.legend if has_legend else "none")
             plot_overturned_share(part, below)
             above.set(xlabel="", title=slenderness_text(float(part["alpha"])))
             above.tick_params(labelbottom=False)

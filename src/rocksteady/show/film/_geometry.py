@@ -32,7 +32,7 @@ class Shape:
     left, right
         Horizontal distances from the corners to the mass centre.
     height
-        Of the rectangle: twice that of the mass centre.
+        Height of the rectangle: twice that of the mass centre.
     travel
         Length of alpha g/p^2, the unit of the ground's displacement.
     unit

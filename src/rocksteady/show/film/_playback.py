@@ -74,7 +74,7 @@ def shortest_period(trajectory: Trajectory, start: float, end: float) -> float:
     quickest = float(frequency[within].max(initial=1.0))
     motion = trajectory.motion
     if isinstance(motion, Pulse) and start < motion.duration:
-        quickest = max(quickest, motion.frequency_ratio)  # which straight lines do not say
+        quickest = max(quickest, motion.frequency_ratio)  # which straight lines do not contain
     return 2.0 * math.pi / quickest
 
 
@@ -157,7 +157,7 @@ def _usual_speed(trajectory: Trajectory, fastest: float) -> float:
 
 
 def speed_text(trajectory: Trajectory, speed: float) -> str:
-    """Return a speed as the caption of a film says it."""
+    """Return a speed as in the caption of a film."""
     if isinstance(trajectory.block, Block):
         return "real time" if abs(speed - 1.0) < 1e-9 else f"{speed:.3g} × real time"
     if isinstance(trajectory.motion, PeriodicMotion):

@@ -302,7 +302,7 @@ class BlockScene:
         )
 
     def _draw_base(self, ground: "Transform") -> None:
-        """Make the arrow of the base acceleration and the marks at the ones that lift a block."""
+        """Make the arrow of the base acceleration and the marks of the uplift accelerations."""
         from matplotlib.patches import Polygon
 
         axes, r = self.axes, self.shape.radius
@@ -365,7 +365,7 @@ class BlockScene:
     def _flash(self, s: float) -> None:
         """Draw a ring at each corner that has struck, wider and fainter the longer ago.
 
-        Of a block against a wall it is at the top corner, which strikes that.
+        For a block against a wall it is at the top corner, which strikes that.
         """
         impacts = self.trajectory.impacts
         first, last = np.searchsorted(impacts.pt, [s - self.glow, s], side="right")

@@ -32,7 +32,7 @@ HOLD_SECONDS = 1.0
 SIZE = (6.8, 5.4)
 """Inches."""
 KEY_SIZE = 7.0
-"""Of the text that says what the marks are [points]."""
+"""Size of the text that explains the marks [points]."""
 
 
 class Film:
@@ -54,7 +54,7 @@ class Film:
         self.trajectory, self.reel = trajectory, reel
         self.frames = len(reel.times) + round(HOLD_SECONDS * reel.fps)
         with palette.style():
-            # The margins are fixed: a layout found anew for each frame would jitter.
+            # The margins are fixed: a new layout for each frame would jitter.
             self.figure = Figure(figsize=SIZE, dpi=100.0)
             self.figure.set_layout_engine("none")
             wide, high = SIZE
@@ -245,7 +245,7 @@ def animate(
     trajectory
         From `rocksteady.simulate`.
     span
-        Pivot times p t between which the film runs; the whole run without.
+        Pivot times p t between which the film runs; default: the whole run.
     speed
         What passes in a second of the film: for a `rocksteady.Block` seconds, so that 1 is real
         time; for a dimensionless block forcing periods of harmonic shaking, else pivot time.
@@ -255,7 +255,7 @@ def animate(
         Frames a second of the film, from 1 to 60.  A GIF counts in hundredths of a second: 10, 20,
         25 and 50 are exact.
     alpha
-        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); 0.2 without.
+        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); default 0.2.
 
     Returns
     -------

@@ -20,7 +20,7 @@ SAMPLES = 12
 def save_gif(film: Film, file: Path, done: Callable[[str], object] = str) -> None:
     """Write a film as a GIF that plays for ever.
 
-    `matplotlib.animation` would draw every tick of every frame anew and give each its own colours,
+    `matplotlib.animation` would draw every tick of every frame again and give each its own colours,
     which takes ten times as long and makes a larger file.
 
     Parameters

@@ -42,9 +42,9 @@ def plot_block(
     pt
         Pivot time p t, from 0 to ``trajectory.end_time_pt``.
     ax
-        Axes to draw on, whose limits are set; those of a new figure without.
+        Axes to draw on, whose limits are set; default: axes of a new figure.
     alpha
-        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); 0.2 without.
+        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); default 0.2.
     glow
         Pivot time for which an impact is seen.
 

@@ -42,9 +42,9 @@ class Look:
     words
         In a legend.
     fill
-        Of its cells.
+        Fill of its cells.
     dot
-        Of its orbits in a diagram, on white.
+        Colour of its orbits in a diagram, on white.
     hatch
         Pattern over the cells, for what is no answer; none of what is one.
     ink
@@ -90,8 +90,8 @@ LOOKS = {
     ),
 }
 DARK_DOTS = {
-    one: palette.DARK_INK if one is CellClass.OVERTURNED else look.fill
-    for one, look in LOOKS.items()
+    cell_class: palette.DARK_INK if cell_class is CellClass.OVERTURNED else look.fill
+    for cell_class, look in LOOKS.items()
 }
 """Colours of orbits in a diagram on dark paper, on which the fills stand out."""
 
@@ -103,7 +103,7 @@ class MapCells:
     Attributes
     ----------
     names
-        Of the axes.
+        Names of the axes.
     values
         Coordinates along each of them, ascending.
     classes
@@ -127,7 +127,9 @@ class MapCells:
     def shares(self) -> dict[CellClass, float]:
         """Return the share of all cells in each class that occurs."""
         counts = counts_of(self.classes)
-        return {one: count / self.classes.size for one, count in counts.items() if count}
+        return {
+            cell_class: count / self.classes.size for cell_class, count in counts.items() if count
+        }
 
     def turned(self, names: Sequence[str]) -> "MapCells":
         """Return the same cells with the axes in another order."""
@@ -142,7 +144,7 @@ class MapCells:
 
     def parts(self, name: str) -> "list[MapCells]":
         """Return the cells at each value of an axis, which they have in common then."""
-        turned = self.turned([name, *(other for other in self.names if other != name)])
+        turned = self.turned([name, *(each for each in self.names if each != name)])
         return [
             MapCells(
                 names=turned.names[1:],
@@ -157,12 +159,12 @@ class MapCells:
         ]
 
 
-def map_cells(found: "xarray.Dataset") -> MapCells:
+def map_cells(dataset: "xarray.Dataset") -> MapCells:
     """Return the cells of a map.
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.map_attractors` or `rocksteady.map_fates`; of its variables only ``kind``
         and ``period``, or ``fate``, are read.
 
@@ -175,14 +177,14 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     --------
     >>> from rocksteady import DimensionlessBlock, map_attractors
     >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [8.0, 1.0, 4.0]}
-    >>> found = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
-    >>> cells = map_cells(found)
+    >>> result = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
+    >>> cells = map_cells(result)
     >>> cells.names, cells.classes
     (('amplitude', 'frequency_ratio'), array([[0, 0, 0],
            [6, 1, 1]], dtype=int8))
     """
-    read = ("fate",) if has_fates(found) else ("kind", "period")
-    variables = validated_map(found, read)
+    read = ("fate",) if has_fates(dataset) else ("kind", "period")
+    variables = validated_map(dataset, read)
     kind = variables[read[0]]
     names = tuple(str(name) for name in kind.dims)
     period = variables["period"].transpose(*names).values if len(read) > 1 else None
@@ -199,11 +201,11 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     )
 
 
-def has_fates(found: object) -> bool:
+def has_fates(dataset: object) -> bool:
     """Return whether a map is one of fates; else it is one of attractors, or none."""
     import xarray
 
-    return isinstance(found, xarray.Dataset) and "fate" in found
+    return isinstance(dataset, xarray.Dataset) and "fate" in dataset
 
 
 def fixed_values(variables: "xarray.Dataset") -> tuple[tuple[str, float], ...]:
@@ -215,7 +217,7 @@ def fixed_values(variables: "xarray.Dataset") -> tuple[tuple[str, float], ...]:
     )
 
 
-def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
+def validated_map(dataset: object, names: Sequence[str]) -> "xarray.Dataset":
     """Return variables of a map over the axes that have two values or more.
 
     Raises
@@ -225,18 +227,18 @@ def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
     """
     import xarray
 
-    if not isinstance(found, xarray.Dataset) or not set(names) <= set(found.data_vars):
+    if not isinstance(dataset, xarray.Dataset) or not set(names) <= set(dataset.data_vars):
         raise InputError(
-            "found",
-            sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
+            "dataset",
+            sorted(map(str, dataset)) if isinstance(dataset, xarray.Dataset) else dataset,
             f"a map is a dataset with {' and '.join(names)}",
             "give what map_attractors or map_fates returned, whole",
         )
-    variables = found[list(names)].squeeze()
+    variables = dataset[list(names)].squeeze()
     if variables[names[0]].ndim == 0 or 0 in variables[names[0]].shape:
         raise InputError(
-            "found",
-            dict(found.sizes),
+            "dataset",
+            dict(dataset.sizes),
             "a picture needs an axis with two values or more",
             "give more values, or read the numbers of the one cell",
         )

@@ -47,9 +47,9 @@ class Shade:
     by
         Name of the quantity.
     colours, norm
-        Of values.
+        Colours and scale of values.
     label
-        Of the colour bar, with its unit; empty where a legend names each value.
+        Label of the colour bar, with its unit; empty where a legend names each value.
     extend
         At which ends of the colour bar values lie beyond it.
     line
@@ -97,9 +97,9 @@ class Shade:
                     handles.append(
                         Patch(fc=colours[period - 1], ec=palette.FAINT, lw=0.6, label=label)
                     )
-        for one, count in counts_of(without_value(cells)).items():
+        for cell_class, count in counts_of(without_value(cells)).items():
             if count:
-                look = self.look(one)
+                look = self.look(cell_class)
                 label = f"{look.words}  {share_text(count / values.size)}"
                 hatch = look.hatch or None
                 handles.append(Patch(fc=look.fill, ec=look.ink, hatch=hatch, lw=0.6, label=label))
@@ -115,19 +115,19 @@ def checked_colouring(by: object, *, fates: bool) -> Colouring:
         If there is no such quantity, or it belongs to the other kind of map.
     """
     valid = OF_FATES if fates else OF_ATTRACTORS
-    for one in valid:
-        if by == one:
-            return one
+    for name in valid:
+        if by == name:
+            return name
     kind = "fates" if fates else "attractors"
     raise InputError(
         "by", by, f"a map of {kind} is coloured by {', '.join(valid)}", "choose one of them"
     )
 
 
-def with_values(cells: MapCells, found: "xarray.Dataset", by: Colouring) -> MapCells:
+def with_values(cells: MapCells, dataset: "xarray.Dataset", by: Colouring) -> MapCells:
     """Return the cells of a map with the quantity of each: nan where there is none."""
     names = {"peak": ("highest", "lowest")}.get(by, (by,))
-    variables = validated_map(found, names)
+    variables = validated_map(dataset, names)
     read = [variables[name].transpose(*cells.names).values.astype(np.float64) for name in names]
     values = np.max(np.abs(read), axis=0) if by == "peak" else read[0]
     if by == "period":

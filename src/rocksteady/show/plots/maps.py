@@ -73,7 +73,7 @@ STRIP = 0.035
 
 @checked
 def plot_map(
-    found: "xarray.Dataset",
+    dataset: "xarray.Dataset",
     ax: "Axes | None" = None,
     *,
     by: Colouring = "class",
@@ -89,21 +89,21 @@ def plot_map(
 
     Over one axis there are two dots for each orbit, its highest and its lowest theta/alpha, as in a
     bifurcation diagram by simulation, and a strip along the upper edge with the class of each
-    value: where the block overturned or its motion is aperiodic there is no orbit to draw.  Of a
+    value: where the block overturned or its motion is aperiodic there is no orbit to draw.  For a
     map of fates the dots are numbers of impacts.
 
     An axis is logarithmic where its values are spaced by ratio, as `numpy.geomspace` does.  Axes
     with a single value, and values that were selected, stand in the title.  The legend has the
-    share of each class among all cells, as `describe` has it.
+    share of each class among all cells, as in `describe`.
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.map_attractors` or `rocksteady.map_fates`; its arrays are read once.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     by
-        Of attractors "class" (default), "period" of the orbit, the longest in one colour,
+        Quantity of attractors: "class" (default), "period" of the orbit, the longest in one colour,
         "lyapunov" exponent per forcing period about 0, or "peak" |theta|/alpha with a line at 1; of
         fates "class" or number of "impacts".  Cells without a value keep the fill of their class.
     legend
@@ -126,8 +126,8 @@ def plot_map(
     Of more than 2400 cells along a side (1000 where they are unevenly spaced) as many are drawn,
     evenly picked: each is the class of the cell in its middle.  What is thinner than a picked cell,
     as the islands of a fractal border are, may vanish or look thicker than it is, so that such a
-    picture tells no areas; the shares in the legend do.  Select a part of the map to see all of it.
-    The colours of Lyapunov exponents reach 98 in 100 of their sizes; what lies beyond has the
+    picture shows no areas; the shares are in the legend.  Select a part of the map to see all of
+    it. The colours of Lyapunov exponents reach 98 in 100 of their sizes; what lies beyond has the
     colour of the end.
 
     Examples
@@ -136,28 +136,28 @@ def plot_map(
     >>> from rocksteady import DimensionlessBlock, map_attractors
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> axes = {"amplitude": [0.5, 1.5, 2.5], "frequency_ratio": [1.0, 2.0, 4.0, 8.0]}
-    >>> found = map_attractors(block, axes=axes)
-    >>> axes = plot_map(found, Figure().add_subplot())
+    >>> result = map_attractors(block, axes=axes)
+    >>> axes = plot_map(result, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
     at rest  33.3 %
     symmetric  33.3 %
     overturned  33.3 %
     """
-    cells = map_cells(found)
+    cells = map_cells(dataset)
     if len(cells.names) > 2:
         raise InputError(
-            "found",
+            "dataset",
             Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
             "one or two axes with several values can be drawn on one pair of axes",
             "select a value with .sel, or draw panels with rocksteady map --plot",
         )
-    cells, shade = coloured(cells, found, by)
-    return draw_map(axes_or_new(ax), cells, found, shade, legend)
+    cells, shade = coloured(cells, dataset, by)
+    return draw_map(axes_or_new(ax), cells, dataset, shade, legend)
 
 
 def coloured(
-    cells: MapCells, found: "xarray.Dataset", by: Colouring
+    cells: MapCells, dataset: "xarray.Dataset", by: Colouring
 ) -> tuple[MapCells, Shade | None]:
     """Return cells with the quantity that colours them, and its colours; None of classes.
 
@@ -166,24 +166,24 @@ def coloured(
     InputError
         If the map does not have it.
     """
-    checked_colouring(by, fates=has_fates(found))
+    checked_colouring(by, fates=has_fates(dataset))
     if by == "class":
         return cells, None
-    valued = with_values(cells, found, by)
+    valued = with_values(cells, dataset, by)
     return valued, shade_of(valued, by)
 
 
 def draw_map(
     axes: "Axes",
     cells: MapCells,
-    found: "xarray.Dataset",
+    dataset: "xarray.Dataset",
     shade: Shade | None = None,
     legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the cells of a map of one or two axes, with title, colour bar and legend."""
     bar = None
     if len(cells.names) == 1:
-        draw_diagram(axes, cells, found, shade)
+        draw_diagram(axes, cells, dataset, shade)
     else:
         drawn = draw_cells(axes, cells, shade)
         bar = draw_bar([axes], drawn, shade)
@@ -243,13 +243,13 @@ def legend_handles(cells: MapCells, shade: Shade | None = None) -> "list[Artist]
         return shade.legend(cells)
     return [
         Patch(
-            facecolor=LOOKS[one].fill,
-            edgecolor=LOOKS[one].ink,
-            hatch=LOOKS[one].hatch or None,
+            facecolor=LOOKS[cell_class].fill,
+            edgecolor=LOOKS[cell_class].ink,
+            hatch=LOOKS[cell_class].hatch or None,
             lw=0.6,
-            label=f"{LOOKS[one].words}  {share_text(share)}",
+            label=f"{LOOKS[cell_class].words}  {share_text(share)}",
         )
-        for one, share in cells.shares().items()
+        for cell_class, share in cells.shares().items()
     ]
 
 
@@ -262,17 +262,21 @@ def upright(cells: MapCells) -> MapCells:
 
 
 def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "ScalarMappable":
-    """Fill the cells of a map of two axes, and return what their colours tell."""
+    """Fill the cells of a map of two axes, and return what their colours show."""
     from matplotlib.colors import ListedColormap
 
     cells = upright(given)
     up, right = (spacing_of(values) for values in cells.values)
     even = up.even and right.even
     # A copy of what is drawn alone, so that the picture does not hold on to the whole map.
-    rows, columns = (picked(one.edges, MOST_DRAWN if even else MOST_MESHED) for one in (up, right))
+    rows, columns = (
+        picked(spacing.edges, MOST_DRAWN if even else MOST_MESHED) for spacing in (up, right)
+    )
     drawn = cells.classes[np.ix_(rows[0], columns[0])]
     y, x = rows[1], columns[1]
-    looks = [LOOKS[one] if shade is None else shade.look(one) for one in CellClass]
+    looks = [
+        LOOKS[cell_class] if shade is None else shade.look(cell_class) for cell_class in CellClass
+    ]
     colours: dict[str, Any] = {
         "cmap": ListedColormap([look.fill for look in looks]),
         "vmin": -0.5,
@@ -295,18 +299,18 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
         )
 
     mappable = filled(drawn, **colours)
-    there = np.ones(drawn.shape, dtype=np.bool_)
+    mask = np.ones(drawn.shape, dtype=np.bool_)
     if shade is not None:
         values = values_of(cells)[np.ix_(rows[0], columns[0])]
-        there = np.isnan(values)
+        mask = np.isnan(values)
         if shade.extend != "neither":  # of what is infinite an image shows nothing
             low, high = shade.ends
             values = np.clip(values, low - 1.0, high + 1.0)
-        mappable = filled(np.ma.masked_array(values, there), cmap=shade.colours, norm=shade.norm)
+        mappable = filled(np.ma.masked_array(values, mask), cmap=shade.colours, norm=shade.norm)
         if shade.line is not None:
             _draw_line(axes, x, y, values, shade.line)
-    for one, look in zip(CellClass, looks, strict=True):
-        where = there & (drawn == one)
+    for cell_class, look in zip(CellClass, looks, strict=True):
+        where = mask & (drawn == cell_class)
         if look.hatch and where.any():
             _draw_pattern(axes, x, y, where, look)
     axes.grid(visible=False)
@@ -314,7 +318,7 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
 
 
 def draw_diagram(
-    axes: "Axes", cells: MapCells, found: "xarray.Dataset", shade: Shade | None = None
+    axes: "Axes", cells: MapCells, dataset: "xarray.Dataset", shade: Shade | None = None
 ) -> None:
     """Draw a map of one axis: a quantity as dots, and the class of each cell above them.
 
@@ -324,31 +328,31 @@ def draw_diagram(
     from matplotlib.ticker import MaxNLocator
 
     (name,), (values,) = cells.names, cells.values
-    by: Colouring = ("impacts" if has_fates(found) else "class") if shade is None else shade.by
+    by: Colouring = ("impacts" if has_fates(dataset) else "class") if shade is None else shade.by
     if by == "class":
-        drawn = validated_map(found, EXTREMES)
+        drawn = validated_map(dataset, EXTREMES)
         order = np.argsort(drawn[name].values)
-        reached = np.array([drawn[one].values[order] for one in EXTREMES], float)
+        reached = np.array([drawn[extreme].values[order] for extreme in EXTREMES], float)
         reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
     else:
-        reached = values_of(with_values(cells, found, by))[np.newaxis]
+        reached = values_of(with_values(cells, dataset, by))[np.newaxis]
     spacing, inks = spacing_of(values), inks_of(axes)
     prepare_axis(axes, "x", name, values, spacing)
     size = min(5.0, max(1.8, 1000.0 / len(values)))
-    for one in cells.shares():
-        chosen = cells.classes == one
+    for cell_class in cells.shares():
+        chosen = cells.classes == cell_class
         x, y = np.tile(values[chosen], len(reached)), reached[:, chosen].ravel()
         if np.isfinite(y).any():
-            dot = DARK_DOTS[one] if inks.dark else LOOKS[one].dot
+            dot = DARK_DOTS[cell_class] if inks.dark else LOOKS[cell_class].dot
             style: dict[str, Any] = {"color": dot, "ms": size, "mew": 0.0, "ls": "none"}
             axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
         axes.broken_barh(
             runs(chosen, spacing),
             (1.0 - STRIP, STRIP),
             transform=axes.get_xaxis_transform(),
-            fc=LOOKS[one].fill,
-            ec=LOOKS[one].ink,
-            hatch=LOOKS[one].hatch or None,
+            fc=LOOKS[cell_class].fill,
+            ec=LOOKS[cell_class].ink,
+            hatch=LOOKS[cell_class].hatch or None,
             lw=0.0,
             zorder=4.5,
         )
@@ -406,17 +410,17 @@ def _draw_pattern(
     from scipy.ndimage import maximum_filter, minimum_filter
 
     (rows, y), (columns, x) = (picked(edges, MOST_PATTERNED) for edges in (up, right))
-    there = where[np.ix_(rows, columns)].astype(np.float32)
+    mask = where[np.ix_(rows, columns)].astype(np.float32)
     # An opening: what is too narrow to show a pattern, or its outline, gets none.
     widest = MOST_OUTLINED if look.outlined else MOST_HATCHED
-    room = [max(1, round(count / widest)) for count in there.shape]
-    there = maximum_filter(
-        minimum_filter(there, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
+    room = [max(1, round(count / widest)) for count in mask.shape]
+    mask = maximum_filter(
+        minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
     )
-    if not there.any():
+    if not mask.any():
         return
     # Each cell as four corners, so that the pattern ends where the cells do.
-    field = np.repeat(np.repeat(there, 2, axis=0), 2, axis=1)
+    field = np.repeat(np.repeat(mask, 2, axis=0), 2, axis=1)
     corners = (np.repeat(edges, 2)[1:-1] for edges in (x, y))
     drawn = axes.contourf(*corners, field, levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
     drawn.set_edgecolor(look.ink)

@@ -40,7 +40,7 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
 
 
 def label_of(trajectory: Trajectory, name: str) -> str:
-    """Return the label of an axis; where the block's sides differ it says whose alpha it is."""
+    """Return the label of an axis; where the block's sides differ it names whose alpha it is."""
     negative, positive = trajectory.balances
     text = palette.LABELS[name]
     return (
@@ -70,9 +70,9 @@ def plot_trajectory(
     trajectory
         From `rocksteady.simulate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     span
-        Pivot times p t between which to draw; the whole run without.
+        Pivot times p t between which to draw; default: the whole run.
     key
         Whether there is a legend by default, and room for it.
     legend
@@ -92,7 +92,7 @@ def plot_trajectory(
     >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
     >>> axes = plot_trajectory(run, Figure().add_subplot())
     >>> axes.get_xlabel()
-    'time [excitation periods]'
+    'time [forcing periods]'
     """
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "inside" if key else "none")
@@ -199,10 +199,10 @@ def plot_base(
     trajectory
         From `rocksteady.simulate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
-        Of a base that moves vertically too: "inside" the axes, the default, to their "right",
-        "below" them or "none".
+        Legend of a base that moves vertically too: "inside" the axes, the default, to their
+        "right", "below" them or "none".
 
     Returns
     -------
@@ -284,17 +284,17 @@ def plot_phase_portrait(
 ) -> "Axes":
     """Draw velocity against angle; impacts are the steps at angle 0, where a wall is hatched.
 
-    Of a block that never moves there is a text instead of a curve.
+    For a block that never moves there is a text instead of a curve.
 
     Parameters
     ----------
     trajectory
         From `rocksteady.simulate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     mark
-        What is marked: the start, or the states just after the impacts, as of a closed orbit, which
-        has no start.
+        What is marked: the start, or the states just after the impacts, as for a closed orbit,
+        which has no start.
     legend
         "inside" the axes, to their "right", "below" them or "none"; inside by default.
 

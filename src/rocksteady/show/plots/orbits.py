@@ -51,7 +51,7 @@ def plot_section(
     Several orbits have numbers, in the order in which they come, at their first state.  An uplift
     from rest is a state with speed 0.  Solutions that pass through the floor are left out.
 
-    Of a trajectory, every impact: a motion that never repeats draws a cloud.
+    For a trajectory, every impact: a motion that never repeats draws a cloud.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def plot_section(
         From `rocksteady.find_orbits`, from `rocksteady.find_attractor`, or from
         `rocksteady.simulate` under harmonic shaking; one orbit or several.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     since
         Pivot time p t from which on the impacts of a trajectory are drawn.
     legend
@@ -81,8 +81,8 @@ def plot_section(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> axes = plot_section(found, Figure().add_subplot())
+    >>> orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> axes = plot_section(orbits, Figure().add_subplot())
     >>> [number.get_text() for number in axes.texts]  # the second is no motion
     ['1', '3']
     """
@@ -136,7 +136,7 @@ def plot_multipliers(
     orbits
         From `rocksteady.find_orbits`.  Solutions that pass through the floor are left out.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
@@ -150,10 +150,10 @@ def plot_multipliers(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> found = find_orbits(DimensionlessBlock(restitution=0.8), shaking)
-    >>> print([f"{orbit.largest_multiplier:.3g}" for orbit in found if orbit.admissible])
+    >>> orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaking)
+    >>> print([f"{orbit.largest_multiplier:.3g}" for orbit in orbits if orbit.admissible])
     ['0.64', '3.18', '154', '2.69']
-    >>> axes = plot_multipliers(found, Figure().add_subplot())
+    >>> axes = plot_multipliers(orbits, Figure().add_subplot())
     >>> [text.get_text() for text in axes.texts[:3]]
     ['10', '$10^{2}$', '$10^{3}$']
     """
@@ -324,8 +324,8 @@ def _draw_impacts(
     styles: dict[int, dict[str, Any]] = {}
     for side, colour in ((1, inks.lines[0]), (-1, inks.lines[1])):
         styles[side] = {"marker": MARKERS[side], "color": colour, "mew": 0.0}
-        there = np.sign(after) == side
-        axes.plot(phase[there], np.abs(after[there]), ms=size, ls="none", **styles[side])
+        mask = np.sign(after) == side
+        axes.plot(phase[mask], np.abs(after[mask]), ms=size, ls="none", **styles[side])
     return _side_handles(styles), phase, np.abs(after)
 
 

@@ -66,7 +66,7 @@ def plot_overturning(
     windows
         From `rocksteady.find_overturning_windows`, of two frequencies or more.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     closed_form
         Whether to draw `rocksteady.overturning_threshold`.
     legend
@@ -87,8 +87,10 @@ def plot_overturning(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import DimensionlessBlock, find_overturning_windows
-    >>> found = find_overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2, 3, 4])
-    >>> axes = plot_overturning(found, Figure().add_subplot())
+    >>> windows = find_overturning_windows(
+    ...     DimensionlessBlock(restitution=0.9), "one-sine", [2, 3, 4]
+    ... )
+    >>> axes = plot_overturning(windows, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
     ['overturns without an impact', 'without an impact, closed form']
     """
@@ -122,7 +124,7 @@ def plot_overturning(
             autolim=False,
         )
         handles.append(Patch(facecolor=colour, edgecolor="none", label=words))
-    # A wall holds the block in the first half of a reversed pulse, which no closed form knows.
+    # A wall holds the block in the first half of a reversed pulse: there is no closed form.
     held = windows.block.one_sided and windows.pulse.reverse
     if closed_form and windows.pulse.shape in THRESHOLDS and not held:
         spread = np.geomspace if by_ratio else np.linspace
@@ -166,11 +168,12 @@ def plot_free_rocking(
     Parameters
     ----------
     restitutions
-        Of blocks let go at .9 alpha: each has a mark where every half cycle has its peak.
+        Restitutions of blocks let go at .9 alpha: each has a mark where every half cycle has its
+        peak.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     impacts
-        Up to which these go.
+        Number of impacts up to which the marks go.
     legend
         "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
@@ -222,10 +225,10 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
     Windows of one way that touch are one.  A window goes on at the next frequency where there is
     one window of its way that overlaps it, and no other does, or one alone between the same
     neighbours; between the two its borders are straight lines.  Where it does not go on, it reaches
-    half-way to the next frequency, and comes to a point if nothing overturns there.
+    half-way to the next frequency, and narrows to a point if nothing overturns there.
     """
     w = windows.frequency_ratio
-    found: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
+    parts: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
     columns = [_merged(windows.at(k)) for k in range(len(w))]
     growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
     for k, column in enumerate(columns):
@@ -244,9 +247,9 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
             outline = np.column_stack(
                 [np.concatenate([x, x[::-1]]), np.concatenate([low, high[::-1]])]
             )
-            found[window.way].append(outline)
+            parts[window.way].append(outline)
         growing = grown
-    return found
+    return parts
 
 
 class _Drawn(NamedTuple):
@@ -261,7 +264,7 @@ class _Drawn(NamedTuple):
 def _merged(windows: Sequence[OverturningWindow]) -> list[_Drawn]:
     """Return the windows of a frequency, those of one way that touch as one."""
     merged: list[_Drawn] = []
-    for window in sorted(windows, key=lambda one: one.low):
+    for window in sorted(windows, key=lambda item: item.low):
         way = min(window.impacts, 2)
         if merged and merged[-1].way == way and window.low <= merged[-1].high * TOUCHING:
             merged[-1] = merged[-1]._replace(high=max(merged[-1].high, window.high))
@@ -272,13 +275,13 @@ def _merged(windows: Sequence[OverturningWindow]) -> list[_Drawn]:
 
 def _between(w: Floats, k: int, *, by_ratio: bool) -> float:
     """Return the middle between a frequency and the next one; the first or last at the ends."""
-    here, there = float(w[max(k, 0)]), float(w[min(k + 1, len(w) - 1)])
-    return math.sqrt(here * there) if by_ratio else 0.5 * (here + there)
+    here, next_w = float(w[max(k, 0)]), float(w[min(k + 1, len(w) - 1)])
+    return math.sqrt(here * next_w) if by_ratio else 0.5 * (here + next_w)
 
 
 def _end(window: _Drawn, beyond: Sequence[_Drawn]) -> tuple[float, float]:
     """Return the borders of a window half-way to a frequency at which it does not go on."""
-    if any(other.low <= window.high and window.low <= other.high for other in beyond):
+    if any(rival.low <= window.high and window.low <= rival.high for rival in beyond):
         return window.low, window.high
     middle = _middle(window)
     return middle, middle
@@ -289,27 +292,27 @@ def _middle(window: _Drawn) -> float:
     return math.sqrt(window.low * window.high) if window.low > 0.0 else 0.5 * window.high
 
 
-def _partners(here: Sequence[_Drawn], there: Sequence[_Drawn]) -> dict[int, int]:
+def _partners(here: Sequence[_Drawn], next_windows: Sequence[_Drawn]) -> dict[int, int]:
     """Return which window of one frequency goes on as which of the next."""
     pairs = [
         (i, k)
-        for i, one in enumerate(here)
-        for k, other in enumerate(there)
-        if one.way == other.way and max(one.low, other.low) <= min(one.high, other.high)
+        for i, window in enumerate(here)
+        for k, rival in enumerate(next_windows)
+        if window.way == rival.way and max(window.low, rival.low) <= min(window.high, rival.high)
     ]
     first, second = Counter(i for i, _ in pairs), Counter(k for _, k in pairs)
     partners = {i: k for i, k in pairs if first[i] == 1 and second[k] == 1}
     # A narrow window that leans has left its place by the next frequency: its neighbours show it.
-    fixed = [(-1, -1), *sorted(partners.items()), (len(here), len(there))]
+    fixed = [(-1, -1), *sorted(partners.items()), (len(here), len(next_windows))]
     for (i, k), (next_i, next_k) in pairwise(fixed):
         between = [range(i + 1, next_i), range(k + 1, next_k)]
         for _, _, way in MODES:
             old, new = (
                 [place for place in places if column[place].way == way]
-                for places, column in zip(between, (here, there), strict=True)
+                for places, column in zip(between, (here, next_windows), strict=True)
             )
             if len(old) == len(new) == 1 and not (first[old[0]] or second[new[0]]):
-                moved = _middle(there[new[0]]) / max(_middle(here[old[0]]), 1e-300)
+                moved = _middle(next_windows[new[0]]) / max(_middle(here[old[0]]), 1e-300)
                 if 1.0 / LEAN < moved < LEAN:
                     partners[old[0]] = new[0]
     return partners

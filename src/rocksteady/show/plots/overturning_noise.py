@@ -36,7 +36,7 @@ def plot_noise_fates(
     fates
         From `rocksteady.compute_noise_fates`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
         right, or below narrow ones.
@@ -54,12 +54,12 @@ def plot_noise_fates(
     low, high = fates.interval()
     share = fates.share
     names = (f"rms of the noise [{unit}]", "scale of the motion")
-    along, other = rms, fates.scale
+    along, scale_axis = rms, fates.scale
     if len(fates.scale) > len(rms):
-        along, other = fates.scale, rms
+        along, scale_axis = fates.scale, rms
         share, low, high = share.T, low.T, high.T
         names = names[1], names[0]
-    shown = np.unique(np.linspace(0, len(other) - 1, min(len(other), MOST_LINES)).round())
+    shown = np.unique(np.linspace(0, len(scale_axis) - 1, min(len(scale_axis), MOST_LINES)).round())
     order = np.argsort(along)
     for line, index in enumerate(shown.astype(np.int64).tolist()):
         colour = inks.lines[line]
@@ -78,10 +78,10 @@ def plot_noise_fates(
             ls=palette.DASHES[line],
             marker=palette.MARKS[line] if len(along) <= FEW else "none",
             ms=3.5,
-            label=f"{other[index]:.4g}",
+            label=f"{scale_axis[index]:.4g}",
         )
     axes.set(xlabel=names[0], ylabel="realisations that overturn [%]", ylim=(-2.0, 102.0))
-    if len(other) > 1:
+    if len(scale_axis) > 1:
         place = place_of(axes, legend, "right")
         draw_legend(axes, place, title=names[1], columns=3 if place == "below" else 1)
     return axes

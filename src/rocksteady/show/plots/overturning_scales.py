@@ -37,7 +37,7 @@ def plot_overturning_scales(
     scales
         From `rocksteady.find_overturning_scales`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; below by default.
 
@@ -106,7 +106,7 @@ def plot_fatal_kicks(
     kicks
         From `rocksteady.find_fatal_kick`, at two moments or more.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; below by default.
 

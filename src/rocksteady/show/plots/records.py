@@ -42,7 +42,7 @@ def plot_integrated_record(
     course
         From `rocksteady.integrate_record`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     quantity
         "acceleration", "velocity" or "displacement".
 
@@ -54,7 +54,7 @@ def plot_integrated_record(
     Raises
     ------
     InputError
-        If the quantity is none of these.
+        If there is no such quantity.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
     course
         From `rocksteady.integrate_record`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
 
     Returns
     -------
@@ -168,9 +168,9 @@ def plot_response_spectra(
     spectra
         One or several of `rocksteady.compute_response_spectrum`, at the same periods.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
-        Of several records: "inside" the axes, the default, to their "right", "below" them or
+        Legend of several records: "inside" the axes, the default, to their "right", "below" them or
         "none".
 
     Returns
@@ -196,7 +196,7 @@ def plot_response_spectra(
     if isinstance(spectra, ResponseSpectrum):
         spectra = [spectra]
     if not spectra or any(
-        not np.array_equal(one.periods_s, spectra[0].periods_s) for one in spectra
+        not np.array_equal(spectrum.periods_s, spectra[0].periods_s) for spectrum in spectra
     ):
         raise InputError(
             "spectra",
@@ -206,11 +206,13 @@ def plot_response_spectra(
         )
     axes = axes_or_new(ax)
     periods = spectra[0].periods_s
-    values = np.array([one.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for one in spectra])
+    values = np.array(
+        [spectrum.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for spectrum in spectra]
+    )
     few = len(spectra) <= LEGEND_HOLDS
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
     handles: list[Line2D] = []
-    for number, (one, row) in enumerate(zip(spectra, values, strict=True)):
+    for number, (spectrum, row) in enumerate(zip(spectra, values, strict=True)):
         (line,) = axes.plot(
             periods,
             row,
@@ -218,7 +220,7 @@ def plot_response_spectra(
             ls=palette.DASHES[number] if few else "-",
             lw=1.2 if few else 0.6,
             alpha=1.0 if few else 0.6,
-            label=literal(palette.shortened(one.record.name or f"record {number + 1}", 40)),
+            label=literal(palette.shortened(spectrum.record.name or f"record {number + 1}", 40)),
         )
         handles += [line] if few else []
     if len(spectra) > 1:

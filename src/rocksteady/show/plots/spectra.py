@@ -41,7 +41,7 @@ BAND = 0.22
 
 @checked
 def plot_rocking_spectrum(
-    found: "xarray.Dataset",
+    dataset: "xarray.Dataset",
     ax: "Axes | None" = None,
     *,
     quantity: Quantity = "peak_angle",
@@ -54,11 +54,11 @@ def plot_rocking_spectrum(
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.compute_rocking_spectrum`, of one record and one scale, over two periods
         or more, of at most six slendernesses.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     quantity
         "peak_angle" or "peak_velocity".
     legend
@@ -79,8 +79,8 @@ def plot_rocking_spectrum(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Record, compute_rocking_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
-    >>> found = compute_rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
-    >>> axes = plot_rocking_spectrum(found, Figure().add_subplot())
+    >>> spectrum = compute_rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
+    >>> axes = plot_rocking_spectrum(spectrum, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
     α = 0.1 rad = 5.73°
@@ -88,12 +88,12 @@ def plot_rocking_spectrum(
     overturned
     """
     _check_quantity(quantity)
-    spectrum = drawable(found)
+    spectrum = drawable(dataset)
     if "alpha" not in spectrum.dims:
         spectrum = spectrum.expand_dims("alpha")
     if spectrum.sizes["alpha"] > MOST_CURVES:
         raise InputError(
-            "found",
+            "dataset",
             Words(f"has {spectrum.sizes['alpha']} slendernesses"),
             f"up to {MOST_CURVES} are drawn as curves",
             "draw a map of them with plot_spectrum_map, or select some with .sel",
@@ -143,7 +143,7 @@ def plot_rocking_spectrum(
 
 @checked
 def plot_spectrum_map(
-    found: "xarray.Dataset",
+    dataset: "xarray.Dataset",
     ax: "Axes | None" = None,
     *,
     quantity: Quantity = "peak_angle",
@@ -156,11 +156,11 @@ def plot_spectrum_map(
 
     Parameters
     ----------
-    found
+    dataset
         From `rocksteady.compute_rocking_spectrum`, of one record and one scale, over two periods
         and two slendernesses or more.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     quantity
         "peak_angle" or "peak_velocity".
     legend
@@ -182,10 +182,10 @@ def plot_spectrum_map(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Record, compute_rocking_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
-    >>> found = compute_rocking_spectrum(
+    >>> spectrum = compute_rocking_spectrum(
     ...     shock, alpha=[0.1, 0.2, 0.3], periods_s=[2.0, 3.0, 5.0, 8.0]
     ... )
-    >>> axes = plot_spectrum_map(found, Figure().add_subplot())
+    >>> axes = plot_spectrum_map(spectrum, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
     overturned  25 %
@@ -194,10 +194,10 @@ def plot_spectrum_map(
     from matplotlib.patches import Patch
 
     _check_quantity(quantity)
-    spectrum = drawable(found)
+    spectrum = drawable(dataset)
     if spectrum.sizes.get("alpha", 1) < 2:
         raise InputError(
-            "found",
+            "dataset",
             Words("has one slenderness"),
             "a map has two or more",
             "draw a curve with plot_rocking_spectrum",
@@ -269,7 +269,7 @@ def plot_suite_spectrum(
     summary
         From `rocksteady.summarise_spectra`, of one slenderness and scale and three quantiles.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     quantity
         "peak_angle" or "peak_velocity".
     legend
@@ -291,23 +291,23 @@ def plot_suite_spectrum(
     >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 1.0)]
-    >>> found = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
-    >>> axes = plot_suite_spectrum(summarise_spectra(found), Figure().add_subplot())
+    >>> spectrum = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
+    >>> axes = plot_suite_spectrum(summarise_spectra(spectrum), Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['median of 3 records', '16 to 84 %']
     """
     _check_quantity(quantity)
-    one, quantiles = _one_slenderness(summary)
+    curve, quantiles = _one_slenderness(summary)
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "inside", width=110.0)
-    _prepare(axes, one)
-    values = one[quantity].transpose("quantile", "period").values
+    _prepare(axes, curve)
+    values = curve[quantity].transpose("quantile", "period").values
     if quantity == "peak_angle":
         ceiling = 1.0
     else:
         ceiling = 1.05 * float(np.max(values[np.isfinite(values)], initial=0.0)) or 1.0
     low, middle, high = np.minimum(values, 2.0 * ceiling)
-    periods = one["period"].values
+    periods = curve["period"].values
     words = f"{100 * quantiles[0]:.3g} to {100 * quantiles[2]:.3g} %"
     name = "median" if quantiles[1] == 0.5 else f"{100 * quantiles[1]:.3g} %"
     axes.fill_between(
@@ -335,7 +335,7 @@ def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -
     summary
         As for `plot_suite_spectrum`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
 
     Returns
     -------
@@ -347,16 +347,16 @@ def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -
     InputError
         If it is no such summary.
     """
-    one, _ = _one_slenderness(summary)
+    curve, _ = _one_slenderness(summary)
     axes = axes_or_new(ax)
-    _prepare(axes, one)
-    share = 100.0 * one["overturned"].values
-    axes.fill_between(one["period"].values, 0.0, share, color=inks_of(axes).ink, lw=0.0)
+    _prepare(axes, curve)
+    share = 100.0 * curve["overturned"].values
+    axes.fill_between(curve["period"].values, 0.0, share, color=inks_of(axes).ink, lw=0.0)
     axes.set(ylim=(0.0, 100.0), ylabel=palette.LABELS["overturned_share"])
     return axes
 
 
-def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
+def drawable(dataset: "xarray.Dataset") -> "xarray.Dataset":
     """Return a spectrum over periods that ascend, and over slendernesses at most.
 
     Raises
@@ -364,25 +364,25 @@ def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
     InputError
         If it is no spectrum, has several records or scales, or a single period.
     """
-    given: object = found
-    if not hasattr(given, "data_vars") or not {"status", *LABELS} <= set(found.data_vars):
+    given: object = dataset
+    if not hasattr(given, "data_vars") or not {"status", *LABELS} <= set(dataset.data_vars):
         raise InputError(
-            "found",
+            "dataset",
             sorted(map(str, getattr(given, "data_vars", {}))) or given,
             "it is the result of compute_rocking_spectrum",
             "compute compute_rocking_spectrum(record, alpha=..., periods_s=...)",
         )
-    one = found.squeeze([name for name in ("record", "scale") if found.sizes.get(name) == 1])
-    several = [name for name in ("record", "scale") if name in one.dims]
+    line = dataset.squeeze([name for name in ("record", "scale") if dataset.sizes.get(name) == 1])
+    several = [name for name in ("record", "scale") if name in line.dims]
     if several:
         raise InputError(
-            "found",
-            Words(f"has {one.sizes[several[0]]} values of {several[0]}"),
+            "dataset",
+            Words(f"has {line.sizes[several[0]]} values of {several[0]}"),
             "one record and one scale are drawn",
             "select one with .isel, or draw the summarise_spectra of the records",
         )
-    _check_periods(one)
-    return one.sortby("period")
+    _check_periods(line)
+    return line.sortby("period")
 
 
 def slenderness_text(alpha: float) -> str:
@@ -400,24 +400,24 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
             "it is the result of summarise_spectra",
             "compute summarise_spectra(compute_rocking_spectrum(records, ...))",
         )
-    one = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
-    if set(one.dims) - {"quantile", "period"} or one.sizes["quantile"] != 3:
-        sizes = ", ".join(f"{size} of {name}" for name, size in one.sizes.items())
+    curve = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
+    if set(curve.dims) - {"quantile", "period"} or curve.sizes["quantile"] != 3:
+        sizes = ", ".join(f"{size} of {name}" for name, size in curve.sizes.items())
         raise InputError(
             "summary",
             sizes,
             "three quantiles of one slenderness and one scale are drawn",
             "select with .isel, as summary.isel(alpha=0)",
         )
-    _check_periods(one)
-    one = one.sortby("period").sortby("quantile")
-    return one, one["quantile"].values.tolist()
+    _check_periods(curve)
+    curve = curve.sortby("period").sortby("quantile")
+    return curve, curve["quantile"].values.tolist()
 
 
 def _check_periods(one: "xarray.Dataset") -> None:
     if one.sizes.get("period", 1) < 2:
         raise InputError(
-            "found",
+            "dataset",
             Words("has one period"),
             "a spectrum is drawn over two periods or more",
             "compute compute_rocking_spectrum over several periods_s",
@@ -448,8 +448,8 @@ def _answered(status: NDArray[np.int8]) -> NDArray[np.bool_]:
 
 def _alone(values: Floats) -> NDArray[np.bool_]:
     """Return which values have no neighbour to draw a line to."""
-    there = np.pad(np.isfinite(values), 1)
-    alone: NDArray[np.bool_] = there[1:-1] & ~there[:-2] & ~there[2:]
+    finite = np.pad(np.isfinite(values), 1)
+    alone: NDArray[np.bool_] = finite[1:-1] & ~finite[:-2] & ~finite[2:]
     return alone
 
 
@@ -474,8 +474,8 @@ def _fallen_look(axes: "Axes") -> dict[str, Any]:
     return {"fc": palette.OVERTURNED, **edge}
 
 
-def _fallen_handle(axes: "Axes", there: bool) -> "list[Artist]":
+def _fallen_handle(axes: "Axes", present: bool) -> "list[Artist]":
     """Return the entry of the legend for bars, if there are any."""
     from matplotlib.patches import Patch
 
-    return [Patch(label="overturned", **_fallen_look(axes))] if there else []
+    return [Patch(label="overturned", **_fallen_look(axes))] if present else []

@@ -42,7 +42,7 @@ def plot_orbit(
     orbit
         From `rocksteady.compute_steady_orbit`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     label
         For a legend, which the caller makes when every orbit is drawn.
     series
@@ -101,11 +101,11 @@ def plot_regions(
     curves
         From `rocksteady.compute_region_map`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     point
         A (frequency_ratio, amplitude) to mark.
     top
-        Upper end of the amplitude axis, A = a_max/(alpha g); 6 without, or above the point.
+        Upper end of the amplitude axis, A = a_max/(alpha g); default 6, or above the point.
     key
         Where the legend goes by default: inside the axes, in the emptiest corner, or to their
         right; below narrow ones.
@@ -205,7 +205,7 @@ def plot_regions(
 
 @checked
 def plot_response(
-    curves: Sequence[ResponseCurve],
+    curves: ResponseCurve | Sequence[ResponseCurve],
     ax: "Axes | None" = None,
     *,
     hertz: bool = False,
@@ -221,15 +221,16 @@ def plot_response(
     Parameters
     ----------
     curves
-        From `rocksteady.compute_response_curve`, at least one.
+        One or several of `rocksteady.compute_response_curve`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     hertz
         Whether the abscissa is in Hz, for curves of a `rocksteady.Block`.
     labels
-        Legend entries, one a curve; without, amplitude and, where they differ, order and branch.
+        Legend entries, one per curve; by default amplitude and, where they differ, order and
+        branch.
     top
-        Upper end of a linear peak axis; without, everything is shown, with room for the legend.
+        Upper end of a linear peak axis; default: everything is shown, with room for the legend.
     legend
         "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
@@ -250,6 +251,8 @@ def plot_response(
     >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
     log ['A = 1', 'A = 2']
     """
+    if isinstance(curves, ResponseCurve):
+        curves = [curves]
     if not curves:
         raise InputError(
             "curves",

@@ -64,7 +64,7 @@ def spacing_of(values: ArrayLike) -> Spacing:
     even = bool(np.abs(at - np.linspace(at[0], at[-1], len(at))).max() < 1e-3 * step)
     if even:
         edges = np.linspace(at[0] - 0.5 * step, at[-1] + 0.5 * step, len(at) + 1)
-    else:  # the outermost cells are as wide as their inner halves say
+    else:  # the outermost cells are as wide as their inner halves suggest
         middles = 0.5 * (at[1:] + at[:-1])
         edges = np.concatenate([[2.0 * at[0] - middles[0]], middles, [2.0 * at[-1] - middles[-1]]])
     return Spacing(

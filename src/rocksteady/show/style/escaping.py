@@ -18,7 +18,7 @@ def literal(text: str, *, line: int | None = None) -> str:
     Parameters
     ----------
     text
-        Of a user: a name, a title.
+        Text of a user: a name, a title.
     line
         Most characters in a line; one line by default.
 

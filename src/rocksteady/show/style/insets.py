@@ -47,10 +47,10 @@ def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
     size = np.array(size_of(axes))
     if not room_for_inset(axes) or len(marks) < FEWEST:
         return None
-    there = np.array(marks)
-    places = axes.transAxes.inverted().transform(axes.transData.transform(there))
+    points = np.array(marks)
+    places = axes.transAxes.inverted().transform(axes.transData.transform(points))
     inside = ((places >= -1e-9) & (places <= 1.0 + 1e-9)).all(axis=1)
-    there, places = there[inside], places[inside]
+    points, places = points[inside], places[inside]
     if len(places) < FEWEST:
         return None
     groups = fcluster(linkage(places * size, "single"), APART, "distance")
@@ -61,7 +61,7 @@ def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
         low, high = places[among].min(axis=0), places[among].max(axis=0)
         if among.sum() > most and (high - low < LARGEST).all():
             most = int(among.sum())
-            best = (*there[among].min(axis=0).tolist(), *there[among].max(axis=0).tolist())
+            best = (*points[among].min(axis=0).tolist(), *points[among].max(axis=0).tolist())
     return best
 
 
@@ -88,7 +88,7 @@ def draw_inset(
     """
     across = axes.transAxes.inverted()
     points = np.concatenate(
-        [_dense(across.transform(axes.transData.transform(one))) for one in drawn]
+        [_dense(across.transform(axes.transData.transform(line))) for line in drawn]
     )
     spots = across.transform(axes.transData.transform(np.array(marks)))
     corners = across.transform(axes.transData.transform(np.array(crowd).reshape(2, 2)))

@@ -58,13 +58,13 @@ def place_of(
     Parameters
     ----------
     axes
-        On which it is.
+        Axes of the legend.
     legend
         A place, or None for the default.
     default
-        Of axes that are wide enough.
+        Default place for axes that are wide enough.
     width
-        Of a legend inside [points], if it is a wide one.
+        Width of a legend inside [points], if it is a wide one.
 
     Raises
     ------
@@ -74,8 +74,8 @@ def place_of(
     chosen = checked_place(legend)
     if chosen is not None:
         return chosen
-    there = size_of(axes)[0]
-    narrow = there < WIDE if default == "right" else there < 1.2 * width
+    axes_width = size_of(axes)[0]
+    narrow = axes_width < WIDE if default == "right" else axes_width < 1.2 * width
     return "below" if narrow and default != "none" else default
 
 
@@ -123,7 +123,7 @@ def draw_legend(
     handles, labels
         Its entries; those of the axes by default.
     corner, columns
-        Of a legend inside.
+        Corner and number of columns of a legend inside.
     title
         Above the entries.
     gap
@@ -185,7 +185,7 @@ def draw_legend(
 
 
 def settle(figure: "Figure") -> None:
-    """Hang the legends below axes anew, after the labels of these have changed."""
+    """Hang the legends below axes again, after the labels of these have changed."""
     for axes in figure.axes:
         legend = axes.get_legend()
         if legend is not None and legend.get_label() == HANGING:

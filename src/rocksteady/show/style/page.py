@@ -128,8 +128,8 @@ def width_mm_of(text: str) -> float:
     >>> width_mm_of("84mm"), width_mm_of("8.4 cm"), width_mm_of("3.5in")
     (84.0, 84.0, 88.9)
     """
-    found = re.fullmatch(r"\s*([0-9]*\.?[0-9]+|[0-9]+\.)\s*(mm|cm|in)\s*", text)
-    width = float(found[1]) * UNITS[found[2]] if found else 0.0
+    match = re.fullmatch(r"\s*([0-9]*\.?[0-9]+|[0-9]+\.)\s*(mm|cm|in)\s*", text)
+    width = float(match[1]) * UNITS[match[2]] if match else 0.0
     if not NARROWEST <= width <= WIDEST:
         raise InputError(
             "--width",

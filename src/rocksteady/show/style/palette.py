@@ -1,6 +1,6 @@
 """Colours, labels and units of all figures, defined once.
 
-The fills tell attractors apart for normal and for colour-blind sight; lines on white take darker
+The fills distinguish attractors for normal and for colour-blind sight; lines on white take darker
 shades of the same hues.
 """
 
@@ -30,7 +30,7 @@ NUMBER = "#5b5b5c"
 """Numbers and labels on the fills."""
 GRID = "#dedede"
 LINES = ("#1273b8", "#8d2709", "#49a397", "#48096b", "#9c8718", "#5d645b")
-"""Line colours in the order of their use, which the colour-blind tell apart too; with the dashes
+"""Line colours in the order of their use, which the colour-blind distinguish too; with the dashes
 below they differ in grey too."""
 SUBHARMONIC_LINES = ("#186432", "#3ea682", "#40068d", "#63686e", "#462033")
 """Line colours of subharmonic orbits, one after another by their periods; no two are alike, nor
@@ -82,7 +82,7 @@ LABELS = {
     "peak": r"peak  $|\theta|_{\max}/\alpha$",
     "flight_peak": r"peak of each flight  $|\theta|_{\max}/\alpha$",
     "flight_extreme": r"extreme of each flight  $\theta/\alpha$",
-    "periods": "time [excitation periods]",
+    "periods": "time [forcing periods]",
     "kick": "distance from the orbit, with its side",
     "angle_at_start": r"angle at the start  $\theta/\alpha$",
     "velocity_at_start": r"velocity at the start  d$(\theta/\alpha)$/d$(pt)$",
@@ -96,7 +96,7 @@ LABELS = {
     "orbit_extremes": r"highest and lowest  $\theta/\alpha$  of the orbit",
     "impacts": "number of impacts",
     "periods_short": "time [periods]",
-    "half_cycle": r"time since impact  $\omega t/2\pi$ [excitation periods]",
+    "half_cycle": r"time since impact  $\omega t/2\pi$ [forcing periods]",
     "rocking_period": r"size of the block  $2\pi/p$ [s]",
     "peak_velocity": r"peak  $|\dot\theta|_{\max}/(\alpha p)$",
     "overturned_share": "share of records that overturn [%]",
@@ -182,7 +182,7 @@ def axis_value(name: str, value: float) -> str:
 
 
 def shortened(name: str, longest: int = 32) -> str:
-    """Return a name that leaves room for others in a title; of a longer one the middle is left out.
+    """Return a name cut in the middle, so that it leaves room for others in a title.
 
     Examples
     --------

@@ -15,7 +15,7 @@ BADGES: Final = {
     "red": ("high", "differs"),
     "grey": ("no answer", "open"),
 }
-"""Word and look of each colour: the word tells it, colour and fill repeat it."""
+"""Word and look of each colour: the word names the class, colour and fill repeat it."""
 LEAST_SHARE, MOST_SHARE = 1e-4, 0.999
 """Below the one and above the other a share has no figures."""
 LONGEST: Final = 70

@@ -66,7 +66,7 @@ class Atlas:
     strips
         Windows of stable motions with more impacts that the search has come upon.
     rest
-        What a block at rest comes to.
+        What a block at rest settles to.
     seconds
         Run time of the computation [s].
     """
@@ -82,7 +82,7 @@ class Atlas:
 
     @property
     def steps(self) -> int:
-        """Number of times that `save` says that something is done."""
+        """Number of times that `save` reports progress."""
         return len(PICTURES) + 1
 
     def values(self) -> dict[str, Any]:
@@ -138,7 +138,7 @@ class Atlas:
         Returns
         -------
         list of Path
-            What is there now.
+            The written files.
 
         Raises
         ------
@@ -181,7 +181,7 @@ class Atlas:
             families=self.families,
             bands=self.bands,
             lines=self.lines,
-            found=self.found,
+            coexisting=self.found,
             strips=self.strips,
             rest=self.rest,
             pictures=pictures,
@@ -253,8 +253,8 @@ def atlas(
 
     Examples
     --------
-    >>> found = atlas(0.8, amplitude=[1.5, 2.5, 3.5], frequency_ratio=[2.0, 4.0, 6.0], orders=(1,))
-    >>> print(found.found.motions)
+    >>> result = atlas(0.8, amplitude=[1.5, 2.5, 3.5], frequency_ratio=[2.0, 4.0, 6.0], orders=(1,))
+    >>> print(result.found.motions)
     [[1 2 1]
      [1 2 2]
      [0 1 2]]
@@ -280,11 +280,13 @@ def atlas(
         order = family.order
         lines += family_lines(family)
         if marked(plane):
-            there = columns(plane, order, marked(plane), run=kept(f"marked-{order}", COLUMNS))
-            bands += [bands_at(column, order) for column in there]
+            at_marks = columns(plane, order, marked(plane), run=kept(f"marked-{order}", COLUMNS))
+            bands += [bands_at(column, order) for column in at_marks]
         done(f"borders, n = {order}")
-    found = coexistence(plane, run=replace(kept("coexistence", CELLS), progress=_in_steps(done)))
-    strips = windows(found)
+    coexisting = coexistence(
+        plane, run=replace(kept("coexistence", CELLS), progress=_in_steps(done))
+    )
+    strips = windows(coexisting)
     done("windows")
     rest = from_rest(plane, run=how, parts=parts, done=done)
     return Atlas(
@@ -292,7 +294,7 @@ def atlas(
         families=families,
         bands=tuple(bands),
         lines=tuple(lines),
-        found=found,
+        found=coexisting,
         strips=strips,
         rest=rest,
         seconds=time.perf_counter() - began,
@@ -318,7 +320,7 @@ def marked(plane: Plane) -> list[float]:
 
 
 def steps(plane: Plane) -> int:
-    """Return the number of times that `atlas` says that something is done."""
+    """Return the number of times that `atlas` reports progress."""
     searched = len(plane.amplitudes) * len(plane.ratios) // CELLS
     return len(plane.orders) * (len(plane.ratios) + 1) + searched + 1 + PARTS
 

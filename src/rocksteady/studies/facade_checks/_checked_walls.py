@@ -65,8 +65,8 @@ class Dynamics:
     @property
     def beyond(self) -> NDArray[np.int64]:
         """Number of records with a run beyond d0, shape (levels, rows, columns)."""
-        found: NDArray[np.int64] = (self.share > 1.0).sum(axis=-1)
-        return found
+        counts: NDArray[np.int64] = (self.share > 1.0).sum(axis=-1)
+        return counts
 
     @property
     def ratio(self) -> Floats:
@@ -83,7 +83,7 @@ class CheckedWalls:
     plane
         The walls, their records and levels.
     linear
-        Of the linear check.
+        Result of the linear check.
     spectral
         Largest S_D up to T_SLV over d_SLV, of each record: shape (levels, rows, columns, records).
     dynamics
@@ -99,8 +99,8 @@ class CheckedWalls:
     @property
     def static(self) -> Floats:
         """Demand over capacity of the nonlinear static check."""
-        found: Floats = self.spectral.mean(axis=-1)
-        return found
+        mean: Floats = self.spectral.mean(axis=-1)
+        return mean
 
     @property
     def dynamic(self) -> Floats:
@@ -182,10 +182,10 @@ def _spectral(plane: Plane, run: Run) -> Floats:
     periods = [plane.wall(row, 0).mechanism.t_slv_s for row in range(len(plane.heights_m))]
     outputs = [Output(name=f"record_{place}") for place in range(len(plane.records))]
     grid = Grid(axes=(Axis(name="period", values=periods, units="s"),))
-    found = evaluate(
+    dataset = evaluate(
         functools.partial(_largest, demand=scaled(plane, 1.0)[0]), grid, outputs, run=run
     )
-    return np.stack([found[each.name].values for each in outputs], axis=-1)
+    return np.stack([dataset[each.name].values for each in outputs], axis=-1)
 
 
 def _largest(period: Floats, *, demand: RecordDemand) -> dict[str, Floats]:
@@ -204,7 +204,7 @@ def _runs(
     """Return the runs of all walls at some levels."""
     model, restitution = how
     walls = [replace(wall, restitution=restitution) for wall in plane.walls()]
-    found = simulate_many(
+    dataset = simulate_many(
         [wall.mechanism.block() for wall in walls],
         list(plane.records),
         # Of a bare wall the base acceleration is multiplied by FC alone.
@@ -213,7 +213,7 @@ def _runs(
         model=model,
         run=run,
     )
-    status, tilt = found["status"].values, found["peak_angle"].values
+    status, tilt = dataset["status"].values, dataset["peak_angle"].values
     share: Floats = np.where(np.isin(status, COMES_BACK), tilt, np.inf).max(axis=2)
     shape = (len(levels), len(plane.heights_m), len(plane.slendernesses), len(plane.records))
     return Dynamics(

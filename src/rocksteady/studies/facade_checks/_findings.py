@@ -40,11 +40,11 @@ def percent(part: float, whole: float) -> str:
     return f"{100.0 * part / whole:.0f}\N{NO-BREAK SPACE}%"
 
 
-def level_values(found: CheckedWalls) -> list[dict[str, Any]]:
+def level_values(checked: CheckedWalls) -> list[dict[str, Any]]:
     """Return the share of each combination of verdicts at each level."""
     values = []
-    for level, pga_g in enumerate(found.plane.levels_g.tolist()):
-        kinds = found.classes[level]
+    for level, pga_g in enumerate(checked.plane.levels_g.tolist()):
+        kinds = checked.classes[level]
         values.append(
             {
                 "pga_g": pga_g,
@@ -52,32 +52,32 @@ def level_values(found: CheckedWalls) -> list[dict[str, Any]]:
                 "shares": {words: float((kinds == kind).mean()) for kind, words in CLASSES.items()},
                 "accepted": {
                     method: float((ratio[level] <= 1.0).mean())
-                    for method, ratio in found.ratios.items()
+                    for method, ratio in checked.ratios.items()
                 },
             }
         )
     return values
 
 
-def variant_values(found: CheckedWalls) -> list[dict[str, Any]]:
+def variant_values(checked: CheckedWalls) -> list[dict[str, Any]]:
     """Return what other equations and restitutions change at the middle level."""
-    middle = found.plane.middle
-    base = found.dynamics[0].ratio[middle]
-    return [_variant(each, middle, base) for each in found.dynamics]
+    middle = checked.plane.middle
+    base = checked.dynamics[0].ratio[middle]
+    return [_variant(each, middle, base) for each in checked.dynamics]
 
 
 def _variant(each: Dynamics, middle: int, base: Any) -> dict[str, Any]:
     """Return what equations and restitution of some runs come to at the middle level."""
     place = each.levels.index(middle)
     ratio, beyond = each.ratio[place], each.beyond[place]
-    both = np.isfinite(ratio) & np.isfinite(base) & (base > 0.0)
+    valid = np.isfinite(ratio) & np.isfinite(base) & (base > 0.0)
     return {
         "name": each.name,
         "accepted": float((ratio <= 1.0).mean()),
         "beyond_d0": float((beyond > 0).mean()),
         "newly_accepted": int(((ratio <= 1.0) & (base > 1.0)).sum()),
         "newly_refused": int(((ratio > 1.0) & (base <= 1.0)).sum()),
-        "median_mean": float(np.median(ratio[both] / base[both])) if both.any() else None,
+        "median_mean": float(np.median(ratio[valid] / base[valid])) if valid.any() else None,
         "undecided_runs": each.undecided,
     }
 
@@ -115,19 +115,19 @@ def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def sentences(found: CheckedWalls) -> list[str]:
+def sentences(checked: CheckedWalls) -> list[str]:
     """Return what the maps show."""
-    kinds = found.classes
+    kinds = checked.classes
     count = kinds.size
     agree = int(np.isin(kinds, (0, 7)).sum())
     levels = ", ".join(
-        f"{percent(each['agree'], 1.0)} at {each['pga_g']:g} g" for each in level_values(found)
+        f"{percent(each['agree'], 1.0)} at {each['pga_g']:g} g" for each in level_values(checked)
     )
     texts = [
         f"The three checks agree on {percent(agree, count)} of {count} walls and levels ({levels})."
     ]
-    static, dynamic = ((found.ratios[name] <= 1.0) for name in METHODS[1:])
-    linear = found.linear <= 1.0
+    static, dynamic = ((checked.ratios[name] <= 1.0) for name in METHODS[1:])
+    linear = checked.linear <= 1.0
     texts.append(
         f"The dynamic check accepts {_count((dynamic & ~static).sum(), count)} that the nonlinear "
         f"static one refuses, and refuses {_count((static & ~dynamic).sum(), count)} that it "
@@ -138,12 +138,12 @@ def sentences(found: CheckedWalls) -> list[str]:
         f"others accept, and accepts {_count((linear & ~static & ~dynamic).sum(), count)} that "
         "both refuse."
     )
-    alone = (static & ~dynamic) & (found.dynamics[0].beyond == 1)
+    alone = (static & ~dynamic) & (checked.dynamics[0].beyond == 1)
     if (static & ~dynamic).any():
         texts.append(
             f"Of the walls that the dynamic check refuses and the static one accepts, "
             f"{percent(alone.sum(), (static & ~dynamic).sum())} go beyond d₀ under one record "
-            f"of {len(found.plane.records)} alone."
+            f"of {len(checked.plane.records)} alone."
         )
     return texts
 
@@ -209,7 +209,7 @@ def reasons(wall: WorkedWall) -> list[str]:
         texts.append(
             f"What brings it down is {words}: with restitution 0 the dynamic check "
             f"{_verdict(damped)}, with 0.8 it {_verdict(lively)}. No static check "
-            "knows the returns."
+            "includes the returns."
         )
     else:
         texts.append(

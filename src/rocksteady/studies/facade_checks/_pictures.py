@@ -48,13 +48,13 @@ LABEL_X, LABEL_Y = "slenderness  $h/t$", "height  $h$ [m]"
 
 
 def verdict_figure(
-    found: CheckedWalls, walls: tuple[WorkedWall, ...] = (), *, page: Page = SCREEN
+    checked: CheckedWalls, walls: tuple[WorkedWall, ...] = (), *, page: Page = SCREEN
 ) -> "Figure":
     """Return the combinations of verdicts, a panel for each level."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    count = len(found.plane.levels_g)
+    count = len(checked.plane.levels_g)
     stacked = page.stacks(WIDE)
     high = (0.62 * count + 0.25) if stacked else 0.0
     with page.figure(WIDE, 3.6 if count > 1 else 4.6, "", stacked=high or None) as figure:
@@ -63,10 +63,10 @@ def verdict_figure(
             sharex=True, sharey=True, squeeze=False,
         ).ravel()  # fmt: skip
         for level, axes in enumerate(panels):
-            draw_verdicts(found, level, axes)
+            draw_verdicts(checked, level, axes)
             for number, wall in enumerate(walls, start=1):
                 if wall.level == level:
-                    _mark(axes, found, wall, number)
+                    _mark(axes, checked, wall, number)
             last = stacked is False or level == count - 1
             axes.set_xlabel(LABEL_X if last else "")
             axes.set_ylabel(LABEL_Y if stacked or level == 0 else "")
@@ -74,7 +74,7 @@ def verdict_figure(
         handles: list[Any] = [
             Patch(facecolor=FILLS[kind], edgecolor=inks.ink, lw=0.4, label=words)
             for kind, words in CLASSES.items()
-            if (found.classes == kind).any()
+            if (checked.classes == kind).any()
         ]
         handles += [
             Line2D([], [], color=inks.ink, lw=1.3, ls=dash, label=f"border of the {name} check")
@@ -88,18 +88,18 @@ def verdict_figure(
     return figure
 
 
-def draw_verdicts(found: CheckedWalls, level: int, axes: "Axes") -> None:
+def draw_verdicts(checked: CheckedWalls, level: int, axes: "Axes") -> None:
     """Draw the combinations of verdicts at a level, and the borders of the checks."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     kinds = sorted(FILLS)
-    x, y = _edges(found.plane.slendernesses), _edges(found.plane.heights_m)
+    x, y = _edges(checked.plane.slendernesses), _edges(checked.plane.heights_m)
     axes.pcolormesh(
-        x, y, found.classes[level], cmap=ListedColormap([FILLS[kind] for kind in kinds]),
+        x, y, checked.classes[level], cmap=ListedColormap([FILLS[kind] for kind in kinds]),
         norm=BoundaryNorm(np.arange(len(kinds) + 1) - 0.5, len(kinds)), edgecolors="face", lw=0.3,
     )  # fmt: skip
     inks = inks_of(axes)
-    for (_, ratio), dash in zip(found.ratios.items(), EDGES, strict=True):
+    for (_, ratio), dash in zip(checked.ratios.items(), EDGES, strict=True):
         path = _border(x, y, ratio[level] <= 1.0)
         # On any fill: light beneath, dark above.
         axes.plot(*path, color="#ffffff", lw=2.6 * line_scale(axes), solid_capstyle="butt")
@@ -107,7 +107,7 @@ def draw_verdicts(found: CheckedWalls, level: int, axes: "Axes") -> None:
     axes.grid(visible=False)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     axes.locator_params(axis="y", integer=True)
-    axes.set_title(f"PGA {found.plane.levels_g[level]:g} g", color=inks.ink)
+    axes.set_title(f"PGA {checked.plane.levels_g[level]:g} g", color=inks.ink)
 
 
 def _edges(points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -158,35 +158,35 @@ def _joined(across: list[float], up: list[float]) -> tuple[list[float], list[flo
     return found_x, found_y
 
 
-def _mark(axes: "Axes", found: CheckedWalls, wall: WorkedWall, number: int) -> None:
+def _mark(axes: "Axes", checked: CheckedWalls, wall: WorkedWall, number: int) -> None:
     """Write the number of a worked wall into its cell."""
     axes.annotate(
         str(number),
-        (found.plane.slendernesses[wall.column], found.plane.heights_m[wall.row]),
+        (checked.plane.slendernesses[wall.column], checked.plane.heights_m[wall.row]),
         ha="center", va="center_baseline", fontsize=text_size(axes, 8.0), color=palette.INK,
         bbox={"boxstyle": "circle,pad=0.25", "fc": "#ffffff", "ec": palette.INK, "lw": 0.9},
         zorder=6.0, annotation_clip=False,
     )  # fmt: skip
 
 
-def ratio_figure(found: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
+def ratio_figure(checked: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
     """Return demand over capacity: a row for each level, a column for each check."""
     from matplotlib.patches import Patch
 
-    count = len(found.plane.levels_g)
+    count = len(checked.plane.levels_g)
     narrow = page.stacks(WIDE)
     high = 0.5 * count + 0.42
     with page.figure(WIDE, 1.9 * count + 0.9, "", stacked=high) as figure:
         panels = figure.subplots(count, 3, sharex=True, sharey=True, squeeze=False)
         for level in range(count):
-            for column, (name, ratio) in enumerate(found.ratios.items()):
+            for column, (name, ratio) in enumerate(checked.ratios.items()):
                 axes = panels[level, column]
-                draw_ratio(found, ratio[level], axes)
+                draw_ratio(checked, ratio[level], axes)
                 if level == 0:
                     title = name if not narrow else name.replace("nonlinear ", "")
                     axes.set_title(title[0].upper() + title[1:])
                 if column == 0:
-                    axes.set_ylabel(f"PGA {found.plane.levels_g[level]:g} g\n{LABEL_Y}")
+                    axes.set_ylabel(f"PGA {checked.plane.levels_g[level]:g} g\n{LABEL_Y}")
                 if level == count - 1:
                     axes.set_xlabel(LABEL_X)
         inks = inks_of(panels[0, 0])
@@ -207,11 +207,11 @@ def ratio_figure(found: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
     return figure
 
 
-def draw_ratio(found: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") -> None:
+def draw_ratio(checked: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") -> None:
     """Draw demand over capacity of one check at one level."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
-    x, y = _edges(found.plane.slendernesses), _edges(found.plane.heights_m)
+    x, y = _edges(checked.plane.slendernesses), _edges(checked.plane.heights_m)
     # A ratio of exactly 1 is accepted.
     place = np.where(np.isinf(ratio), len(STEPS) + 1, np.searchsorted(STEPS, ratio, side="left"))
     colours = [*RATIO_FILLS, BEYOND]

@@ -89,18 +89,18 @@ class WorkedWall:
         }
 
 
-def worked_walls(found: CheckedWalls) -> tuple[WorkedWall, ...]:
+def worked_walls(checked: CheckedWalls) -> tuple[WorkedWall, ...]:
     """Return the clearest wall of each kind; of seven records where the whole suite has none."""
-    every = tuple(range(len(found.plane.records)))
+    every = tuple(range(len(checked.plane.records)))
     walls = []
     for kind in KINDS:
         records = every
-        cell = _clearest(found, every, kind)[1]
+        cell = _clearest(checked, every, kind)[1]
         if cell is None:
-            choices = ((_clearest(found, few, kind), few) for few in _sevens(len(every)))
+            choices = ((_clearest(checked, few, kind), few) for few in _sevens(len(every)))
             (_, cell), records = max(choices, key=lambda each: each[0][0], default=((0, None), ()))
         if cell is not None:
-            walls.append(_worked(found, kind, cell, records))
+            walls.append(_worked(checked, kind, cell, records))
     return tuple(walls)
 
 
@@ -112,11 +112,11 @@ def _sevens(count: int) -> Iterator[tuple[int, ...]]:
 
 
 def _clearest(
-    found: CheckedWalls, records: tuple[int, ...], kind: Kind
+    checked: CheckedWalls, records: tuple[int, ...], kind: Kind
 ) -> tuple[float, tuple[int, int, int] | None]:
     """Return how far the verdicts of a cell lie apart, and the cell; 0 and None where none does."""
-    share = found.dynamics[0].share[..., records]
-    static = found.spectral[..., records].mean(axis=-1)
+    share = checked.dynamics[0].share[..., records]
+    static = checked.spectral[..., records].mean(axis=-1)
     mean = np.where((share > 1.0).any(axis=-1), np.inf, share.mean(axis=-1) / SHARE)
     static, mean = (np.log(np.clip(each, 1.0 / FAR, FAR)) for each in (static, mean))
     apart = np.minimum(static, -mean) if kind == "static refuses" else np.minimum(-static, mean)
@@ -128,12 +128,12 @@ def _clearest(
 
 
 def _worked(
-    found: CheckedWalls, kind: Kind, cell: tuple[int, int, int], records: tuple[int, ...]
+    checked: CheckedWalls, kind: Kind, cell: tuple[int, int, int], records: tuple[int, ...]
 ) -> WorkedWall:
     """Run a wall again and look at the record that governs."""
     level, row, column = cell
-    wall, pga_g = found.plane.wall(row, column), float(found.plane.levels_g[level])
-    plane = replace(found.plane, records=[found.plane.records[place] for place in records])
+    wall, pga_g = checked.plane.wall(row, column), float(checked.plane.levels_g[level])
+    plane = replace(checked.plane, records=[checked.plane.records[place] for place in records])
     demand, factors = scaled(plane, pga_g)
     runs = run_facade(wall, list(plane.records), pga_g=pga_g)
     check = check_facade(wall, FacadeDemand(slv=demand), runs=runs)

@@ -82,7 +82,7 @@ class FacadeChecks:
 
     @property
     def steps(self) -> int:
-        """Number of times that `save` says that something is done."""
+        """Number of times that `save` reports progress."""
         return len(self.pictures) + 1
 
     def values(self) -> dict[str, Any]:
@@ -138,7 +138,7 @@ class FacadeChecks:
         Returns
         -------
         list of Path
-            What is there now.
+            The written files.
 
         Raises
         ------
@@ -282,7 +282,7 @@ def facade_checks(
 
 
 def study_steps() -> int:
-    """Return the number of times that `facade_checks` says that something is done."""
+    """Return the number of times that `facade_checks` reports progress."""
     return steps() + 1
 
 
@@ -302,7 +302,7 @@ def parts_of(plane: Plane, folder: Path | str, *, resume: bool, force: bool) -> 
 
 
 def _hash(record: Record) -> str:
-    """Return what tells the samples of records apart, the same in every process."""
+    """Return a hash of the samples of records, the same in every process."""
     samples = record.acceleration_m_s2.astype("<f8").tobytes()
     return sha256(samples + struct.pack("<d", record.dt_s)).hexdigest()
 
@@ -323,7 +323,7 @@ def _command(plane: Plane) -> str:
 
 
 def _axis(points: NDArray[np.float64]) -> str:
-    """Return an axis as the command line has it."""
+    """Return an axis as on the command line."""
     first, last, count = float(points[0]), float(points[-1]), len(points)
     if np.allclose(points, np.linspace(first, last, count), rtol=1e-12):
         return f"{first:.15g}:{last:.15g}:{count}"

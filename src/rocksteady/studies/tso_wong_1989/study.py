@@ -51,7 +51,7 @@ class Study:
     panels
         The figures, in the paper's order.
     claims
-        The statements with their verdicts; empty where only some figures were asked for.
+        The statements with their verdicts; empty where only some figures were computed.
     seconds
         Run time of the computation [s].
     """
@@ -90,7 +90,7 @@ class Study:
 
     @property
     def steps(self) -> int:
-        """Number of times that `save` says that something is done."""
+        """Number of times that `save` reports progress."""
         return len(self.panels) + (1 if self.claims else 0)
 
     def save(
@@ -119,7 +119,7 @@ class Study:
         Returns
         -------
         list of Path
-            What is there now.
+            The written files.
 
         Raises
         ------
@@ -176,8 +176,8 @@ def _pictures(panel: Panel, parts: Parts | None) -> dict[str, bytes]:
         figure = panel.draw()
         return {name: figure_bytes(figure, kind) for name, kind in names.items()}
 
-    found = list(draw().values()) if parts is None else parts.files(draw, *names)
-    return dict(zip(PICTURES, found, strict=True))
+    pictures = list(draw().values()) if parts is None else parts.files(draw, *names)
+    return dict(zip(PICTURES, pictures, strict=True))
 
 
 def parts_of(only: Sequence[str], folder: Path | str, *, resume: bool, force: bool) -> Parts:
@@ -232,7 +232,7 @@ of the closed form 0.41873.
 
 
 def steps(only: Sequence[str] = ()) -> int:
-    """Return the number of times that `reproduce` says that something is done."""
+    """Return the number of times that `reproduce` reports progress."""
     return len(chosen_figures(only)) + (0 if only else len(STATEMENTS))
 
 

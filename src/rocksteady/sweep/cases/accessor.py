@@ -39,7 +39,7 @@ class Gridded(Result):
         return described(self._dataset) or outputs_described(self._dataset)
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a cell."""
+        """Return one row per cell."""
         return self._dataset.to_dataframe().reset_index()
 
     def plot(self, *arguments: Any, **options: Any) -> Any:

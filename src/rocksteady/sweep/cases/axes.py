@@ -39,7 +39,7 @@ class Axis:
     items
         What the names stand for, as the records of a suite, one each: the case function receives
         them in place of the names.  They can be pickled, and are made of dataclasses, numbers,
-        texts and arrays, so that a store can tell them apart.
+        texts and arrays, so that a store can compare them.
 
     Raises
     ------
@@ -149,9 +149,9 @@ class Axis:
         if self.items is None:
             picked: Array = self.points[where]
             return picked
-        found = np.empty(where.shape, dtype=object)
-        found.ravel()[:] = [self.items[index] for index in where.ravel().tolist()]
-        return found
+        values = np.empty(where.shape, dtype=object)
+        values.ravel()[:] = [self.items[index] for index in where.ravel().tolist()]
+        return values
 
 
 def indices_of(name: str, given: ArrayLike, count: int) -> Array:

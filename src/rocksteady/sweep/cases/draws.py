@@ -26,10 +26,10 @@ def uniform(seed: int, numbers: NDArray[np.int64], count: int = 1) -> Floats:
     seed
         From 0 to 2^64 - 1.
     numbers
-        Of the cells in their grid, 0 or more, shape (cells,): what `evaluate` tells a case function
-        that asks for them with ``numbered``.
+        Numbers of the cells in their grid, 0 or more, shape (cells,), as `evaluate` passes them to
+        a case function that takes them by ``numbered``.
     count
-        How many numbers each cell draws.  More of them begin with the same.
+        Number of values that each cell draws.  More of them begin with the same.
 
     Returns
     -------
@@ -48,19 +48,19 @@ def uniform(seed: int, numbers: NDArray[np.int64], count: int = 1) -> Floats:
     constant = FIRST_IN * pow(FACTOR_IN, POOL * POOL, MASK + 1) & MASK
     low, high = (words.astype(np.uint32) for words in (numbers & MASK, numbers >> 32))
     # A number has a second word only where it needs one.
-    for words, there in ((low, np.ones(len(numbers), dtype=np.bool_)), (high, high > 0)):
+    for words, mask in ((low, np.ones(len(numbers), dtype=np.bool_)), (high, high > 0)):
         for place in range(POOL):
             hashed, constant = _hashed(words, constant, FACTOR_IN)
             mixed = _folded(LEFT * pool[place] - RIGHT * hashed)
-            pool[place] = np.where(there, mixed, pool[place])
+            pool[place] = np.where(mask, mixed, pool[place])
     halves = np.empty((count, 2, len(numbers)), dtype=np.uint64)
     constant = FIRST_OUT
     for place in range(2 * count):
         halves[place // 2, place % 2], constant = _hashed(pool[place % POOL], constant, FACTOR_OUT)
     whole = halves[:, 0] | halves[:, 1] << np.uint64(32)
     # The 53 upper bits, as NumPy's own generators make a double of them.
-    found: Floats = (whole >> np.uint64(11)).T.astype(np.float64) * 2.0**-53
-    return found
+    numbers_drawn: Floats = (whole >> np.uint64(11)).T.astype(np.float64) * 2.0**-53
+    return numbers_drawn
 
 
 def _hashed(words: Words, constant: int, factor: int) -> tuple[Words, int]:

@@ -89,7 +89,7 @@ class Grid:
 
 
 def within(most: str, grid: Grid, cells: int, *, hint: str) -> None:
-    """Refuse a grid of more than so many cells, whose number is said as `most`."""
+    """Refuse a grid of more cells than a largest number, written as `most`."""
     if grid.size > cells:
         raise InputError(
             grid.axes[0].name,

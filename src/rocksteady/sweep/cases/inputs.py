@@ -26,7 +26,7 @@ from rocksteady.sweep.cases.task import Task
 PACKAGE = str(Path(__file__).parents[2] / "__init__.py")
 """Not imported: its namespace names modules of the layers above this one."""
 HEX = 16
-"""Digits of a hash: two things of one hash are the same, but for 1 in 2e19."""
+"""Digits of a hash: two things of one hash differ in 1 of 2e19 cases."""
 
 
 def inputs_of(task: Task) -> dict[str, Any]:
@@ -56,7 +56,7 @@ def constants_of(task: Task) -> dict[str, Any]:
 
 
 def attributes_of(inputs: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the attributes of a result: what the caller says, and what it follows from.
+    """Return the attributes of a result: the caller's, and the inputs that it follows from.
 
     Raises
     ------
@@ -84,7 +84,7 @@ def _attribute(name: str, value: object) -> int | float | str:
         name,
         value,
         "an attribute of a result is a finite number or a text",
-        "say it in a word, or leave it out",
+        "describe it in a word, or leave it out",
     )
 
 
@@ -93,11 +93,16 @@ def as_text(inputs: Mapping[str, Any]) -> str:
     return json.dumps(inputs, ensure_ascii=False, sort_keys=True)
 
 
-def differences(there: Mapping[str, Any], here: Mapping[str, Any]) -> list[str]:
+def differences(stored: Mapping[str, Any], here: Mapping[str, Any]) -> list[str]:
     """Return what differs between two inputs, each in a few words, "there" before "here"."""
-    one, other = _flat(there), _flat(here)
-    names = sorted(one.keys() | other.keys(), key=lambda name: (name not in other, name))
-    differ = [n for n in names if one.get(n, "nothing") != other.get(n, "nothing")]
+    stored_values, present_values = _flat(stored), _flat(here)
+    names = sorted(
+        stored_values.keys() | present_values.keys(),
+        key=lambda name: (name not in present_values, name),
+    )
+    differ = [
+        n for n in names if stored_values.get(n, "nothing") != present_values.get(n, "nothing")
+    ]
 
     def told_by_another(name: str) -> bool:
         # A hash is shown only where nothing that people can read says the same.
@@ -105,8 +110,8 @@ def differences(there: Mapping[str, Any], here: Mapping[str, Any]) -> list[str]:
         return whole != name and any(n.startswith(whole) and n != name for n in differ)
 
     return [
-        f"{' '.join(name.split()[-2:])} {_words(one.get(name, 'nothing'))} there, "
-        f"{_words(other.get(name, 'nothing'))} here"
+        f"{' '.join(name.split()[-2:])} {_words(stored_values.get(name, 'nothing'))} there, "
+        f"{_words(present_values.get(name, 'nothing'))} here"
         for name in differ
         if not told_by_another(name)
     ]
@@ -138,7 +143,7 @@ def plain(value: object, name: str) -> Any:
     value
         Made of dataclasses, numbers, texts, arrays, sequences and mappings.
     name
-        Of the constant, for the error.
+        Name of the constant, for the error.
 
     Raises
     ------
@@ -193,26 +198,26 @@ def sources_elsewhere(task: Task) -> dict[str, str]:
 def sources_of(function: Any) -> dict[str, str]:
     """Return a hash of the sources that a function is part of, and of this package's.
 
-    Of a package all its modules count, because they call each other.
+    For a package all its modules count, because they call each other.
     """
     module = function.__module__
     top = module.partition(".")[0]
-    own, package = (getattr(sys.modules.get(name), "__file__", None) for name in (module, top))
+    source, package = (getattr(sys.modules.get(name), "__file__", None) for name in (module, top))
     if package is not None and Path(package).name == "__init__.py":
-        found = {top: _hash_of(package)}
-    elif own is not None:
-        found = {module: _hash_of(own)}
+        sources = {top: _hash_of(package)}
+    elif source is not None:
+        sources = {module: _hash_of(source)}
     else:  # typed in
-        found = {module: hashlib.sha256(_instructions(function.__code__)).hexdigest()[:HEX]}
-    return found | {"rocksteady": _hash_of(PACKAGE)}
+        sources = {module: hashlib.sha256(_instructions(function.__code__)).hexdigest()[:HEX]}
+    return sources | {"rocksteady": _hash_of(PACKAGE)}
 
 
 def _instructions(code: CodeType) -> bytes:
     """Return what a function does, without where it stands: cells of a notebook move about."""
     parts = [code.co_code, repr((code.co_names, code.co_varnames)).encode()]
     for constant in code.co_consts:
-        own = isinstance(constant, CodeType)
-        parts.append(_instructions(constant) if own else repr(constant).encode())
+        nested = isinstance(constant, CodeType)
+        parts.append(_instructions(constant) if nested else repr(constant).encode())
     return b"\0".join(parts)
 
 
@@ -230,10 +235,10 @@ def _hash_of(file: str) -> str:
 
 def _findable(function: Any) -> bool:
     """Return whether a function is what its module has under its name."""
-    found: Any = sys.modules.get(function.__module__)
+    thing: Any = sys.modules.get(function.__module__)
     for part in function.__qualname__.split("."):
-        found = getattr(found, part, None)
-    return found is function
+        thing = getattr(thing, part, None)
+    return thing is function
 
 
 def _whole(function: Any) -> bool:
@@ -282,14 +287,14 @@ def digest_of(array: np.ndarray[Any, Any]) -> str:
 
 def _flat(inputs: Mapping[str, Any], before: str = "") -> dict[str, Any]:
     """Return nested names as one: what is nested deeper reads "shaking phase"."""
-    found: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for name, value in inputs.items():
         label = name if before in {"", "constants", "axes"} else f"{before} {name}".rstrip()
         if isinstance(value, Mapping) and value:
-            found |= _flat(value, label)
+            values |= _flat(value, label)
         else:
-            found[label] = value
-    return found
+            values[label] = value
+    return values
 
 
 def _words(value: object) -> str:

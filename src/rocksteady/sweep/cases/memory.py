@@ -25,7 +25,7 @@ class Memory:
     task
         What is computed.
     attributes
-        Of the result.
+        Attributes of the result.
 
     Raises
     ------

@@ -23,11 +23,11 @@ class Output:
     name
         An identifier: the variable of the result.
     dtype
-        Of its array: boolean, integer or float, of up to 64 bits.
+        Type of its array: boolean, integer or float, of up to 64 bits.
     long_name, units
         As for `Axis`.
     flags
-        Of an integer that stands for a class: what each value means.
+        For an integer that stands for a class: what each value means.
     attrs
         More attributes of the variable: numbers and texts by their names.
 
@@ -75,7 +75,7 @@ class Output:
                 "dtype",
                 str(self.dtype),
                 "an output is boolean, integer or float, of up to 64 bits",
-                "code what it says as an integer with flags",
+                "code it as an integer with flags",
             )
         if self.flags and self.dtype.kind not in "iu":
             raise InputError(
@@ -87,14 +87,14 @@ class Output:
 
     @property
     def attributes(self) -> dict[str, Any]:
-        """What a dataset says of it, flags as in the CF conventions."""
-        found = words_of(self.long_name, self.units)
+        """Attributes of its variable in a dataset, flags as in the CF conventions."""
+        attributes = words_of(self.long_name, self.units)
         if self.flags:
-            found["flag_values"] = np.array(list(self.flags), dtype=self.dtype)
-            found["flag_meanings"] = " ".join(
+            attributes["flag_values"] = np.array(list(self.flags), dtype=self.dtype)
+            attributes["flag_meanings"] = " ".join(
                 meaning.replace(" ", "_") for meaning in self.flags.values()
             )
-        return found | dict(self.attrs)
+        return attributes | dict(self.attrs)
 
     @property
     def nothing(self) -> float | int | bool:
@@ -129,10 +129,10 @@ def outputs_of(outputs: Sequence[Output], grid: Grid) -> tuple[Output, ...]:
     InputError
         If there is none, or a name is that of another or of an axis.
     """
-    found = tuple(outputs)
-    if not found or not all(isinstance(output, Output) for output in found):
+    checked = tuple(outputs)
+    if not checked or not all(isinstance(output, Output) for output in checked):
         raise InputError(
             "outputs", outputs, "there is one or more", "give outputs=(Output(...), Output(...))"
         )
-    each_once("outputs", [*grid.names, *(output.name for output in found)])
-    return found
+    each_once("outputs", [*grid.names, *(output.name for output in checked)])
+    return checked

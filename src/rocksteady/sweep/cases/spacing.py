@@ -11,7 +11,7 @@ def in_equal_ratios(start: float, stop: float, count: int) -> list[float]:
     start, stop
         The ends, above 0; they are in the list as they are given.
     count
-        How many, both ends included; at least 2.
+        Number of values, both ends included; at least 2.
 
     Examples
     --------

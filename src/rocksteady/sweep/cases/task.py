@@ -46,7 +46,7 @@ class Task:
     grid, outputs
         The cells and what is computed in each.
     numbered
-        The argument by which the case function is told the numbers of its cells, if it is.
+        Argument of the case function that receives the numbers of its cells, if any.
     batch
         The most cells that one call takes.
     """
@@ -57,30 +57,30 @@ class Task:
     numbered: str | None
     batch: int
 
-    def run(self, job: CellRange, seconds: float, many: int = 1) -> Answer:
+    def run(self, job: CellRange, seconds: float, count: int = 1) -> Answer:
         """Compute the cells of a job until its time is over.
 
-        Calls begin with `many` cells (default one) and take more each time, as long as they are
+        Calls begin with `count` cells (default one) and take more each time, as long as they are
         short.  At least one call is made.  The cells that are left go back to the queue, so that no
         worker waits for another one that has met slow cells.
         """
         began = time.monotonic()
         first, stop = job
-        here, many = first, min(many, self.batch)
-        found: list[dict[str, Array]] = []
-        while here < stop and (not found or time.monotonic() - began < seconds):
+        here, count = first, min(count, self.batch)
+        results: list[dict[str, Array]] = []
+        while here < stop and (not results or time.monotonic() - began < seconds):
             called = time.monotonic()
-            last = min(here + many, stop)
-            found.append(self._call(here, last))
+            last = min(here + count, stop)
+            results.append(self._call(here, last))
             here = last
             took = time.monotonic() - called
             if took < LONG_ENOUGH:
-                many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
+                count = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * count, self.batch)
             elif took > GROWTH * LONG_ENOUGH:
-                many = 1
+                count = 1
         names = [output.name for output in self.outputs]
-        joined = {name: np.concatenate([part[name] for part in found]) for name in names}
-        return Answer(job, here, joined, max(many // GROWTH, 1))
+        joined = {name: np.concatenate([part[name] for part in results]) for name in names}
+        return Answer(job, here, joined, max(count // GROWTH, 1))
 
     def _call(self, first: int, stop: int) -> dict[str, Array]:
         """Return what the case function finds in some cells."""
@@ -88,8 +88,8 @@ class Task:
         if self.numbered is not None:
             cells[self.numbered] = np.arange(first, stop, dtype=np.int64)
         try:
-            found = self.cases(**cells)
-            return {output.name: _checked(output, found, stop - first) for output in self.outputs}
+            values = self.cases(**cells)
+            return {output.name: _checked(output, values, stop - first) for output in self.outputs}
         except Exception as error:
             error.add_note(f"in {self.words_for((first, stop))}")
             raise
@@ -110,16 +110,16 @@ def _short(value: object) -> str:
     return f"{value:.15g}" if isinstance(value, float) else str(value)
 
 
-def _checked(output: Output, found: object, cells: int) -> Array:
+def _checked(output: Output, value: object, cells: int) -> Array:
     """Return one output of the case function as what it is declared to be."""
-    if not isinstance(found, Mapping) or output.name not in found:
+    if not isinstance(value, Mapping) or output.name not in value:
         raise InputError(
             "cases",
-            sorted(found) if isinstance(found, Mapping) else found,
+            sorted(value) if isinstance(value, Mapping) else value,
             f"it must return a mapping with the output {output.name!r}",
             "return an array for each output, or leave the output out",
         )
-    array = np.asarray(found[output.name])
+    array = np.asarray(value[output.name])
     if array.shape != (cells,):
         raise InputError(
             output.name,
@@ -134,7 +134,7 @@ def _checked(output: Output, found: object, cells: int) -> Array:
             f"it must fit {output.dtype}, as which it is declared",
             "change the dtype of the output, or convert the array",
         )
-    if np.ma.isMaskedArray(found[output.name]):
+    if np.ma.isMaskedArray(value[output.name]):
         raise InputError(
             output.name,
             Words("hold a masked array"),
@@ -152,11 +152,11 @@ def _fitting(output: Output, array: Array) -> Array:
     if array.dtype == output.dtype:
         return array
     with np.errstate(over="ignore"):
-        found: Array = array.astype(output.dtype)
+        fitted: Array = array.astype(output.dtype)
     if output.dtype.kind == "f" and array.dtype.kind == "f":
-        lost = np.isfinite(array) & ~np.isfinite(found)
+        lost = np.isfinite(array) & ~np.isfinite(fitted)
     else:
-        lost = found != array
+        lost = fitted != array
     if lost.any():
         raise InputError(
             output.name,
@@ -164,4 +164,4 @@ def _fitting(output: Output, array: Array) -> Array:
             f"it must fit {output.dtype}, as which it is declared",
             "declare a longer type",
         )
-    return found
+    return fitted

@@ -73,7 +73,7 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
     address
         Address of a scheduler; None for a cluster on this machine, which is started and stopped.
     workers
-        Number of workers; of a running cluster, the most jobs that run at the same time.  None for
+        Number of workers; for a running cluster, the most jobs that run at the same time.  None for
         the cores that this process may use, or all workers of the cluster.
 
     Raises
@@ -170,16 +170,16 @@ def _answers(
     def finished() -> tuple[list[Answer], list[tuple[BaseException, CellRange]]]:
         done = _next(ended)
         cluster.check_workers(progress=bool(done))
-        found, failed = [], []
+        answers, failed = [], []
         for future, outcome in done:
             job = submitted.pop(future)  # the workers drop an answer without references
             if isinstance(outcome, Answer):
-                found.append(outcome)
+                answers.append(outcome)
             elif future.status == "error":
                 failed.append((_error(future), job))
             else:
                 raise outcome
-        return found, failed
+        return answers, failed
 
     try:
         while True:
@@ -187,10 +187,10 @@ def _answers(
                 submit()
                 if not submitted:
                     return
-                found, failed = finished()
-            for answer in found:
+                answers, failed = finished()
+            for answer in answers:
                 queue.put_back(answer)
-            yield from found
+            yield from answers
             for error, job in failed:
                 raise _reason(error, job, task, cluster)
     finally:

@@ -38,7 +38,7 @@ class TaskPlugin(WorkerPlugin):
             raise InputError(
                 "cases",
                 task.cases,
-                f"other processes must be told what it is: {' '.join(str(error).split())}",
+                f"other processes need a description of it: {' '.join(str(error).split())}",
                 "give a function at module level, and constants that can be pickled",
             ) from error
         self._executor = executor
@@ -71,11 +71,11 @@ class TaskPlugin(WorkerPlugin):
             ) from None
         here = sources_elsewhere(task)
         for module, wanted in self._sources.items():
-            if (there := here.get(module, "nothing")) != wanted:
+            if (version_there := here.get(module, "nothing")) != wanted:
                 raise InputError(
                     "executor",
                     self._executor,
-                    f"its worker {address} has other sources of {module}, {there} "
+                    f"its worker {address} has other sources of {module}, {version_there} "
                     f"(rocksteady {version('rocksteady')}), than the caller, {wanted} (rocksteady "
                     f"{self._version})",
                     "install the same version there and restart the worker",
@@ -98,7 +98,7 @@ def run_job(name: str, job: CellRange, seconds: float) -> Answer:
         raise UnfinishedError(
             "executor",
             worker.address,
-            "this worker has not been told what to compute",
+            "this worker has received no task",
             "restart it, and run again: a store can be resumed",
         )
     return plugin.run(job, seconds)

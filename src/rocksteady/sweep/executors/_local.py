@@ -88,7 +88,7 @@ class WorkerProcesses:
                     "executor",
                     "dask",
                     f"its worker processes end at once, {_how(process.returncode)}",
-                    "see what they say above, or what kills them, or compute with threads",
+                    "see their messages above, or what kills them, or compute with threads",
                 )
             _closed(process)
             self._processes[place] = _started(self._folder)

@@ -15,7 +15,7 @@ from rocksteady.sweep.executors._dask import quiet
 ANSWERED = 10.0
 """Seconds in which a scheduler answers."""
 PATIENCE = 30.0
-"""Seconds without a worker, after which that is said."""
+"""Seconds without a worker after which a warning is printed."""
 LOOKED = 1.0
 """Seconds between two looks at the workers."""
 
@@ -85,13 +85,13 @@ class Remote:
 
     def most_running(self) -> int:
         """Return the number of jobs that run at the same time: one or more."""
-        many = max(1, self._threads)  # those that were there may have gone just now
-        return many if self._most is None else min(self._most, many)
+        jobs = max(1, self._threads)  # workers may have left since
+        return jobs if self._most is None else min(self._most, jobs)
 
     def most_submitted(self) -> int:
         """Return the number of jobs to submit, running and waiting: one or more."""
-        many = max(1, JOBS_SUBMITTED * self._threads)
-        return many if self._most is None else min(self._most, many)
+        jobs = max(1, JOBS_SUBMITTED * self._threads)
+        return jobs if self._most is None else min(self._most, jobs)
 
     def check_workers(self, *, progress: bool) -> None:
         """Count the workers, and warn if there are none: others may join."""

@@ -38,13 +38,13 @@ def main(folder: str) -> None:
 
     logging.getLogger("distributed").setLevel(logging.CRITICAL + 1)
     # A second line on standard input: the imports above go on while the caller's do.
-    told = sys.stdin.readline()
-    if not told:  # the caller has ended
+    line = sys.stdin.readline()
+    if not line:  # the caller has ended
         _remove(folder)
         return
     leaving = Thread(target=_leave_with_caller, args=(folder,), daemon=True)
     leaving.start()
-    asyncio.run(_work(distributed.Worker, json.loads(told), folder))
+    asyncio.run(_work(distributed.Worker, json.loads(line), folder))
     leaving.join(timeout=1.0)  # where it is the caller's end that has ended the work
 
 

@@ -74,10 +74,10 @@ def _validated_address(address: str) -> str:
     Raises
     ------
     InputError
-        If dask knows no such kind of address, or it has no host or no port.
+        If dask has no such kind of address, or it has no host or no port.
     """
     if find_spec("distributed") is None:
-        return address  # connecting to it says so
+        return address  # connecting to it shows that
     from distributed.comm.registry import backends, get_backend
 
     kind, _, place = address.rpartition("://")  # as dask does
@@ -85,7 +85,7 @@ def _validated_address(address: str) -> str:
         backend = get_backend(kind)
     except (ValueError, ImportError) as error:
         known = ", ".join(sorted(backends))
-        raise _refused_address(address, f"dask knows addresses of the kinds {known}") from error
+        raise _refused_address(address, f"dask accepts addresses of the kinds {known}") from error
     with suppress(NotImplementedError):  # of kinds without hosts and ports
         try:
             host, port = backend.get_address_host_port(place)

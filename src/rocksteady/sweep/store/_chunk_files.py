@@ -35,8 +35,8 @@ class ChunkFiles(LocalStore):
         byte_range: ByteRequest | None = None,
     ) -> Buffer | None:
         """Return the content of a file, whole where it is checked."""
-        found = await super().get(key, prototype, byte_range)
-        return self._checked(key, found)
+        data = await super().get(key, prototype, byte_range)
+        return self._checked(key, data)
 
     def get_sync(
         self,
@@ -48,11 +48,11 @@ class ChunkFiles(LocalStore):
         """Return the content of a file, whole where it is checked."""
         return self._checked(key, super().get_sync(key, prototype=prototype, byte_range=byte_range))
 
-    def _checked(self, key: str, found: Buffer | None) -> Buffer | None:
+    def _checked(self, key: str, data: Buffer | None) -> Buffer | None:
         if key not in self._expected:
-            return found
+            return data
         name, chunk, expected = self._expected[key]
-        if found is None or checksum(self._sweep, name, chunk, found.to_bytes()) != expected:
+        if data is None or checksum(self._sweep, name, chunk, data.to_bytes()) != expected:
             message = f"its file {key} is damaged, or that of another place"
             raise ValueError(message)
-        return found
+        return data

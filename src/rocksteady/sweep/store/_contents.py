@@ -44,14 +44,14 @@ class Contents:
     Attributes
     ----------
     folder
-        Of the store.
+        Folder of the store.
     attributes
-        Of the result.
+        Attributes of the result.
     axes, outputs
         Arrays by their names, in the order of the sweep.
     flags
         Checksums of the files of each finished chunk, as many as there are outputs, 0 of others.
-        Those of a store of an earlier version are flags, one a chunk.
+        Those of a store of an earlier version are flags, one per chunk.
     chunks
         The cells of each.
     """
@@ -66,8 +66,8 @@ class Contents:
     @property
     def inputs(self) -> dict[str, Any]:
         """What its results follow from."""
-        found: dict[str, Any] = json.loads(self.attributes["inputs"])
-        return found
+        inputs: dict[str, Any] = json.loads(self.attributes["inputs"])
+        return inputs
 
     def files(self, chunk: int) -> list[Path]:
         """Return the files of a chunk, its checksums first."""
@@ -82,14 +82,14 @@ class Contents:
 
     def sums(self) -> NDArray[np.uint64]:
         """Return the checksums, shape (chunks, outputs); 0 where they cannot be read."""
-        dtype, (many,) = self.flags.dtype, self.flags.chunks
-        found = np.zeros((len(self.chunks), many), dtype=np.uint64)
-        for chunk, row in enumerate(found):
+        dtype, (length,) = self.flags.dtype, self.flags.chunks
+        sums = np.zeros((len(self.chunks), length), dtype=np.uint64)
+        for chunk, row in enumerate(sums):
             with suppress(OSError):
                 content = self._flag(chunk).read_bytes()
-                if len(content) == dtype.itemsize * many:
+                if len(content) == dtype.itemsize * length:
                     row[:] = np.frombuffer(content, dtype)
-        return found
+        return sums
 
     def checked_files(self) -> dict[str, tuple[str, int, int]]:
         """Return output, chunk and checksum of each file of a finished chunk, by relative path."""
@@ -125,11 +125,11 @@ class Contents:
 def attributes_in(folder: Path) -> dict[str, Any] | None:
     """Return the attributes of a store; None where that is none, or they cannot be read."""
     try:
-        found = json.loads((folder / GROUP).read_text(encoding="utf-8"))["attributes"]
-        json.loads(found["inputs"])
+        attributes = json.loads((folder / GROUP).read_text(encoding="utf-8"))["attributes"]
+        json.loads(attributes["inputs"])
     except (OSError, ValueError, LookupError, TypeError):
         return None
-    return dict(found)
+    return dict(attributes)
 
 
 def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Contents:
@@ -138,9 +138,9 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
     Parameters
     ----------
     folder
-        Of a store.
+        Folder of a store.
     refused
-        Makes the error to raise where it cannot be read, from a clause that says why.
+        Makes the error to raise where it cannot be read, from a clause with the reason.
     """
     import zarr
 
@@ -155,7 +155,7 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
         files = ChunkFiles(folder, read_only=True)
         outputs = {name: zarr.open_array(files, path=name, mode="r") for name in names}
         axes: dict[str, Any] = {name: group[name] for name in first.metadata.dimension_names}
-        found = Contents(
+        contents = Contents(
             folder=folder,
             attributes=group.attrs.asdict(),
             axes=axes,
@@ -164,14 +164,14 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
             chunks=chunks,
         )
         for name, array in axes.items():
-            if digest_of(points_of(array)) != found.inputs["axes"][name]["sha256"]:
-                message = f"the values of {name} are not those that were written"
+            if digest_of(points_of(array)) != contents.inputs["axes"][name]["sha256"]:
+                message = f"the values of {name} differ from the written ones"
                 raise ValueError(message)
         if flags.dtype != np.bool_:
-            files.check(found.checked_files(), identity_of(found.inputs, chunks.box))
+            files.check(contents.checked_files(), identity_of(contents.inputs, chunks.box))
     except Exception as error:
         raise refused(f"it cannot be read: {said(error)}") from error
-    return found
+    return contents
 
 
 def points_of(array: Any) -> Array:
@@ -199,6 +199,6 @@ def refuse_taken(names: Iterable[str]) -> None:
 
 
 def said(error: Exception) -> str:
-    """Return what an error says, in one line."""
+    """Return the message of an error, in one line."""
     text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
     return " ".join(text.split()) or type(error).__name__

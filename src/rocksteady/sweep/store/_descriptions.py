@@ -31,12 +31,12 @@ class Described:
     task, chunks
         What is computed, and in which chunks.
     inputs, attributes
-        Of the result.
+        Inputs and attributes of the result.
 
     Attributes
     ----------
     marks
-        By which the store is known.
+        Marks by which the store is recognised.
     files
         Contents by relative paths.
     """
@@ -125,11 +125,11 @@ class Described:
         """Return the contents of the files of a chunk by the names of its outputs."""
         region = self._chunks.region(chunk)
         shape = tuple(part.stop - part.start for part in region)
-        found = {}
+        files = {}
         for name, array in arrays.items():
             self._arrays[name][region] = array.reshape(shape)
-            found[name] = self._kept.pop(self.path(name, chunk)).to_bytes()
-        return found
+            files[name] = self._kept.pop(self.path(name, chunk)).to_bytes()
+        return files
 
     def path(self, output: str, chunk: int) -> str:
         """Return the relative path of a file of a chunk."""
@@ -149,10 +149,10 @@ def _storable(axis: Axis) -> Array:
 
 def _json(output: Output) -> dict[str, Any]:
     """Return the attributes of an output in lists and numbers."""
-    found = output.attributes
-    if "flag_values" in found:
-        found["flag_values"] = found["flag_values"].tolist()
-    return found
+    attributes = output.attributes
+    if "flag_values" in attributes:
+        attributes["flag_values"] = attributes["flag_values"].tolist()
+    return attributes
 
 
 def refuse_others(folder: Path, marks: Marks, inputs: Mapping[str, Any]) -> None:
@@ -161,17 +161,17 @@ def refuse_others(folder: Path, marks: Marks, inputs: Mapping[str, Any]) -> None
     Raises
     ------
     OutputError
-        If something differs; the message says what.
+        If something differs; the message names it.
     """
-    there = attributes_in(folder)
-    found = [] if there is None else differences(json.loads(there["inputs"]), inputs)
+    attributes = attributes_in(folder)
+    changes = [] if attributes is None else differences(json.loads(attributes["inputs"]), inputs)
     ours = marks.sweep == identity_of(inputs, marks.box)
-    if ours and not (found and is_begun(folder)):  # else the words may be those of the one before
+    if ours and not (changes and is_begun(folder)):  # else the words may be those of the one before
         return
-    more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
+    more = f" and {len(changes) - SHOWN} more" if len(changes) > SHOWN else ""
     raise OutputError(
         "store",
         folder,
-        "it holds another sweep: " + (", ".join(found[:SHOWN]) + more or "its marks differ"),
+        "it holds another sweep: " + (", ".join(changes[:SHOWN]) + more or "its marks differ"),
         "give the same inputs, overwrite it, or name another store",
     )

@@ -36,8 +36,8 @@ class OverCells(BackendArray, ABC):
     def __getitem__(self, key: ExplicitIndexer) -> Array:
         read = self.points if isinstance(key, VectorizedIndexer) else self.outer
         support = IndexingSupport.VECTORIZED  # for both: slices then have positive steps
-        found: Array = explicit_indexing_adapter(key, self.shape, support, read)
-        return found
+        values: Array = explicit_indexing_adapter(key, self.shape, support, read)
+        return values
 
     @abstractmethod
     def outer(self, index: Index) -> Array:
@@ -54,7 +54,7 @@ class Computed(OverCells):
     Parameters
     ----------
     chunks
-        Of the grid.
+        Chunks of the grid.
     complete
         Whether they have been, shape (chunks,).
     """
@@ -67,21 +67,21 @@ class Computed(OverCells):
 
     def outer(self, index: Index) -> Array:
         """Return them where the parts of an index meet."""
-        found: Array = self._complete
+        values: Array = self._complete
         kept = 0  # axes that come before, as far as they have not been dropped
         for part, length, box in zip(index, self.shape, self._chunks.box, strict=True):
             places = np.arange(length)[part] // box
-            found = found.take(places, axis=kept)
+            values = values.take(places, axis=kept)
             kept += np.ndim(places)
-        return found
+        return values
 
     def points(self, index: Index) -> Array:
         """Return them at points."""
         places = (
             np.asarray(part) // box for part, box in zip(index, self._chunks.box, strict=True)
         )
-        found: Array = self._complete[tuple(places)]
-        return found
+        values: Array = self._complete[tuple(places)]
+        return values
 
 
 class Stored(OverCells):
@@ -90,9 +90,9 @@ class Stored(OverCells):
     Parameters
     ----------
     folder, name
-        Of the store and of the output, for the error.
+        Folder of the store and name of the output, for the error.
     array
-        Of zarr.
+        Array of zarr.
     computed
         Which cells are read; the others are what zarr fills in.  None for all.
     """

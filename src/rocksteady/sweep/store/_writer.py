@@ -44,7 +44,7 @@ class StoreFiles:
     Parameters
     ----------
     folder
-        Of the store.
+        Folder of the store.
     token
         Begins the names of files that are being written: unique to this run, and named in the lock.
     """
@@ -94,7 +94,7 @@ class StoreFiles:
 
 
 def _order(path: str) -> tuple[bool, str]:
-    """Return by what descriptions are sorted: the marks, which say that all is there, are last."""
+    """Return the sorting key of descriptions: the marks, which certify the rest, are last."""
     return path in MARKS, path
 
 
@@ -202,11 +202,11 @@ class StoreWriter:
         flagged = contents.flagged()
         sound = contents.complete(flagged)
         for chunk in np.flatnonzero(sound).tolist():
-            found = [
+            checks = [
                 checksum(self._described.marks.sweep, name, chunk, file.read_bytes())
                 for name, file in zip(contents.outputs, contents.files(chunk)[1:], strict=True)
             ]
-            sound[chunk] = found == sums[chunk].tolist()
+            sound[chunk] = checks == sums[chunk].tolist()
         removed = set()
         for chunk in np.flatnonzero(~sound).tolist():
             for file in contents.files(chunk):
@@ -289,7 +289,9 @@ class StoreWriter:
         self._files.put(
             {path(n, chunk): files[n] for chunk, files in chunks.items() for n in files}
         )
-        self._files.put({f"{DONE}/c/{chunk}": found.tobytes() for chunk, found in sums.items()})
+        self._files.put(
+            {f"{DONE}/c/{chunk}": checksums.tobytes() for chunk, checksums in sums.items()}
+        )
         for chunk in chunks:
             self._finished[chunk] = True
             del self._pending[chunk]

@@ -26,7 +26,7 @@ class Chunks:
     Attributes
     ----------
     shape
-        Of the grid.
+        Shape of the grid.
     box
         Shape of a chunk; the last along an axis may be smaller.
 
@@ -46,7 +46,7 @@ class Chunks:
     def of(
         cls, shape: tuple[int, ...], cells: int | None = None, *, batch: int = FEWEST
     ) -> "Chunks":
-        """Return chunks of at most so many cells; of a number that suits the grid for None.
+        """Return chunks of up to a number of cells; for None, of a number that suits the grid.
 
         `batch` is the most cells of one call: of slow cells fewer are lost with a chunk.
         """

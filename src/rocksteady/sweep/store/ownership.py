@@ -42,8 +42,8 @@ class Marks:
 
 def owner_of(folder: Path) -> Marks | None:
     """Return the marks of the store in a folder; None where it is certainly no whole one."""
-    found = _marks(folder)
-    return None if found is None else _marks_of(found)
+    marks = _marks(folder)
+    return None if marks is None else _marks_of(marks)
 
 
 def replaced_in(folder: Path) -> Marks | None:
@@ -66,25 +66,25 @@ def _marks(folder: Path) -> dict[str, Any] | None:
     """Return what stands in the first file of marks that can be read."""
     for name in MARKS:
         with suppress(OSError, ValueError, LookupError, TypeError):
-            found = json.loads((folder / name).read_text(encoding="utf-8"))
-            for marks in (found, found.get(REPLACES)):
+            values = json.loads((folder / name).read_text(encoding="utf-8"))
+            for marks in (values, values.get(REPLACES)):
                 if marks is not None:
                     _marks_of(marks)
-            return dict(found)
+            return dict(values)
     return None
 
 
-def _marks_of(found: Any) -> Marks:
-    axes, outputs, box = (tuple(found[name]) for name in ("axes", "outputs", "box"))
+def _marks_of(marks: Any) -> Marks:
+    axes, outputs, box = (tuple(marks[name]) for name in ("axes", "outputs", "box"))
     if not (
-        is_identity(found["sweep"])
+        is_identity(marks["sweep"])
         and all(isinstance(name, str) and name.isidentifier() for name in axes + outputs)
         and all(isinstance(length, int) and length >= 1 for length in box)
         and len(axes) == len(box) > 0 < len(outputs)
     ):
         message = "these are not the marks of a store"
         raise ValueError(message)
-    return Marks(axes=axes, outputs=outputs, sweep=found["sweep"], box=box)
+    return Marks(axes=axes, outputs=outputs, sweep=marks["sweep"], box=box)
 
 
 def others(folder: Path) -> list[str]:
@@ -97,12 +97,12 @@ def others(folder: Path) -> list[str]:
 
 
 def remove(folder: Path, marks: Marks) -> None:
-    """Remove a store's own files but for its marks and its lock, and no others."""
-    own = [(path, kind) for path, kind in _all(folder) if _own(path, kind, [marks])]
-    for path, kind in own:
+    """Remove a store's own files, except its marks and its lock."""
+    entries = [(path, kind) for path, kind in _all(folder) if _own(path, kind, [marks])]
+    for path, kind in entries:
         if kind == "file" and path not in {*MARKS, f"{DONE}/{LOCK}"}:
             (folder / path).unlink()
-    for path, kind in reversed(own):  # what is in a folder comes after it
+    for path, kind in reversed(entries):  # what is in a folder comes after it
         if kind == "folder":
             durable.sync_folder(folder / path)
             if not any((folder / path).iterdir()):

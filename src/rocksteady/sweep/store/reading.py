@@ -21,7 +21,7 @@ from rocksteady.sweep.store._contents import (
 if TYPE_CHECKING:
     import xarray
 
-RESUME = "resume its sweep, or read what is there with partial=True"
+RESUME = "resume its sweep, or read its finished part with partial=True"
 
 
 @checked
@@ -31,7 +31,7 @@ def open_store(path: Path | str, *, partial: bool = False) -> "xarray.Dataset":
     Parameters
     ----------
     path
-        Of its folder.
+        Path of the store's folder.
     partial
         Whether an unfinished one is read as well, also while a sweep goes on: what it has at this
         moment.  The result then has one more variable, ``computed``, and in the cells that are not
@@ -118,10 +118,10 @@ def dataset_of(contents: Contents, complete: NDArray[np.bool_] | None = None) ->
     Parameters
     ----------
     contents
-        Of the store.
+        Contents of the store.
     complete
         Which chunks to read, of an unfinished one; the others are not looked at, and the dataset
-        says in ``computed`` which cells are theirs.
+        marks their cells in ``computed``.
     """
     import xarray
     from xarray.core.indexing import LazilyIndexedArray
@@ -150,7 +150,7 @@ def dataset_of(contents: Contents, complete: NDArray[np.bool_] | None = None) ->
         for name, array in contents.axes.items()
     }
     dataset = xarray.Dataset(variables, coords=axes, attrs=contents.attributes)
-    dataset.encoding["source"] = str(contents.folder)  # as files have it that xarray opens
+    dataset.encoding["source"] = str(contents.folder)  # as in files that xarray opens
     return dataset
 
 

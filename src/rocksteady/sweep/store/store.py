@@ -1,6 +1,6 @@
 """Store of a sweep's results on disk, where finished chunks survive any interruption.
 
-`Store` says where and how; `rocksteady.sweep.store._writer` writes what lies there.
+`Store` holds the place and the options; `rocksteady.sweep.store._writer` writes what lies there.
 """
 
 import os
@@ -33,11 +33,11 @@ class Store:
     Parameters
     ----------
     path
-        Of a folder, as "map.zarr"; the folder that it is in exists.
+        Path of a folder, as "map.zarr"; the folder that it is in exists.
     resume
-        Whether a store that is there, of the same inputs, is continued.
+        Whether an existing store, of the same inputs, is continued.
     overwrite
-        Whether a store that is there is replaced.
+        Whether an existing store is replaced.
     chunk
         The most cells that are written at once: what is lost when a run is ended, at most, for each
         of its workers.  By default a 64th of the grid, but from 4096 to 65,536 cells, or from as
@@ -82,8 +82,8 @@ class Store:
         Raises
         ------
         OutputError
-            If it is a file or another folder, its own folder is missing or not writable, or a
-            store is there that is neither to be continued nor to be replaced.
+            If it is a file or another folder, its own folder is missing or not writable, or there
+            is a store that is neither to be continued nor to be replaced.
         """
         parent = self.folder.absolute().parent
         if not parent.is_dir():
@@ -110,7 +110,7 @@ class Store:
             return
         if not self.overwrite and is_begun(self.folder) and attributes_in(self.folder) is None:
             raise self._refused(
-                "its zarr.json is damaged, and says no more what it holds",
+                "its zarr.json is damaged, and no longer describes it",
                 "overwrite it, or name another one",
             )
         if not (self.resume or self.overwrite):

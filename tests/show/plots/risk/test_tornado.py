@@ -72,6 +72,21 @@ def test_numbers_stand_inside_the_axes(width: float | None) -> None:
         assert float(text.get_fontsize()) >= 6.5
 
 
+@pytest.mark.parametrize("width", [84.0, None])
+def test_long_numbers_have_their_room_too(width: float | None) -> None:
+    rows = [("hazard 0.5 to 2", 0.000631, 0.00252), ("width 0.28 to 0.36", 0.00168, 0.000972)]
+    with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
+        drawn = plot_tornado(rows, 0.00126, figure.add_subplot())
+    figure.draw_without_rendering()
+    assert {text.get_text() for text in drawn.texts} == {
+        "0.000631", "0.00252", "0.00168", "0.000972",
+    }  # fmt: skip
+    for text in drawn.texts:
+        box = text.get_window_extent()
+        assert drawn.bbox.x0 <= box.x0
+        assert box.x1 <= drawn.bbox.x1 + 6.0
+
+
 def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
     with pytest.raises(InputError, match="rows are none"):
         plot_tornado([], 0.4, axes())

@@ -20,7 +20,7 @@ def test_the_page_shows_every_picture_and_every_sentence() -> None:
         families=whole.families,
         bands=whole.bands,
         lines=whole.lines,
-        found=whole.found,
+        coexisting=whole.found,
         strips=whole.strips,
         rest=whole.rest,
         pictures={name: f"data:,{name}" for name in PICTURES},

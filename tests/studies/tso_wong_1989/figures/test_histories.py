@@ -267,7 +267,7 @@ def test_the_table_is_the_run(name: str) -> None:
 
 
 def motions(figure: Figure) -> list[Any]:
-    """The axes that hold a time history over excitation periods."""
+    """The axes that hold a time history over forcing periods."""
     return [
         axes
         for axes in figure.axes

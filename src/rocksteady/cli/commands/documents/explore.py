@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
 
 HELP = (
-    "The explorer: a page to touch, in one HTML file that computes by itself.\n\n"
+    "The explorer: an interactive page in one HTML file that computes by itself.\n\n"
     "Drag the point on the map of motions, and time history, phase portrait, sweeps, basins, "
     "pulses, ground motions and design charts follow at once. The page holds the kernels of this "
     "program and gives the same numbers; it needs no server and no network. Without --out it is "
@@ -60,8 +60,8 @@ RecordFiles = Annotated[
     typer.Option(
         "--record",
         metavar="FILE",
-        help="Put the horizontal channels of a ground-motion file into the page, or the one that "
-        "--channel names; may be repeated. The page then opens on them.",
+        help="Put the horizontal channels of a ground-motion file into the page, or the channel "
+        "named by --channel; may be repeated. The page then opens on them.",
         rich_help_panel=options.MOTION,
     ),
 ]
@@ -135,11 +135,11 @@ def explore(
         raise in_flags(error, block, start) from error
     recordings = across(files, reading)
     file = write(out, view, recordings)
-    found = described(file, view, recordings)
+    view_described = described(file, view, recordings)
     if as_json:
-        print_json("explore", found.to_dict())
+        print_json("explore", view_described.to_dict())
         return
-    print_description(found, terminal.console())
+    print_description(view_described, terminal.console())
     if not no_browser and not show(file):
         terminal.note(f"no browser was found here: open {file}")
 
@@ -237,7 +237,7 @@ def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
     InputError
         If a file cannot be read.
     """
-    found: list[Recording] = []
+    channels_across: list[Recording] = []
     for file in files:
         channels = all_recordings([file], reading)
         level = [each for each in channels if each.orientation != "vertical"]
@@ -245,8 +245,8 @@ def across(files: Sequence[Path], reading: ReadingFlags) -> "list[Recording]":
             warn(file, "its channel is vertical, and shakes across")
         elif len(level) < len(channels):
             warn(file, "its vertical channel is left out; --channel takes it")
-        found += level or channels
-    return found
+        channels_across += level or channels
+    return channels_across
 
 
 def write(out: Path | None, view: "ExplorerView", recordings: "Sequence[Recording]") -> Path:

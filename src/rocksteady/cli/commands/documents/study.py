@@ -24,7 +24,7 @@ HELP = "Studies that take minutes: pictures, data and a page to read, in one fol
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, unsymmetric and doubled region of the families n = 1, 3, 5 with exact "
-    "borders, how many motions stand side by side, and what a block at rest comes to. Writes "
+    "borders, how many motions stand side by side, and what a block at rest settles to. Writes "
     "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html.\n\n"
     "Takes about 2.5 minutes on two cores. What is finished is kept in the folder, and --resume "
     "continues after whatever ended the run."
@@ -175,15 +175,15 @@ def atlas(
     announce_compilation("attractors.settle_cells")
     with resumable_study(parts, context):
         with progress("computing", module.steps(plane)) as done:
-            found = module.atlas(**arguments, parts=parts, done=done)
-        with progress("drawing", found.steps) as done:
-            files = found.save(out, force=force or resume, parts=parts, done=done)
+            result = module.atlas(**arguments, parts=parts, done=done)
+        with progress("drawing", result.steps) as done:
+            files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
     if as_json:
         names = [file.name for file in files]
-        print_json("atlas", {**found.values(), "out": str(out), "files": names})
+        print_json("atlas", {**result.values(), "out": str(out), "files": names})
     else:
-        print_summary(found, out, files)
+        print_summary(result, out, files)
 
 
 @app.command("facade-checks", cls=OncePerFlag, help=FACADE_HELP, epilog=FACADE_EXAMPLES)
@@ -225,15 +225,15 @@ def facade_checks(
     announce_compilation("records.record_fates")
     with resumable_study(parts, context):
         with progress("computing", module.study_steps()) as done:
-            found = module.facade_checks(plane, run=how, parts=parts, done=done)
-        with progress("drawing", found.steps) as done:
-            files = found.save(out, force=force or resume, parts=parts, done=done)
+            result = module.facade_checks(plane, run=how, parts=parts, done=done)
+        with progress("drawing", result.steps) as done:
+            files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
     if as_json:
         names = [file.name for file in files]
-        print_json("facade-checks", {**found.values(), "out": str(out), "files": names})
+        print_json("facade-checks", {**result.values(), "out": str(out), "files": names})
     else:
-        print_checks(found, out, files)
+        print_checks(result, out, files)
 
 
 def _motions(paths: list[Path] | None) -> "list[Record]":
@@ -246,20 +246,20 @@ def _motions(paths: list[Path] | None) -> "list[Record]":
     return [ground.record for ground in grounds_of(suite.motions)]
 
 
-def print_checks(found: "FacadeChecks", out: Path, files: list[Path]) -> None:
+def print_checks(checks: "FacadeChecks", out: Path, files: list[Path]) -> None:
     """Print what came out and where to look."""
     console = terminal.console(wrap=True)
-    for text in found.sentences:
+    for text in checks.sentences:
         console.print(text.replace("\N{NO-BREAK SPACE}", " "))
     _print_place(files, out / "facade-checks.html")
 
 
-def print_summary(found: "Atlas", out: Path, files: list[Path]) -> None:
+def print_summary(result: "Atlas", out: Path, files: list[Path]) -> None:
     """Print what came out and where to look."""
     from rocksteady.studies.atlas.pages.findings import coexistence_sentences, rest_sentences
 
     console = terminal.console(wrap=True)
-    for text in (*coexistence_sentences(found.found), *rest_sentences(found.rest, None)[:1]):
+    for text in (*coexistence_sentences(result.found), *rest_sentences(result.rest, None)[:1]):
         console.print(text.replace("\N{NO-BREAK SPACE}", " "))
     _print_place(files, out / "atlas.html")
 

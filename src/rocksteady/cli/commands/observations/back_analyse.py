@@ -115,8 +115,8 @@ Temper = Annotated[
     typer.Option(
         "--temper",
         metavar="T",
-        help="Set the exponent of the likelihood, in (0, 1], or auto for the one of the best score "
-        "on records that are left out.",
+        help="Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
+        "records that are left out.",
         rich_help_panel=SCAN,
     ),
 ]
@@ -142,8 +142,7 @@ Example = Annotated[
     bool,
     typer.Option(
         "--example",
-        help="Analyse 12 synthetic objects with 12 synthetic motions, no earthquake's: no file is "
-        "needed.",
+        help="Analyse 12 synthetic objects with 12 synthetic motions: no file is needed.",
         rich_help_panel=SURVEY,
     ),
 ]
@@ -193,7 +192,7 @@ def back_analyse(
     cells = len(motions) * scan.levels * pools * scan.draws_of(len(objects))
     try:
         with sweeping("running objects", cells) as meter:
-            found = analysed(
+            result = analysed(
                 objects,
                 motions,
                 measures=measures,
@@ -205,18 +204,18 @@ def back_analyse(
         flag = {"measures": "--measure", "motions": "--records"}.get(error.name, error.name)
         hint = error.hint.replace("Scan(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
         raise FlagError(flag, error.value, error.valid, hint) from None
-    description = found.describe()
-    _write(found, output)
+    description = result.describe()
+    _write(result, output)
     if output.as_json:
         values = {
             **description.to_dict(),
-            "seconds": found.seconds,
+            "seconds": result.seconds,
             "synthetic": example,
             "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
         }
         print_json("back-analyse", values)
         return
-    notes = [*description.notes, f"{found.runs:,} runs in {found.seconds:.1f} s"]
+    notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s"]
     if example:
         notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
     if left_out:
@@ -290,12 +289,12 @@ def _example(
     return make_synthetic_survey(), [*make_synthetic_suite(12)], [], few
 
 
-def _write(found: "BackAnalysis", output: OutputFlags) -> None:
+def _write(analysis: "BackAnalysis", output: OutputFlags) -> None:
     """Write the files that the flags name."""
     if output.csv is not None:
-        first, second = (measure.key for measure in found.measures[:2])
-        write_csv(output.csv, (first, second, "density", "in_region"), found.grid_rows())
+        first, second = (measure.key for measure in analysis.measures[:2])
+        write_csv(output.csv, (first, second, "density", "in_region"), analysis.grid_rows())
     if output.plot is not None:
         from rocksteady.show.figures.observations import back_analysis_figure
 
-        write_figure(output.plot, back_analysis_figure(found, page=output.page))
+        write_figure(output.plot, back_analysis_figure(analysis, page=output.page))

@@ -137,7 +137,7 @@ def calibrate(
     checks = 3 if model == "linear" else 4  # what `Calibration.flips` counts
     cells = len(tests) * (sampling.draws * sampling.gains + checks)
     with sweeping("running draws", cells) as meter, flags_of(ARGUMENTS):
-        found = calibrated(
+        calibration = calibrated(
             tests,
             known,
             sampling=sampling,
@@ -146,8 +146,8 @@ def calibrate(
             model=equations,
             run=replace(run, progress=meter),
         )
-    _write(context, found, out, output)
-    description = found.describe()
+    _write(context, calibration, out, output)
+    description = calibration.describe()
     if output.as_json:
         print_json("calibrate", {**description.to_dict(), "synthetic": example})
         return
@@ -205,19 +205,19 @@ def _prior(file: Path | None) -> "Prior | None":
 
 
 def _write(
-    context: typer.Context, found: "Calibration", out: Path | None, output: OutputFlags
+    context: typer.Context, calibration: "Calibration", out: Path | None, output: OutputFlags
 ) -> None:
     """Write the folder and the files that the flags name."""
     if out is not None:
         from rocksteady.show.calibration.calibration_folder import write_calibration
 
         command = shlex.join(["rocksteady", *context.find_root().obj])
-        for file in write_calibration(found, out, command=command, force=output.force):
+        for file in write_calibration(calibration, out, command=command, force=output.force):
             announce_file(file)
     if output.csv is not None:
-        rows = found.validation.predictions.describe().tables[0]
+        rows = calibration.validation.predictions.describe().tables[0]
         write_csv(output.csv, rows.header, rows.records())
     if output.plot is not None:
         from rocksteady.show.figures.observations import calibration_figure
 
-        write_figure(output.plot, calibration_figure(found, page=output.page))
+        write_figure(output.plot, calibration_figure(calibration, page=output.page))

@@ -101,15 +101,15 @@ def predict(
         shaken = _tests_of(recorded, reading, _object(stored, object))
     announce_compilation("records.record_fates")
     with flags_of({"tests": "--tests"}):
-        found = stored.predict(shaken, run=run)
-    description = found.describe()
+        predictions = stored.predict(shaken, run=run)
+    description = predictions.describe()
     if output.csv is not None:
         rows = description.tables[0]
         write_csv(output.csv, rows.header, rows.records())
     if output.plot is not None:
         from rocksteady.show.figures.observations import predictions_figure
 
-        write_figure(output.plot, predictions_figure(found, page=output.page))
+        write_figure(output.plot, predictions_figure(predictions, page=output.page))
     if output.as_json:
         print_json("predict", description.to_dict())
         return
@@ -184,15 +184,15 @@ def _tests_of(recorded: RecordFlags, reading: ReadingFlags, body: str) -> "list[
     """
     from rocksteady.risk.observations.shaking_test import ShakingTest
 
-    found: list[ShakingTest] = []
-    for one in recorded.recordings(reading):
-        level = recorded.at_pga(one)
-        vertical = recorded.vertical_recording(reading, one)
-        name = one.record.name or one.path.stem
+    tests: list[ShakingTest] = []
+    for recording in recorded.recordings(reading):
+        level = recorded.at_pga(recording)
+        vertical = recorded.vertical_recording(reading, recording)
+        name = recording.record.name or recording.path.stem
         for scale in recorded.scales:
             words = name if scale == 1.0 else f"{name} x {scale:.4g}"
-            taken = sum(test.name.partition(" #")[0] == words for test in found)
-            found.append(
+            taken = sum(test.name.partition(" #")[0] == words for test in tests)
+            tests.append(
                 ShakingTest(
                     name=f"{words} #{taken + 1}" if taken else words,
                     record=level.record,
@@ -203,6 +203,6 @@ def _tests_of(recorded: RecordFlags, reading: ReadingFlags, body: str) -> "list[
                     group=name,
                 )
             )
-    if not found:
+    if not tests:
         raise InputError("--record", "", "it names no record", "give a file")
-    return found
+    return tests

@@ -87,15 +87,15 @@ def restitution(
     equations = None if model is None else named_model(model, None)
     with flags_of({"peaks": "--peaks", "peaks_rad": "--peaks"}):
         releases = read_peaks(peaks)
-        found = fit_restitution(releases, body, each_side=each_side, model=equations)
-    description = found.describe()
+        fit = fit_restitution(releases, body, each_side=each_side, model=equations)
+    description = fit.describe()
     if output.csv is not None:
-        rows = [vars(each) for each in found.impacts]
+        rows = [vars(each) for each in fit.impacts]
         write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
     if output.plot is not None:
         from rocksteady.show.figures.observations import restitution_figure
 
-        write_figure(output.plot, restitution_figure(found, description.headline, output.page))
+        write_figure(output.plot, restitution_figure(fit, description.headline, output.page))
     if output.as_json:
         values = description.to_dict()
         print_json(

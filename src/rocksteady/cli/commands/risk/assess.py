@@ -35,10 +35,10 @@ if TYPE_CHECKING:
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
 
 HELP = (
-    "Will it fall? From an object to a probability, a sentence and a reason.\n\n"
-    "FILE is an object in TOML (docs/objects.md): it is run on the motions of --records, with "
-    "published formulas, sensitivity, risk and remedies beside; --out keeps all in a folder. A "
-    "FILE that ends in .csv is a table of objects, each with a probability, a colour and a "
+    "Probability that an object falls, with a sentence and the reason.\n\n"
+    "FILE is an object in TOML (docs/guides/objects.md): it is run on the motions of --records, "
+    "with published formulas, sensitivity, risk and remedies beside; --out keeps all in a folder. "
+    "A FILE that ends in .csv is a table of objects, each with a probability, a colour and a "
     "sentence, at --pga-g and --pgv-m-s. --example needs no file.\n\n"
     "Without FILE a block, a peak acceleration and a peak velocity give a probability by a closed "
     "form fitted to published runs. Where friction lets the object slide there is no probability "
@@ -79,7 +79,7 @@ OutFolder = Annotated[
         "--out",
         metavar="DIR",
         help="Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
-        "hashes into a new folder; of a table its report and rows. --force replaces those of an "
+        "hashes into a new folder; for a table its report and rows. --force replaces those of an "
         "earlier assessment.",
         rich_help_panel=FULL,
     ),
@@ -133,25 +133,25 @@ def assess(
     most = None if target is None else probability("--target", target)
     table = file is not None and file.suffix.lower() == ".csv"
     _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
-    found: QuickAssessment | Assessment | ObjectsTable
+    answer: QuickAssessment | Assessment | ObjectsTable
     if file is None and not example:
-        found = quick_answer(block, peaks)
-        shares = [found.probability]
+        answer = quick_answer(block, peaks)
+        shares = [answer.probability]
     elif table:
         assert file is not None
         with kept.sweep.resumable(context.find_root().obj):
-            found = _answers(
+            answer = _answers(
                 context, file, peaks, recorded, reading, kept, out, most, force=output.force
             )
-        shares = [row["probability"] for row in found.rows]
+        shares = [row["probability"] for row in answer.rows]
     else:
         with kept.sweep.resumable(context.find_root().obj):
-            found = _answer(
+            answer = _answer(
                 context, file, recorded, reading, kept, hazard, out, most, force=output.force
             )
-        shares = [found.probability]
-        most = found.described.given.assessment.target_probability
-    description = found.describe()
+        shares = [answer.probability]
+        most = answer.described.given.assessment.target_probability
+    description = answer.describe()
     if output.csv is not None:
         _write_rows(output.csv, description, table=table)
     if output.as_json:
@@ -223,13 +223,13 @@ def _answer(
     suite = _suite(file, recorded, reading, described)
     announce_compilation("records.record_fates")
     with sweeping("running the object", _cells(described, suite)) as meter:
-        found = assess_object(
+        assessment = assess_object(
             described, suite.motions, hazard=curves, run=replace(run, progress=meter)
         )
     if out is not None:
         files = [each for each in (file, hazard, *suite.files) if each is not None]
-        _write_folder(context, found, out, files, force=force)
-    return found
+        _write_folder(context, assessment, out, files, force=force)
+    return assessment
 
 
 def _cells(described: "ObjectFile", suite: Suite) -> int:
@@ -240,8 +240,8 @@ def _cells(described: "ObjectFile", suite: Suite) -> int:
     ways = (len(suite.motions) + lifts) * (1 if described.block.symmetric else 2)
     options = described.given.assessment
     given = described.given.restitution
-    one = isinstance(given, float) or str(given).startswith("housner*")
-    return ways * options.levels * (1 if one else options.draws)
+    single = isinstance(given, float) or str(given).startswith("housner*")
+    return ways * options.levels * (1 if single else options.draws)
 
 
 def _answers(
@@ -281,7 +281,7 @@ def _answers(
     announce_compilation("records.record_fates")
     ways = 1 if all(each.block.symmetric for each in objects) else 2
     with sweeping("running objects", ways * len(objects) * len(suite.motions)) as meter:
-        found = assess_objects(
+        table = assess_objects(
             objects,
             suite.motions,
             pga_g=peaks.pga_g,
@@ -290,13 +290,13 @@ def _answers(
             run=replace(run, progress=meter),
         )
     if out is not None:
-        _write_folder(context, found, out, [file, *suite.files], force=force)
-    return found
+        _write_folder(context, table, out, [file, *suite.files], force=force)
+    return table
 
 
 def _write_folder(
     context: typer.Context,
-    found: "Assessment | ObjectsTable",
+    result: "Assessment | ObjectsTable",
     out: Path,
     files: Sequence[Path],
     *,
@@ -306,7 +306,7 @@ def _write_folder(
     from rocksteady.show.assessment.folder import write_assessment
 
     command = shlex.join(["rocksteady", *context.find_root().obj])
-    for written in write_assessment(found, out, command=command, files=files, force=force):
+    for written in write_assessment(result, out, command=command, files=files, force=force):
         announce_file(written)
 
 
@@ -369,9 +369,9 @@ def _refuse_idle(
         "--workers": kept.workers,
         **reading.given,
     }
-    own = [*sizes, "--friction", "--pga-g", "--pgv-m-s"]
+    flags = [*sizes, "--friction", "--pga-g", "--pgv-m-s"]
     if file is None and not example:
-        idle = [flag for flag in given if flag not in own]
+        idle = [flag for flag in given if flag not in flags]
         reason, hint = (
             "a block and two peaks need no motions",
             "name an object FILE, or leave it out",
@@ -383,7 +383,7 @@ def _refuse_idle(
             "leave it out; --out and --csv keep the table",
         )
     else:
-        idle = [flag for flag in given if flag not in MEANT] if example else own
+        idle = [flag for flag in given if flag not in MEANT] if example else flags
         reason = "the object's file states it" if not example else "--example reads no files"
         hint = "write it into the file, or leave it out" if not example else "leave it out"
     for flag in idle:
@@ -393,7 +393,7 @@ def _refuse_idle(
 
 
 def _write_rows(file: Path, description: "Description", *, table: bool) -> None:
-    """Write what --csv asks for: a row for each object, or one of the plain facts."""
+    """Write the table of --csv: a row for each object, or one of the plain facts."""
     if table:
         rows = description.tables[0]
         write_csv(file, rows.header, rows.records())

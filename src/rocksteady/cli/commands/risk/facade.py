@@ -35,13 +35,13 @@ if TYPE_CHECKING:
     from rocksteady.risk.facades.facade_runs import FacadeRuns
 
 HELP = (
-    "Will the facade fall outwards? Checks of a wall, parapet or gable by Circolare 2019 n. 7, "
-    "C8.7.1: linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
-    "FILE describes the facade in TOML (docs/facades.md), with loads, ties and the demand of each "
-    "limit state. --records runs it under ground motions, as recorded and reversed: no run may go "
-    "beyond d0, and the mean of the largest displacements has a limit. If FILE has no demand for "
-    "the limit state of the records, 7 records or more give it. --out writes a report in English "
-    "or Italian."
+    "Check a wall, parapet or gable against falling outwards, by Circolare 2019 n. 7, C8.7.1: "
+    "linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
+    "FILE describes the facade in TOML (docs/guides/facades.md), with loads, ties and the "
+    "demand of each limit state. --records runs it under ground motions, as recorded and "
+    "reversed: no run may go beyond d0, and the mean of the largest displacements has a "
+    "limit. If FILE has no demand for the limit state of the records, 7 records or more give "
+    "it. --out writes a report in English or Italian."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -193,7 +193,7 @@ def facade(
         None if text is None else number(flag, text)
         for flag, text in (("--scale", scale), ("--pga-g", pga_g))
     )
-    own = {
+    flags = {
         "--scale": scale,
         "--pga-g": pga_g,
         "--limit-state": None if state == "SLV" else state,
@@ -201,7 +201,7 @@ def facade(
         "--restitution": restitution,
         "--model": model,
     }
-    _refuse_idle(file, recorded, reading, own, example=example)
+    _refuse_idle(file, recorded, reading, flags, example=example)
     if tongue != "en" and out is None and output.plot is None:
         raise FlagError(
             "--language",
@@ -235,21 +235,21 @@ def facade(
         )
         remark_on_scale(float(runs.scale.max()), "the largest factor multiplies a record")
         demand = _with_records(demand, suite.motions, runs)
-    found = check_facade(wall, demand, runs=runs)
+    facade_check = check_facade(wall, demand, runs=runs)
     if check:
-        _refuse_open(found)
-    _write(context, found, output, out, (suite.motions, files), language=tongue)
+        _refuse_open(facade_check)
+    _write(context, facade_check, output, out, (suite.motions, files), language=tongue)
     if output.as_json:
         values = {
-            **found.to_dict(),
+            **facade_check.to_dict(),
             "synthetic": example,
             "files": [str(each) for each in files],
             "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
         }
         print_json("facade", values)
     else:
-        print_description(_in_text(found, example=example), terminal.console())
-    if check and any(each.satisfied is False for each in found.checks):
+        print_description(_in_text(facade_check, example=example), terminal.console())
+    if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
 
 
@@ -274,7 +274,7 @@ def _refuse_idle(
     file: Path | None,
     recorded: SuiteFlags,
     reading: ReadingFlags,
-    own: dict[str, str | None],
+    flags: dict[str, str | None],
     *,
     example: bool,
 ) -> None:
@@ -298,19 +298,22 @@ def _refuse_idle(
         raise FlagError(
             finding="neither FILE nor --example is given",
             valid="a facade is described in TOML",
-            hint="name it, as wall.toml; docs/facades.md lists its keys",
+            hint="name it, as wall.toml; docs/guides/facades.md lists its keys",
         )
     elif not recorded.records:
-        idle = files | own
+        idle = files | flags
         reason, hint = "without --records it has no meaning", "add --records DIR, or leave it out"
     else:
         idle, reason, hint = {}, "", ""
     for flag, value in idle.items():
         if value is not None:
             raise FlagError(flag, value, reason, hint)
-    if own["--scale"] is not None and own["--pga-g"] is not None:
+    if flags["--scale"] is not None and flags["--pga-g"] is not None:
         raise FlagError(
-            "--pga-g", own["--pga-g"], "--scale is the other way to set the level", "leave one out"
+            "--pga-g",
+            flags["--pga-g"],
+            "--scale is the other way to set the level",
+            "leave one out",
         )
 
 
@@ -353,11 +356,12 @@ def _with_records(
         ground.record.scaled(factor)
         for ground, factor in zip(grounds_of(motions), runs.scale.tolist(), strict=True)
     ]
-    own = RecordDemand(records=tuple(dict.fromkeys(scaled)))  # once with and without vertical ones
-    return replace(demand, **{key: own})
+    # A record is run with and without its vertical one, and counts once.
+    demand_of_records = RecordDemand(records=tuple(dict.fromkeys(scaled)))
+    return replace(demand, **{key: demand_of_records})
 
 
-def _refuse_open(found: "FacadeCheck") -> None:
+def _refuse_open(check: "FacadeCheck") -> None:
     """Refuse --check where nothing is checked: an exit code 0 would pass for a yes.
 
     Raises
@@ -365,9 +369,9 @@ def _refuse_open(found: "FacadeCheck") -> None:
     FlagError
         If no check has a verdict, or the runs have none.
     """
-    if found.runs is not None and found.runs.refusal is not None:
-        raise FlagError("--check", True, found.runs.refusal, "add records, or leave out --check")
-    if not found.states:
+    if check.runs is not None and check.runs.refusal is not None:
+        raise FlagError("--check", True, check.runs.refusal, "add records, or leave out --check")
+    if not check.states:
         raise FlagError(
             "--check",
             True,
@@ -376,13 +380,13 @@ def _refuse_open(found: "FacadeCheck") -> None:
         )
 
 
-def _in_text(found: "FacadeCheck", *, example: bool) -> "Description":
+def _in_text(check: "FacadeCheck", *, example: bool) -> "Description":
     """Return what people read: the checks, a row for each record, and the notes of both."""
-    description = found.describe()
+    description = check.describe()
     tables, notes = [*description.tables], [*description.notes]
-    if found.runs is not None:
-        tables += found.runs.describe().tables
-        notes += found.runs.remarks
+    if check.runs is not None:
+        tables += check.runs.describe().tables
+        notes += check.runs.remarks
     if example:
         words = "An example: the wall is invented and the motions are synthetic."
         notes.insert(0, words)
@@ -391,7 +395,7 @@ def _in_text(found: "FacadeCheck", *, example: bool) -> "Description":
 
 def _write(
     context: typer.Context,
-    found: "FacadeCheck",
+    check: "FacadeCheck",
     output: OutputFlags,
     out: Path | None,
     read: "tuple[list[Record | BaseMotion], list[Path]]",
@@ -401,18 +405,18 @@ def _write(
     """Write the files that the flags name, with hashes of the motions and files that were read."""
     motions, files = read
     if output.csv is not None:
-        table = found.describe().tables[0]
+        table = check.describe().tables[0]
         write_csv(output.csv, table.header, table.records())
     if output.plot is not None:
         from rocksteady.show.figures.facades import facade_figure
 
-        write_figure(output.plot, facade_figure(found, language=language, page=output.page))
+        write_figure(output.plot, facade_figure(check, language=language, page=output.page))
     if out is not None:
         from rocksteady.show.facade.facade_folder import write_facade_folder
 
         command = shlex.join(["rocksteady", *context.find_root().obj])
         for written in write_facade_folder(
-            found,
+            check,
             out,
             language=language,
             motions=motions,

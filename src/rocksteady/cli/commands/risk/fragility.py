@@ -90,8 +90,8 @@ Example = Annotated[
     bool,
     typer.Option(
         "--example",
-        help="Run 24 synthetic motions, no earthquake's, in place of --records; of a cabinet of "
-        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m where no block is given.",
+        help="Run 24 synthetic motions in place of --records; default block: a cabinet of "
+        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
         rich_help_panel=ENSEMBLE,
     ),
 ]
@@ -132,7 +132,7 @@ def fragility(
     ways = (len(suite.motions) + lifts) * (1 if body.symmetric or ensemble.no_reverse else 2)
     cells = ways * len(stripes.levels_for([body])) * band.draws
     with sweep.resumable(context.find_root().obj), sweeping("running blocks", cells) as meter:
-        found = compute_fragility(
+        fragility_found = compute_fragility(
             body,
             suite.motions,
             stripes=stripes,
@@ -141,25 +141,30 @@ def fragility(
             fitting=fitting,
             run=replace(run, progress=meter),
         )
-    description = found.describe()
+    description = fragility_found.describe()
     values = {
         **description.to_dict(),
         "block": body.describe().to_dict(),
         "synthetic": example,
         "files": [
             {"name": str(name), "file": str(file)}
-            for name, file in zip(found.ensemble["record"].values, suite.files, strict=False)
+            for name, file in zip(
+                fragility_found.ensemble["record"].values, suite.files, strict=False
+            )
         ],
         "left_out": [{"file": str(file), "reason": reason} for file, reason in suite.left_out],
         "store": run.place and str(run.place.path),
     }
     headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
-    _write(found, headline, output, sweep)
+    _write(fragility_found, headline, output, sweep)
     if output.as_json:
         print_json("fragility", values)
         return
     kept = f", kept in {values['store']}" if values["store"] else ""
-    notes = [*description.notes, f"{found.runs:,} runs and all fits in {found.seconds:.1f} s{kept}"]
+    notes = [
+        *description.notes,
+        f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
+    ]
     if suite.left_out:
         notes.insert(0, f"{len(suite.left_out)} files were left out, see standard error")
     print_description(replace(description, headline=headline, notes=notes), terminal.console())
@@ -212,13 +217,13 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
         raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
-def _write(found: "Fragility", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
+def _write(result: "Fragility", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
     """Write the files that the flags name."""
     if output.csv is not None:
-        write_cells(output.csv, found.ensemble)
+        write_cells(output.csv, result.ensemble)
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.ensemble)
+        write_netcdf(sweep.netcdf, result.ensemble)
     if output.plot is not None:
         from rocksteady.show.figures.risk import fragility_figure
 
-        write_figure(output.plot, fragility_figure(found, title=title, page=output.page))
+        write_figure(output.plot, fragility_figure(result, title=title, page=output.page))

@@ -54,14 +54,14 @@ def screens(
     demand = spectra.demand(peaks, reading)
     from rocksteady.risk.screens.screens import screen_block
 
-    found = screen_block(body, demand, friction=peaks.friction)
-    description = found.describe()
+    screens_found = screen_block(body, demand, friction=peaks.friction)
+    description = screens_found.describe()
     if output.csv is not None:
-        rows = [row.values() for row in found.rows]
+        rows = [row.values() for row in screens_found.rows]
         write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
     if output.as_json:
         print_json("screens", description.to_dict())
     else:
         print_description(description, terminal.console())
-    if check and found.negative:
+    if check and screens_found.negative:
         raise typer.Exit(NEGATIVE)

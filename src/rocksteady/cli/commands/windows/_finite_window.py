@@ -96,7 +96,7 @@ def leave_fates(
     sweep: SweepFlags,
     output: OutputFlags,
 ) -> None:
-    """Compute the fates under a motion that ends, and leave behind what was asked for of them."""
+    """Compute the fates under a motion that ends, and write the output that the flags request."""
     chosen: dict[str, Any] = {
         name: axis(name, text) for name, text in window.items() if text is not None
     }
@@ -108,7 +108,7 @@ def leave_fates(
     states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     how = sweep.run(force=output.force)
     with sweeping("following states", states) as meter:
-        found: FateBasins = compute_fate_basins(
+        fates: FateBasins = compute_fate_basins(
             body,
             motion,
             **chosen,
@@ -116,19 +116,19 @@ def leave_fates(
             model=equations,
             run=replace(how, progress=meter),
         )
-    description = found.describe()
+    description = fates.describe()
     if output.csv is not None:
-        frame = found.to_dataframe()
+        frame = fates.to_dataframe()
         write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
+        write_netcdf(sweep.netcdf, fates.to_dataset())
     if output.plot is not None:
         from rocksteady.show.figures.single import fate_basins_figure
 
-        write_figure(output.plot, fate_basins_figure(found, description.headline, output.page))
+        write_figure(output.plot, fate_basins_figure(fates, description.headline, output.page))
     if output.as_json:
         print_json("basins", description.to_dict())
     else:
         print_description(description, terminal.console(wrap=True))
-    if found.undecided > FEW:
+    if fates.undecided > FEW:
         raise typer.Exit(INCOMPLETE)

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 HELP = (
-    "Where the block goes from each state of a window: basins of attraction and their shares.\n\n"
+    "Attractor or fate of each state of a window: basins of attraction and their shares.\n\n"
     "With an axis of frequencies, restitutions or phases (-W 1.5:3:31) it computes the shares over "
     "it, with labels that stay with their orbits. With an axis of amplitudes (-A 0:1:21) it "
     "computes how the safe basin, the states from which the block does not overturn, erodes as the "
@@ -87,8 +87,8 @@ AnglesFlag = Annotated[
         "--angles",
         metavar="AXIS",
         help="u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
-        "1 + A/sqrt(1 + W^2) on either side, beyond which a block falls at once; of an erosion up "
-        "to 1.5.  With --one-sided from 0 on.",
+        "1 + A/sqrt(1 + W^2) on either side, beyond which a block falls at once; for an erosion up "
+        "to 1.5.  With --one-sided from 0.",
         rich_help_panel=WINDOW,
     ),
 ]
@@ -256,7 +256,7 @@ def basins(
     ):
         how: dict[str, Any] = {"model": equations, "run": replace(run, progress=meter)}
         if moving is None:
-            found = compute_basins(body, motion, **window, seed=seed, **how)
+            result = compute_basins(body, motion, **window, seed=seed, **how)
         elif eroding:
             _leave_erosion(compute_erosion(body, motion, moving[1], **window, **how), output, sweep)
             return
@@ -265,7 +265,7 @@ def basins(
             counted = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
             _leave_shares(counted, output, entropy, sweep)
             return
-    _leave_basins(found, output, entropy, sweep, exponent=exponent)
+    _leave_basins(result, output, entropy, sweep, exponent=exponent)
 
 
 def _case(
@@ -348,26 +348,26 @@ def _refuse(
 
 
 def _leave_basins(
-    found: "Basins",
+    result: "Basins",
     output: OutputFlags,
     entropy: int | None,
     sweep: SweepFlags,
     *,
     exponent: bool,
 ) -> None:
-    """Leave behind what was asked for of basins."""
-    description = found.describe()
-    entropies = None if entropy is None else found.entropy(entropy)
-    exponents = [found.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
+    """Write the output of basins that the flags request."""
+    description = result.describe()
+    entropies = None if entropy is None else result.entropy(entropy)
+    exponents = [result.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
+        write_netcdf(sweep.netcdf, result.to_dataset())
     if output.csv is not None:
-        frame = found.to_dataframe()
+        frame = result.to_dataframe()
         write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if output.plot is not None:
         from rocksteady.show.figures.single import basins_figure
 
-        write_figure(output.plot, basins_figure(found, description.headline, output.page))
+        write_figure(output.plot, basins_figure(result, description.headline, output.page))
     if output.as_json:
         values = description.to_dict()
         values["entropy"] = None if entropies is None else entropies.to_dict()
@@ -375,28 +375,28 @@ def _leave_basins(
         print_json("basins", values)
     else:
         console = terminal.console(wrap=True)
-        for part in (found, entropies, *exponents):
+        for part in (result, entropies, *exponents):
             if part is not None:
                 print_description(part.describe(), console)
-    if found.undecided > FEW:
+    if result.undecided > FEW:
         raise typer.Exit(INCOMPLETE)
 
 
 def _leave_shares(
-    found: "BasinShares", output: OutputFlags, entropy: int | None, sweep: SweepFlags
+    shares: "BasinShares", output: OutputFlags, entropy: int | None, sweep: SweepFlags
 ) -> None:
-    """Leave behind what was asked for of shares over a parameter."""
-    description = found.describe()
+    """Write the output of shares over a parameter that the flags request."""
+    description = shares.describe()
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
-    entropies = None if entropy is None else found.entropies(entropy)
+        write_netcdf(sweep.netcdf, shares.to_dataset())
+    entropies = None if entropy is None else shares.entropies(entropy)
     if output.csv is not None:
         table = description.tables[0]
         write_csv(output.csv, table.header, table.records())
     if output.plot is not None:
         from rocksteady.show.figures.single import shares_figure
 
-        write_figure(output.plot, shares_figure(found, description.headline, output.page))
+        write_figure(output.plot, shares_figure(shares, description.headline, output.page))
     if output.as_json:
         values = description.to_dict()
         values["entropies"] = None if entropies is None else entropies.to_dict()["entropies"]
@@ -406,23 +406,23 @@ def _leave_shares(
         print_description(description, console)
         if entropies is not None:
             print_description(entropies.describe(), console)
-    if found.undecided > FEW:
+    if shares.undecided > FEW:
         raise typer.Exit(INCOMPLETE)
 
 
-def _leave_erosion(found: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
-    """Leave behind what was asked for of an erosion."""
-    description = found.describe()
+def _leave_erosion(erosion: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
+    """Write the output of an erosion that the flags request."""
+    description = erosion.describe()
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found.to_dataset())
+        write_netcdf(sweep.netcdf, erosion.to_dataset())
     if output.csv is not None:
         table = description.tables[0]
         write_csv(output.csv, table.header, table.records())
     if output.plot is not None:
         from rocksteady.show.figures.single import erosion_figure
 
-        drops = [drop for drop in found.drops.values() if drop is not None]
-        write_figure(output.plot, erosion_figure(found, drops, description.headline, output.page))
+        drops = [drop for drop in erosion.drops.values() if drop is not None]
+        write_figure(output.plot, erosion_figure(erosion, drops, description.headline, output.page))
     if output.as_json:
         print_json("basins", description.to_dict())
     else:

@@ -45,8 +45,8 @@ OtherFlag = Annotated[
     typer.Option(
         "--other",
         metavar="STATE",
-        help="Give a second state, U,V or U,tau=DU, that ends otherwise than --start; default: one "
-        "that a kick leads to.",
+        help="Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
+        "default: a state after a kick.",
         rich_help_panel=EDGE,
     ),
 ]
@@ -125,7 +125,7 @@ def edge(
     from rocksteady.dynamics.edges.tracking import find_edge_state
 
     with start.as_typed():
-        found = find_edge_state(
+        edge_state = find_edge_state(
             body,
             motion,
             start=start.of(motion.frequency_ratio),
@@ -135,42 +135,42 @@ def edge(
             model=equations,
         )
     curves: list[Manifold] = []
-    if manifolds and found.saddle is not None:
+    if manifolds and edge_state.saddle is not None:
         long = LENGTH if length is None else length
         curves = [
-            compute_manifold(found.saddle, kind, phase=found.motion.phase, length=long)
+            compute_manifold(edge_state.saddle, kind, phase=edge_state.motion.phase, length=long)
             for kind in ("stable", "unstable")
         ]
     if output.csv is not None:
-        _leave_csv(found, curves, output)
+        _leave_csv(edge_state, curves, output)
     if output.plot is not None:
         from rocksteady.show.figures.single import edge_figure
 
-        title = found.describe().headline
-        write_figure(output.plot, edge_figure(found, curves, title, output.page))
+        title = edge_state.describe().headline
+        write_figure(output.plot, edge_figure(edge_state, curves, title, output.page))
     if output.as_json:
         given = {
-            **start.values(found.motion.phase),
+            **start.values(edge_state.motion.phase),
             "cycles": cycles,
             "direction": direction or "+",
         }
-        values: dict[str, Any] = {**found.to_dict(), **given}
+        values: dict[str, Any] = {**edge_state.to_dict(), **given}
         if manifolds:
             values["manifolds"] = [curve.to_dict() for curve in curves]
         print_json("edge", values)
     else:
-        for result in (found, *curves):
+        for result in (edge_state, *curves):
             print_description(result.describe(), terminal.console())
-    if found.saddle is None:
+    if edge_state.saddle is None:
         raise typer.Exit(INCOMPLETE)
 
 
-def _leave_csv(found: "EdgeState", curves: "list[Manifold]", output: OutputFlags) -> None:
+def _leave_csv(edge_state: "EdgeState", curves: "list[Manifold]", output: OutputFlags) -> None:
     """Write the points of the manifolds, or without these the tracked states."""
     import pandas as pd
 
     assert output.csv is not None
-    frame = found.to_dataframe()
+    frame = edge_state.to_dataframe()
     if curves:
         frame = pd.concat([curve.to_dataframe().assign(kind=curve.kind) for curve in curves])
     write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))

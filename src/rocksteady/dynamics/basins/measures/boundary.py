@@ -46,13 +46,13 @@ class BoundaryTest(Result):
     smooth_entropy
         That of a plane boundary between two basins.
     bias
-        By how much the cells may raise it.
+        Largest increase of the entropy that the cells may cause.
     radius
-        Of the balls, in cells.
+        Radius of the balls, in cells.
     balls
-        How many on the boundary were drawn.
+        Number of balls drawn on the boundary.
     seed
-        With which they were drawn.
+        Seed with which they were drawn.
     fine
         Whether the window is 50 radii wide or more.
     """
@@ -71,11 +71,11 @@ class BoundaryTest(Result):
         """Return the verdict with the entropy of the balls and that of a smooth boundary."""
         low = self.smooth_entropy - self.standard_error
         high = self.smooth_entropy + self.standard_error + self.bias
-        found = f"{self.boundary_entropy:.4f} ± {self.standard_error:.4f}"
+        text = f"{self.boundary_entropy:.4f} ± {self.standard_error:.4f}"
         smooth = f"{low:.4f} to {high:.4f}"
         facts = [
             Fact("verdict", self.verdict, "boundary", f"{self.verdict} at this scale"),
-            Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", found),
+            Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", text),
             Fact("standard_error", self.standard_error),
             Fact("smooth_entropy", self.smooth_entropy, "smooth boundaries", smooth),
             Fact("bias", self.bias),
@@ -91,7 +91,7 @@ class BoundaryTest(Result):
                 "fractal. Take more states, or a smaller radius."
             )
         return Description(
-            f"{self.verdict} boundary: S_bb {found}, smooth {smooth}", facts, [], notes
+            f"{self.verdict} boundary: S_bb {text}, smooth {smooth}", facts, [], notes
         )
 
 
@@ -114,9 +114,9 @@ def check_boundary(
     ball
         Radius of a ball in cells (default 20).
     balls
-        How many of them on the boundary (default 1000, at least 100).
+        Number of balls on the boundary (default 1000, at least 100).
     seed
-        Of the draw.
+        Seed of the draw.
 
     Returns
     -------
@@ -146,11 +146,11 @@ def check_boundary(
     hint = "give a radius in cells below half of the window's width"
     most = max(1, (min(array.shape) - 1) // 2)
     reach = whole_number("ball", ball, at_least=1, at_most=most, hint=hint)
-    many = whole_number("balls", balls, at_least=FEWEST_BALLS, hint="give 1000")
+    balls_drawn = whole_number("balls", balls, at_least=FEWEST_BALLS, hint="give 1000")
     source = whole_number("seed", seed, at_least=0, hint="give a seed, as 1")
-    entropies = _ball_entropies(array, reach, many, np.random.default_rng(source))
+    entropies = _ball_entropies(array, reach, balls_drawn, np.random.default_rng(source))
     mean = float(entropies.mean())
-    error = float(entropies.std(ddof=1)) / math.sqrt(many)
+    error = float(entropies.std(ddof=1)) / math.sqrt(balls_drawn)
     smooth, bias = smooth_entropy(array.ndim), FACTOR * reach**POWER
     inside = smooth - error <= mean <= smooth + error + bias
     return BoundaryTest(
@@ -160,7 +160,7 @@ def check_boundary(
         smooth_entropy=smooth,
         bias=bias,
         radius=reach,
-        balls=many,
+        balls=balls_drawn,
         seed=source,
         fine=min(array.shape) >= FINE * reach,
     )
@@ -207,7 +207,7 @@ def _ball_entropies(array: Integers, radius: int, many: int, draw: np.random.Gen
     )
     steps = np.indices((2 * radius + 2,) * array.ndim).reshape(array.ndim, -1)
     low, high = float(radius), np.array(array.shape) - 1.0 - radius
-    found: list[float] = []
+    entropies: list[float] = []
     for _ in range(max(1, TRIES * many // AT_ONCE)):
         centres = low + draw.random((AT_ONCE, array.ndim)) * (high - low)
         nearest = np.rint(centres).astype(np.int64)
@@ -217,12 +217,12 @@ def _ball_entropies(array: Integers, radius: int, many: int, draw: np.random.Gen
             values = array[tuple(places[:, near])]
             counts = np.unique(values, return_counts=True)[1] / near.sum()
             if len(counts) > 1:
-                found.append(-float(counts @ np.log(counts)))
-            if len(found) == many:
-                return np.array(found)
+                entropies.append(-float(counts @ np.log(counts)))
+            if len(entropies) == many:
+                return np.array(entropies)
     raise ModelError(
         "labels",
-        Words(f"have a boundary in {len(found)} of {TRIES * many:,} balls"),
+        Words(f"have a boundary in {len(entropies)} of {TRIES * many:,} balls"),
         f"the test needs {many}",
         "take a window around the boundary, or a larger radius",
     )

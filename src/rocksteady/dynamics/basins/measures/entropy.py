@@ -21,7 +21,7 @@ Integers = NDArray[np.int64]
 BOX = 20
 """Default number of cells along a side of a box, that of Attractors.jl."""
 FEW_BOXES = 20
-"""Boundary boxes below which their mean says little."""
+"""Boundary boxes below which their mean is of little use."""
 
 
 @checked_result
@@ -61,12 +61,12 @@ class BasinEntropy(Result):
     @property
     def boundary_entropy(self) -> float:
         """Boundary basin entropy S_bb: the mean over boundary boxes; nan where there are none."""
-        many = self.boundary_boxes
-        return float(self.box_entropy.sum()) / many if many else math.nan
+        boxes = self.boundary_boxes
+        return float(self.box_entropy.sum()) / boxes if boxes else math.nan
 
     @property
     def largest(self) -> float:
-        """The largest entropy that so many basins can have, ln(basins)."""
+        """Largest possible entropy of that number of basins, ln(basins)."""
         return math.log(self.basins)
 
     @property
@@ -117,9 +117,9 @@ class BasinEntropies(Result):
     parameter
         "amplitude", "frequency_ratio", "restitution" or "phase".
     values
-        Of the parameter, shape (values,).
+        Values of the parameter, shape (values,).
     entropies
-        One a value, all over boxes of one size.
+        One per value, all over boxes of one size.
     """
 
     parameter: str
@@ -129,25 +129,25 @@ class BasinEntropies(Result):
     @property
     def entropy(self) -> Floats:
         """Basin entropy S_b at each value [nats], shape (values,)."""
-        return np.array([one.entropy for one in self.entropies])
+        return np.array([entropy.entropy for entropy in self.entropies])
 
     @property
     def boundary_entropy(self) -> Floats:
         """Boundary basin entropy S_bb at each value [nats], shape (values,); nan without any."""
-        return np.array([one.boundary_entropy for one in self.entropies])
+        return np.array([entropy.boundary_entropy for entropy in self.entropies])
 
     def describe(self) -> Description:
         """Return both entropies at each value."""
         rows = [
             {
                 self.parameter: value,
-                "entropy": one.entropy,
-                "boundary_entropy": one.boundary_entropy,
-                "fractal": one.fractal,
-                "boundary_boxes": one.boundary_boxes,
-                "basins": one.basins,
+                "entropy": entropy.entropy,
+                "boundary_entropy": entropy.boundary_entropy,
+                "fractal": entropy.fractal,
+                "boundary_boxes": entropy.boundary_boxes,
+                "basins": entropy.basins,
             }
-            for value, one in zip(self.values.tolist(), self.entropies, strict=True)
+            for value, entropy in zip(self.values.tolist(), self.entropies, strict=True)
         ]
         first = self.entropies[0]
         sides = " x ".join(map(str, first.box))
@@ -181,7 +181,7 @@ def compute_basin_entropy(labels: ArrayLike, box: int | Sequence[int] = BOX) -> 
     Parameters
     ----------
     labels
-        Integers, or truths for safe and not, one a state, of any number of dimensions: the states
+        Integers, or truths for safe and not, one per state, of any number of dimensions: the states
         of a window as `Basins.label`, those of an erosion as ``erosion.safe[0]``.
     box
         Cells along each side of a box (default 20), one number or one for each axis, of which the
@@ -203,15 +203,17 @@ def compute_basin_entropy(labels: ArrayLike, box: int | Sequence[int] = BOX) -> 
 
     Examples
     --------
-    >>> found = compute_basin_entropy([[0, 0, 0, 1], [0, 0, 1, 1]], box=2)
-    >>> print(found.box_entropy.round(4), f"{found.entropy:.4f} {found.boundary_entropy:.4f}")
+    >>> entropy = compute_basin_entropy([[0, 0, 0, 1], [0, 0, 1, 1]], box=2)
+    >>> print(entropy.box_entropy.round(4), f"{entropy.entropy:.4f} {entropy.boundary_entropy:.4f}")
     [[0.     0.5623]] 0.2812 0.5623
     """
     array = label_array(labels)
     sides = box_sides(box, array.shape)
     codes = np.unique(array, return_inverse=True)[1].reshape(array.shape)
     split = [
-        part for many, side in zip(array.shape, sides, strict=True) for part in (many // side, side)
+        part
+        for length, side in zip(array.shape, sides, strict=True)
+        for part in (length // side, side)
     ]
     inside = tuple(range(1, 2 * array.ndim, 2))
     basins = int(codes.max()) + 1
@@ -257,7 +259,7 @@ def box_sides(box: object, shape: tuple[int, ...]) -> tuple[int, ...]:
         raise InputError("box", box, valid, "give one number of cells, as 20")
     hint = "give cells along a side of a box"
     sides = tuple(whole_number("box", side, at_least=1, hint=hint) for side in given)
-    if any(many % side for many, side in zip(shape, sides, strict=True)):
+    if any(length % side for length, side in zip(shape, sides, strict=True)):
         whole = math.gcd(*shape)
         fit = [side for side in range(2, whole + 1) if whole % side == 0]
         raise InputError(

@@ -26,7 +26,7 @@ PARTS = 20
 ROUGH = 0.05
 """Standard error from which on a description calls the fit poor."""
 FEW = 20
-"""Uncertain states or boxes below which a scale says little."""
+"""Uncertain states or boxes below which a scale is of little use."""
 CONFIDENCE = 0.95
 
 
@@ -42,11 +42,11 @@ class UncertaintyExponent(Result):
     size
         Perturbation of a state, or side of a box [cells], shape (sizes,).
     uncertain
-        How many of them were uncertain, shape (sizes,).
+        Number of uncertain states or boxes, shape (sizes,).
     total
-        Of how many, shape (sizes,).
+        Number of all states or boxes, shape (sizes,).
     dimensions
-        Of the window.
+        Number of dimensions of the window.
     """
 
     by: Probe
@@ -101,8 +101,8 @@ class UncertaintyExponent(Result):
     def interval(self, confidence: float = CONFIDENCE) -> tuple[float, float]:
         """Return the interval of the exponent, from Student's distribution.
 
-        The counts at several sizes are of one boundary and not independent: the interval tells how
-        straight the line is, not how another window would come out.
+        The counts at several sizes are of one boundary and not independent: the interval measures
+        how straight the line is, not the scatter between windows.
 
         Raises
         ------
@@ -218,8 +218,8 @@ def compute_uncertainty_exponent(
     --------
     >>> import numpy as np
     >>> x, y = np.meshgrid(np.arange(200), np.arange(200))
-    >>> found = compute_uncertainty_exponent(x > 120)
-    >>> print(f"{found.exponent:.3f} {found.dimension:.3f}")
+    >>> exponent = compute_uncertainty_exponent(x > 120)
+    >>> print(f"{exponent.exponent:.3f} {exponent.dimension:.3f}")
     1.000 1.000
     """
     array = label_array(labels)
@@ -250,8 +250,8 @@ def probe_sizes(sizes: Sequence[int] | None, shape: tuple[int, ...], by: Probe) 
             "take more states, or give sizes, as [2, 3, 4]",
         )
     numbers = {
-        whole_number("sizes", one, at_least=least, at_most=max(least, most), hint=hint)
-        for one in given
+        whole_number("sizes", size, at_least=least, at_most=max(least, most), hint=hint)
+        for size in given
     }
     if len(numbers) < 2:
         raise InputError("sizes", sizes, "a line needs two different sizes or more", hint)
@@ -261,7 +261,7 @@ def probe_sizes(sizes: Sequence[int] | None, shape: tuple[int, ...], by: Probe) 
 def _states(array: Integers, sizes: Integers) -> tuple[Integers, Integers]:
     """Return how many states are uncertain, those near the edge of the window left out."""
     margin = int(sizes[-1])
-    inner = tuple(slice(margin, many - margin) for many in array.shape)
+    inner = tuple(slice(margin, length - margin) for length in array.shape)
     middle = array[inner]
     counts = []
     for size in sizes.tolist():
@@ -279,9 +279,9 @@ def _boxes(array: Integers, sizes: Integers) -> tuple[Integers, Integers]:
     """Return how many boxes have two labels or more, and how many there are."""
     counts, totals = [], []
     for size in sizes.tolist():
-        many = [length // size for length in array.shape]
-        whole = array[tuple(slice(0, number * size) for number in many)]
-        split = whole.reshape([part for number in many for part in (number, size)])
+        box_counts = [length // size for length in array.shape]
+        whole = array[tuple(slice(0, number * size) for number in box_counts)]
+        split = whole.reshape([part for number in box_counts for part in (number, size)])
         inside = tuple(range(1, 2 * array.ndim, 2))
         mixed = split.max(axis=inside) != split.min(axis=inside)
         counts.append(int(np.count_nonzero(mixed)))

@@ -42,7 +42,8 @@ class Here:
     cells
         What each state of the window has found, arrays of shape (states,) by name.
     label, attractors
-        Of the states of the window, then of the seeds; once `relabel` is called.
+        Labels and attractors of the states of the window, then of the seeds; once `relabel` is
+        called.
     tried
         Attractors whose states have been given to the neighbours, by their names in the code.
     """
@@ -62,12 +63,12 @@ class Here:
     def fresh(self) -> list[tuple[int, float, float]]:
         """Return side, phase and speed of the attractors that have not seeded yet."""
         states = []
-        for one in self.attractors:
-            if one.kind not in SEEDED:
+        for attractor in self.attractors:
+            if attractor.kind not in SEEDED:
                 continue
             state = (0, self.motion.phase, 0.0)
-            if one.orbit is not None:
-                first = one.orbit.states[0]
+            if attractor.orbit is not None:
+                first = attractor.orbit.states[0]
                 state = (first.side, first.phase, first.speed)
             if not any(_same(state, known) for known in self.tried):
                 states.append(state)
@@ -78,12 +79,14 @@ class Here:
         """Return whether what a seed has settled to is known here, or does not count."""
         kind = KINDS[int(cells["kind"][place])]
         if kind not in KEPT or any(
-            one.kind is kind and one.orbit is None for one in self.attractors
+            attractor.kind is kind and attractor.orbit is None for attractor in self.attractors
         ):
             return True
-        one = slice(place, place + 1)
+        sample = slice(place, place + 1)
         return any(
-            near_state(state, cells["side"][one], cells["phase"][one], cells["speed"][one])[0]
+            near_state(
+                state, cells["side"][sample], cells["phase"][sample], cells["speed"][sample]
+            )[0]
             for attractor in self.attractors
             if attractor.orbit is not None
             for state in attractor.orbit.states
@@ -127,12 +130,12 @@ def seed_neighbours(line: list[Here], cycles: int, model: Model) -> None:
             return
         targets = np.array([seed[0] for seed in seeds])
         side, phase, speed = (np.array(part) for part in list(zip(*seeds, strict=True))[1:])
-        there = [line[target] for target in targets.tolist()]
-        found = found_in_cells(
+        cases = [line[target] for target in targets.tolist()]
+        settled = found_in_cells(
             settled_cells(
-                np.array([one.motion.amplitude for one in there]),
-                np.array([one.motion.frequency_ratio for one in there]),
-                np.array([one.sides for one in there]),
+                np.array([case.motion.amplitude for case in cases]),
+                np.array([case.motion.frequency_ratio for case in cases]),
+                np.array([case.sides for case in cases]),
                 at_phases(np.zeros(len(seeds)), side * speed, phase),
                 cycles,
                 harmonics_of(line[0].motion),
@@ -141,13 +144,13 @@ def seed_neighbours(line: list[Here], cycles: int, model: Model) -> None:
         for target in np.unique(targets).tolist():
             here = line[target]
             for place in np.flatnonzero(targets == target).tolist():
-                if not here.knows(found, place):
-                    here.add(found, [place])
+                if not here.knows(settled, place):
+                    here.add(settled, [place])
                     here.relabel(model)
 
 
 def _same(one: tuple[int, float, float], other: tuple[int, float, float]) -> bool:
-    """Return whether two states of attractors are one, but for rounding."""
+    """Return whether two states of attractors are one, except for rounding."""
     turn = 2.0 * math.pi
     apart = abs(one[1] - other[1]) % turn
     near = min(apart, turn - apart) < 1e-6 and abs(one[2] - other[2]) < 1e-6

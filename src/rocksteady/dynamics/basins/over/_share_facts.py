@@ -27,9 +27,9 @@ SI = {"amplitude": "accel_g", "frequency_ratio": "freq_hz"}
 """The same parameters of a block with a size."""
 
 
-def shares_described(found: Any) -> Description:
+def shares_described(shares: Any) -> Description:
     """Return the facts of shares: families, their shares by value, window and case."""
-    block, motion, name = found.block, found.motion, found.parameter
+    block, motion, name = shares.block, shares.motion, shares.parameter
     symbol = SYMBOLS.get(name, name)
     values = harmonic_values(block, motion)
     for key in (
@@ -38,26 +38,26 @@ def shares_described(found: Any) -> Description:
         *(("negative_restitution",) if name == "restitution" else ()),
     ):
         values.pop(key, None)
-    ends = f"{symbol} from {found.values[0]:.6g} to {found.values[-1]:.6g}"
-    drawn = found.seed is not None
+    ends = f"{symbol} from {shares.values[0]:.6g} to {shares.values[-1]:.6g}"
+    drawn = shares.seed is not None
     facts = [
         Fact("parameter", name),
-        Fact("values", found.values.tolist(), "values", f"{len(found.values):,}: {ends}"),
-        Fact("block", values.pop("block"), "block", _block_words(found))
+        Fact("values", shares.values.tolist(), "values", f"{len(shares.values):,}: {ends}"),
+        Fact("block", values.pop("block"), "block", _block_words(shares))
         if isinstance(block, Block)
-        else Fact("", label="block" if _block_words(found) else "", text=_block_words(found)),
-        Fact("", label="base motion", text=", ".join(_motion_words(found))),
+        else Fact("", label="block" if _block_words(shares) else "", text=_block_words(shares)),
+        Fact("", label="base motion", text=", ".join(_motion_words(shares))),
         *(Fact(key, value) for key, value in values.items()),
         *([] if name == PHASE else [Fact(PHASE, motion.phase)]),
-        Fact("model", found.model.name, "model"),
-        Fact("", label="states", text=f"{found.label[0].size:,} at each value, {_window(found)}"),
-        Fact("cycles", found.max_cycles, "followed for", f"{found.max_cycles} periods at most"),
-        Fact("seed", found.seed, "seed" if drawn else ""),
+        Fact("model", shares.model.name, "model"),
+        Fact("", label="states", text=f"{shares.label[0].size:,} at each value, {_window(shares)}"),
+        Fact("cycles", shares.max_cycles, "followed for", f"{shares.max_cycles} periods at most"),
+        Fact("seed", shares.seed, "seed" if drawn else ""),
         Fact("confidence", CONFIDENCE if drawn else None),
-        Fact("angles", axis_values(found.angle)),
-        Fact("velocities", axis_values(found.velocity)),
-        Fact("distance", found.matching.distance),
-        Fact("threshold", found.matching.threshold),
+        Fact("angles", axis_values(shares.angle)),
+        Fact("velocities", axis_values(shares.velocity)),
+        Fact("distance", shares.matching.distance),
+        Fact("threshold", shares.matching.threshold),
         *(Fact(key) for key in ("fractions", "erosion", "drop")),
     ]
     columns = [
@@ -68,80 +68,80 @@ def shares_described(found: Any) -> Description:
         Column("most", "most", lambda share: f"{100.0 * share:.2f} %"),
         Column("periods", "periods", lambda periods: ", ".join(map(str, periods))),
     ]
-    families = _family_rows(found)
+    families = _family_rows(shares)
     return Description(
-        f"{plural(len(families), 'basin')} over {ends}, {_case(found)}",
+        f"{plural(len(families), 'basin')} over {ends}, {_case(shares)}",
         facts,
         [
-            Table("shares", _rows(found)),
+            Table("shares", _rows(shares)),
             Table("families", families),
-            Table("", families, columns, "shares where the attractor is there", most=40),
+            Table("", families, columns, "shares where the attractor exists", most=40),
         ],
-        _notes(found),
+        _notes(shares),
     )
 
 
-def _block_words(found: Any) -> str:
+def _block_words(shares: Any) -> str:
     """Return the block in words, without a restitution that is the parameter."""
-    parts = block_text(found.block).split(", ")
-    moved = found.parameter == "restitution"
+    parts = block_text(shares.block).split(", ")
+    moved = shares.parameter == "restitution"
     return ", ".join(part for part in parts if not (moved and part.startswith("restitution")))
 
 
-def _motion_words(found: Any) -> list[str]:
-    """Return amplitude, frequency and phase in words, but for the parameter."""
-    motion = found.motion
+def _motion_words(shares: Any) -> list[str]:
+    """Return amplitude, frequency and phase in words, except the parameter."""
+    motion = shares.motion
     words = {
-        "amplitude": amplitude_text(found.block, motion.amplitude),
-        "frequency_ratio": frequency_text(found.block, motion.frequency_ratio),
+        "amplitude": amplitude_text(shares.block, motion.amplitude),
+        "frequency_ratio": frequency_text(shares.block, motion.frequency_ratio),
         PHASE: f"phase {number(motion.phase)} rad",
     }
-    return [text for key, text in words.items() if key != found.parameter]
+    return [text for key, text in words.items() if key != shares.parameter]
 
 
-def _case(found: Any) -> str:
+def _case(shares: Any) -> str:
     """Return what stays the same in a few words: amplitude, frequency, restitution, model."""
-    motion, bare = found.motion, found.block.dimensionless()
+    motion, bare = shares.motion, shares.block.dimensionless()
     left, right = bare.restitution, getattr(bare, "negative_restitution", None)
-    both = f"{left:.6g}" if right is None or right == left else f"{left:.4g}/{right:.4g}"
+    ratios = f"{left:.6g}" if right is None or right == left else f"{left:.4g}/{right:.4g}"
     words = {
         "amplitude": f"A = {motion.amplitude:.6g}",
         "frequency_ratio": f"Ω = {motion.frequency_ratio:.6g}",
-        "restitution": f"restitution {both}",
+        "restitution": f"restitution {ratios}",
     }
-    said = [text for key, text in words.items() if key != found.parameter]
-    return ", ".join([*said, f"{found.model.name} model"])
+    phrases = [text for key, text in words.items() if key != shares.parameter]
+    return ", ".join([*phrases, f"{shares.model.name} model"])
 
 
-def _window(found: Any) -> str:
+def _window(shares: Any) -> str:
     """Return the window of the states."""
-    least, most = (lean_text(found.block, float(end)) for end in found.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in found.velocity[[0, -1]])
+    least, most = (lean_text(shares.block, float(end)) for end in shares.angle[[0, -1]])
+    slow, fast = (number(float(end)) for end in shares.velocity[[0, -1]])
     return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
 
 
-def _rows(found: Any) -> list[dict[str, Any]]:
-    """Return a row a family and value at which it is there."""
-    low, high = found.intervals(CONFIDENCE)
+def _rows(shares: Any) -> list[dict[str, Any]]:
+    """Return one row per family and value at which it exists."""
+    low, high = shares.intervals(CONFIDENCE)
     rows = []
-    for place, value in enumerate(found.values.tolist()):
-        for family in found.families:
-            one = family.attractors[place]
-            if one is None:
+    for place, value in enumerate(shares.values.tolist()):
+        for family in shares.families:
+            attractor = family.attractors[place]
+            if attractor is None:
                 continue
-            orbit = one.orbit
+            orbit = attractor.orbit
             rows.append(
                 {
-                    found.parameter: value,
+                    shares.parameter: value,
                     "label": family.label,
                     "name": family.name,
-                    "share": float(found.share[family.label, place]),
+                    "share": float(shares.share[family.label, place]),
                     "low": float(low[family.label, place]),
                     "high": float(high[family.label, place]),
-                    "states": int(found.states[family.label, place]),
-                    "kind": str(one.kind.value),
-                    "period": one.period,
-                    "impacts": one.impacts,
+                    "states": int(shares.states[family.label, place]),
+                    "kind": str(attractor.kind.value),
+                    "period": attractor.period,
+                    "impacts": attractor.impacts,
                     "highest": None if orbit is None else orbit.highest,
                     "lowest": None if orbit is None else orbit.lowest,
                 }
@@ -149,12 +149,12 @@ def _rows(found: Any) -> list[dict[str, Any]]:
     return rows
 
 
-def _family_rows(found: Any) -> list[dict[str, Any]]:
-    """Return a row a family: where it is there, and its least and largest share."""
+def _family_rows(basin_shares: Any) -> list[dict[str, Any]]:
+    """Return one row per family: where it exists, and its least and largest share."""
     rows = []
-    for family in found.families:
+    for family in basin_shares.families:
         where = family.present
-        shares, values = found.share[family.label, where], found.values[where]
+        shares, values = basin_shares.share[family.label, where], basin_shares.values[where]
         rows.append(
             {
                 "label": family.label,
@@ -170,75 +170,75 @@ def _family_rows(found: Any) -> list[dict[str, Any]]:
     return rows
 
 
-def _notes(found: Any) -> list[str]:
+def _notes(shares: Any) -> list[str]:
     """Return what a reader should know of these shares."""
     notes = []
-    if any((found.states[one.label][one.present] == 0).any() for one in found.families):
+    if any((shares.states[family.label][family.present] == 0).any() for family in shares.families):
         notes.append(
             "Share 0: no state of the window goes there, the motion at a neighbouring value does."
         )
-    if any(one.typical.kind is AttractorKind.APERIODIC for one in found.families):
+    if any(family.typical.kind is AttractorKind.APERIODIC for family in shares.families):
         notes.append(
-            f"Aperiodic: not settled within {found.max_cycles} periods, and neighbours part. All "
+            f"Aperiodic: not settled within {shares.max_cycles} periods, and neighbours part. All "
             "such motions are one basin."
         )
-    if found.undecided:
+    if shares.undecided:
         notes.append("States are undecided: they balance for ever, or take more periods to follow.")
     return notes
 
 
-def shares_dataset(found: Any) -> "xarray.Dataset":
+def shares_dataset(shares: Any) -> "xarray.Dataset":
     """Return shares as a labelled dataset."""
     import xarray
 
-    name = found.parameter
-    low, high = found.intervals(CONFIDENCE)
+    name = shares.parameter
+    low, high = shares.intervals(CONFIDENCE)
     along = ("family", name)
 
     def of_orbits(attribute: str, missing: float) -> list[list[float]]:
         return [
             [missing if orbit is None else getattr(orbit, attribute) for orbit in family.orbits]
-            for family in found.families
+            for family in shares.families
         ]
 
     flags = {
-        "flag_values": list(range(len(found.families))),
-        "flag_meanings": " ".join(family.name for family in found.families),
+        "flag_values": list(range(len(shares.families))),
+        "flag_meanings": " ".join(family.name for family in shares.families),
     }
     kept = {"amplitude", "frequency_ratio", PHASE} - {name}
     plane = (name, "velocity", "angle")
     return xarray.Dataset(
         {
-            "share": (along, found.share, {"units": "1"}),
+            "share": (along, shares.share, {"units": "1"}),
             "low": (along, low, {"units": "1", "confidence": CONFIDENCE}),
             "high": (along, high, {"units": "1", "confidence": CONFIDENCE}),
-            "states": (along, found.states),
-            "present": (along, np.array([family.present for family in found.families])),
+            "states": (along, shares.states),
+            "present": (along, np.array([family.present for family in shares.families])),
             "period": (along, np.array(of_orbits("period", 0), dtype=np.int64)),
             "highest": (along, np.array(of_orbits("highest", np.nan)), {"units": "1"}),
             "lowest": (along, np.array(of_orbits("lowest", np.nan)), {"units": "1"}),
-            "label": (plane, found.label, {"long_name": "family", "units": "1", **flags}),
+            "label": (plane, shares.label, {"long_name": "family", "units": "1", **flags}),
         },
         coords={
-            "family": ("family", [family.name for family in found.families]),
-            name: (name, found.values, dict(zip(("units", "long_name"), AXES[name], strict=True))),
-            "angle": ("angle", found.angle, {"long_name": "theta/alpha", "units": "1"}),
+            "family": ("family", [family.name for family in shares.families]),
+            name: (name, shares.values, dict(zip(("units", "long_name"), AXES[name], strict=True))),
+            "angle": ("angle", shares.angle, {"long_name": "theta/alpha", "units": "1"}),
             "velocity": (
                 "velocity",
-                found.velocity,
+                shares.velocity,
                 {"long_name": "d(theta/alpha)/d(p t)", "units": "1"},
             ),
         },
         attrs={
-            **{key: getattr(found.motion, key) for key in sorted(kept)},
+            **{key: getattr(shares.motion, key) for key in sorted(kept)},
             **{
                 key: value
-                for key, value in attributes_of(found.block, found.model).items()
+                for key, value in attributes_of(shares.block, shares.model).items()
                 if name != "restitution" or "restitution" not in key
             },
-            "max_cycles": found.max_cycles,
-            "seed": "none" if found.seed is None else str(found.seed),
-            "distance": found.matching.distance,
-            "threshold": found.matching.threshold,
+            "max_cycles": shares.max_cycles,
+            "seed": "none" if shares.seed is None else str(shares.seed),
+            "distance": shares.matching.distance,
+            "threshold": shares.matching.threshold,
         },
     )

@@ -40,18 +40,20 @@ class BasinFamily(Result):
 
     @property
     def present(self) -> NDArray[np.bool_]:
-        """Whether it is there at each value, shape (values,)."""
-        return np.array([one is not None for one in self.attractors])
+        """Whether it exists at each value, shape (values,)."""
+        return np.array([attractor is not None for attractor in self.attractors])
 
     @property
     def orbits(self) -> tuple[Orbit | None, ...]:
         """Its orbit at each value; None where there is none."""
-        return tuple(None if one is None else one.orbit for one in self.attractors)
+        return tuple(
+            None if attractor is None else attractor.orbit for attractor in self.attractors
+        )
 
     @property
     def typical(self) -> BasinAttractor:
         """An attractor of the kind and period that it has at most values, the first such."""
-        return _typical([one for one in self.attractors if one is not None])
+        return _typical([attractor for attractor in self.attractors if attractor is not None])
 
     @property
     def periods(self) -> tuple[int, ...]:
@@ -59,17 +61,19 @@ class BasinFamily(Result):
         return tuple(sorted({orbit.period for orbit in self.orbits if orbit is not None}))
 
     def describe(self) -> Description:
-        """Return the name, the kinds and the periods, and at how many values it is there."""
-        there = int(self.present.sum())
-        kinds = sorted({str(one.kind.value) for one in self.attractors if one is not None})
+        """Return the name, the kinds and the periods, and the number of values where it exists."""
+        count = int(self.present.sum())
+        kinds = sorted(
+            {str(attractor.kind.value) for attractor in self.attractors if attractor is not None}
+        )
         facts = [
             Fact("label", self.label, "label"),
             Fact("name", self.name, "name"),
             Fact("kinds", kinds, "kinds"),
             Fact("periods", list(self.periods), "forcing periods"),
-            Fact("values", there, "values", f"{there} of {len(self.attractors)}"),
+            Fact("values", count, "values", f"{count} of {len(self.attractors)}"),
         ]
-        return Description(f"{self.name}, at {there} of {len(self.attractors)} values", facts)
+        return Description(f"{self.name}, at {count} of {len(self.attractors)} values", facts)
 
 
 def families_of(
@@ -84,53 +88,53 @@ def families_of(
     matching
         How orbits become families.
     states
-        Of the window; seeds come after them and have no label.
+        States of the window; seeds come after them and have no label.
     """
     members: list[dict[int, BasinAttractor]] = []
     latest: dict[int, Floats] = {}
     by_kind: dict[AttractorKind, int] = {}
     labels = np.zeros((len(line), states), dtype=np.int64)
     for place, here in enumerate(line):
-        orbits = [one for one in here.attractors if one.orbit is not None]
-        sets = [courses(one.orbit) for one in orbits if one.orbit is not None]
+        orbits = [attractor for attractor in here.attractors if attractor.orbit is not None]
+        sets = [courses(attractor.orbit) for attractor in orbits if attractor.orbit is not None]
         old = list(latest)
         taken = matched(matching, sets, [latest[label] for label in old])
         kept = {
-            one.label: old[index]
-            for one, index in zip(orbits, taken, strict=True)
+            attractor.label: old[index]
+            for attractor, index in zip(orbits, taken, strict=True)
             if index is not None
         }
         kept |= {
-            one.label: by_kind[one.kind]
-            for one in here.attractors
-            if one.orbit is None and one.kind in by_kind
+            attractor.label: by_kind[attractor.kind]
+            for attractor in here.attractors
+            if attractor.orbit is None and attractor.kind in by_kind
         }
-        for one in here.attractors:
-            if one.label not in kept:
-                kept[one.label] = len(members)
+        for attractor in here.attractors:
+            if attractor.label not in kept:
+                kept[attractor.label] = len(members)
                 members.append({})
-                if one.orbit is None:
-                    by_kind[one.kind] = len(members) - 1
-            members[kept[one.label]][place] = one
+                if attractor.orbit is None:
+                    by_kind[attractor.kind] = len(members) - 1
+            members[kept[attractor.label]][place] = attractor
         if not matching.vanished:
             latest.clear()
-        for one, where in zip(orbits, sets, strict=True):
-            latest[kept[one.label]] = where
-        renamed = np.array([kept[one.label] for one in here.attractors], dtype=np.int64)
+        for attractor, where in zip(orbits, sets, strict=True):
+            latest[kept[attractor.label]] = where
+        renamed = np.array([kept[attractor.label] for attractor in here.attractors], dtype=np.int64)
         labels[place] = renamed[here.label[:states]]
-    usual = [_typical(list(found.values())) for found in members]
-    names = list(attractor_names([(one.kind, one.orbit) for one in usual]))
+    usual = [_typical(list(attractors.values())) for attractors in members]
+    names = list(attractor_names([(attractor.kind, attractor.orbit) for attractor in usual]))
     return tuple(
         BasinFamily(
             label=label,
             name=names[label],
-            attractors=tuple(found.get(place) for place in range(len(line))),
+            attractors=tuple(attractors.get(place) for place in range(len(line))),
         )
-        for label, found in enumerate(members)
+        for label, attractors in enumerate(members)
     ), labels
 
 
-def _typical(found: list[BasinAttractor]) -> BasinAttractor:
+def _typical(attractors: list[BasinAttractor]) -> BasinAttractor:
     """Return the first attractor of the kind and period that most of them have."""
-    kinds = [(one.kind, one.period) for one in found]
-    return found[kinds.index(Counter(kinds).most_common(1)[0][0])]
+    kinds = [(attractor.kind, attractor.period) for attractor in attractors]
+    return attractors[kinds.index(Counter(kinds).most_common(1)[0][0])]

@@ -40,9 +40,9 @@ class BasinMatching:
     Parameters
     ----------
     distance
-        Of two sets: "hausdorff" (default), the largest distance of a state of one to the nearest of
-        the other; "centroid", that of their means, the default of Attractors.jl; "nearest", that of
-        the two closest states.
+        Distance of two sets: "hausdorff" (default), the largest distance of a state of one to the
+        nearest of the other; "centroid", that of their means, the default of Attractors.jl;
+        "nearest", that of the two closest states.
     threshold
         Distance in theta/alpha from which on two orbits are never one family (default 0.3);
         infinite, the default of Attractors.jl, for none.
@@ -76,11 +76,11 @@ class BasinMatching:
             object.__setattr__(self, "threshold", positive("threshold", given, hint=hint))
 
 
-def apart(matching: BasinMatching, one: Floats, other: Floats) -> float:
+def apart(matching: BasinMatching, first: Floats, second: Floats) -> float:
     """Return the distance of two sets of courses of the angle, shape (states, samples) each."""
     if matching.distance == "centroid":
-        one, other = one.mean(axis=0, keepdims=True), other.mean(axis=0, keepdims=True)
-    away = np.sqrt(np.square(one[:, None, :] - other[None, :, :]).mean(axis=2))
+        first, second = first.mean(axis=0, keepdims=True), second.mean(axis=0, keepdims=True)
+    away = np.sqrt(np.square(first[:, None, :] - second[None, :, :]).mean(axis=2))
     if matching.distance == "nearest":
         return float(away.min())
     return float(max(away.min(axis=0).max(), away.min(axis=1).max()))
@@ -98,11 +98,15 @@ def matched(
         for place, states in enumerate(new)
         for taken, others in enumerate(old)
     )
-    found: dict[int, int] = {}
+    partners: dict[int, int] = {}
     for distance, place, taken in pairs:
-        if distance < matching.threshold and place not in found and taken not in found.values():
-            found[place] = taken
-    return [found.get(place) for place in range(len(new))]
+        if (
+            distance < matching.threshold
+            and place not in partners
+            and taken not in partners.values()
+        ):
+            partners[place] = taken
+    return [partners.get(place) for place in range(len(new))]
 
 
 def courses(orbit: Orbit) -> Floats:

@@ -119,7 +119,7 @@ class BasinShares(Result):
     Attributes
     ----------
     block, motion
-        What moves; their own value of the parameter does not count.
+        Block and base motion; their own value of the parameter does not count.
     parameter
         "amplitude", "frequency_ratio", "restitution" or "phase".
     values
@@ -131,7 +131,7 @@ class BasinShares(Result):
     angle, velocity
         Axes of the window: u, shape (n,), and du/d(pt), shape (m,).
     seed
-        With which states were drawn; None for the points of the grid.
+        Seed with which states were drawn; None for the points of the grid.
     max_cycles
         Forcing periods after which a motion counted as aperiodic or undecided.
     matching
@@ -156,8 +156,8 @@ class BasinShares(Result):
     @cached_property
     def states(self) -> Integers:
         """Number of states of the window that go to each family, shape (families, values)."""
-        many = len(self.families)
-        counts = [np.bincount(labels.ravel(), minlength=many) for labels in self.label]
+        count = len(self.families)
+        counts = [np.bincount(labels.ravel(), minlength=count) for labels in self.label]
         return np.array(counts).T
 
     @property
@@ -174,7 +174,7 @@ class BasinShares(Result):
         Parameters
         ----------
         confidence
-            Of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1).
 
         Raises
         ------
@@ -196,7 +196,7 @@ class BasinShares(Result):
         return low, high
 
     def entropies(self, box: int | Sequence[int] = BOX) -> BasinEntropies:
-        """Return the entropy of the basins at each value, as `compute_basin_entropy` has it.
+        """Return the entropy of the basins at each value, as from `compute_basin_entropy`.
 
         Parameters
         ----------
@@ -215,7 +215,7 @@ class BasinShares(Result):
         Parameters
         ----------
         index
-            Of the value.
+            Index of the value.
 
         Raises
         ------
@@ -228,7 +228,11 @@ class BasinShares(Result):
     @property
     def undecided(self) -> float:
         """Share of all states whose attractor is undecided."""
-        of = [one.label for one in self.families if one.typical.kind is AttractorKind.UNDECIDED]
+        of = [
+            family.label
+            for family in self.families
+            if family.typical.kind is AttractorKind.UNDECIDED
+        ]
         return float(self.states[of].sum() / self.label.size)
 
     def describe(self) -> Description:
@@ -277,7 +281,7 @@ def compute_basin_shares(
     Parameters
     ----------
     block, motion
-        What moves, and by what; their own value of the parameter does not count.
+        Block and base motion; their own value of the parameter does not count.
     parameter
         "amplitude", "frequency_ratio", "restitution" or "phase" (that of the initial states).
     values
@@ -285,7 +289,7 @@ def compute_basin_shares(
     sampling
         Window and number of states; by default `BasinSampling()`.
     matching
-        By which distance, and up to which; by default `BasinMatching()`.
+        Distance and threshold of the matching; by default `BasinMatching()`.
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
     run
@@ -335,7 +339,7 @@ def compute_basin_shares(
     line = [moved_to(body, shaken, parameter, value) for value in along.points.tolist()]
     angle, velocity = _window(body, line, how)
     clocks = [moment(moved) for _, moved in line]
-    tables = np.array([sides_of(one, equations) for one, _ in line])
+    tables = np.array([sides_of(block_at, equations) for block_at, _ in line])
     cases = functools.partial(
         _settled_along,
         amplitudes=np.array([moved.amplitude for _, moved in line]),
@@ -357,12 +361,12 @@ def compute_basin_shares(
         numbered="number",
     )
     places = []
-    for place, ((one, moved), (half, rest), sides) in enumerate(
+    for place, ((block_at, moved), (half, rest), sides) in enumerate(
         zip(line, clocks, tables, strict=True)
     ):
         start = replace(moved, phase=half * math.pi + rest)
         cells = {str(name): data[name][place].values.ravel() for name in data.data_vars}
-        places.append(Here(block=one, motion=start, sides=sides, cells=cells))
+        places.append(Here(block=block_at, motion=start, sides=sides, cells=cells))
     seed_neighbours(places, how.max_cycles, equations)
     matched = BasinMatching() if matching is None else matching
     families, label = families_of(places, matched, len(angle) * len(velocity))
@@ -405,8 +409,10 @@ def _window(
     """Return the axes of the one window of all values."""
     reaches = np.max(
         [
-            window_of(side_table(bare_block(one)), largest_amplitude(moved), moved.frequency_ratio)
-            for one, moved in line
+            window_of(
+                side_table(bare_block(block_at)), largest_amplitude(moved), moved.frequency_ratio
+            )
+            for block_at, moved in line
         ],
         axis=0,
     ).tolist()
@@ -441,7 +447,7 @@ def _settled_along(
     if seed is not None:
         walled = only_side(sides[0]) > 0
         angle, velocity = drawn_states(angles, velocities, alone, seed, cell, walled=walled)
-    found = settled_cells(
+    attractors = settled_cells(
         amplitudes[place],
         ratios[place],
         sides[place],
@@ -449,4 +455,4 @@ def _settled_along(
         cycles,
         waves,
     )
-    return {**found_in_cells(found), "start_angle": angle, "start_velocity": velocity}
+    return {**found_in_cells(attractors), "start_angle": angle, "start_velocity": velocity}

@@ -40,7 +40,7 @@ class Chain:
     ----------
     parameters
         Amplitude, frequency ratio and restitution, shape (3,); the restitution of both impacts, or
-        where they differ that of the one that ends positive rotation.
+        where they differ, of the impact that ends positive rotation.
     turns, phases
         Whole half cycles of the shaking and the phase beyond them at each impact, shape (m,); the
         first impact sends the block to its positive side.
@@ -52,7 +52,7 @@ class Chain:
     model
         Which equations of motion hold.
     harmonics
-        Of the Fourier series that shakes the base; none of a sinusoid.
+        Harmonics of the Fourier series that shakes the base; none for a sinusoid.
     """
 
     parameters: Floats
@@ -123,7 +123,7 @@ class Chain:
 
     @cached_property
     def table(self) -> Floats:
-        """What the kernel knows of each arc, shape (m, CHAIN_COLUMNS)."""
+        """What the kernel returns for each arc, shape (m, CHAIN_COLUMNS)."""
         amplitude, frequency, _ = self.parameters.tolist()
         table = np.empty((self.impacts, kernel.CHAIN_COLUMNS))
         if self.harmonics:

@@ -42,7 +42,7 @@ class Event:
     arclength
         Where on the branch.
     chain
-        The orbit there; where a branch of doubled orbits ends, the one that is doubled.
+        The orbit there; where a branch of doubled orbits ends, the orbit that is doubled.
     final
         Whether the branch ends there.
     """
@@ -97,10 +97,10 @@ def events_between(
         for number in _suspicious(earlier, before, after)
         if (spot := _dipping(curve, before, after, number)) is not None
     ]
-    found: list[Event] = []
+    events: list[Event] = []
     for low, high in pairwise([before, *sorted(inner, key=_arclength), after]):
-        found += _events(family, curve, low, high)
-    return sorted(found, key=_arclength)
+        events += _events(family, curve, low, high)
+    return sorted(events, key=_arclength)
 
 
 def _arclength(of: ChainSpot | Event) -> float:
@@ -138,19 +138,19 @@ def _dipping(
 
     sign = math.copysign(1.0, _tests(before)[number])
     length = after.arclength - before.arclength
-    found: list[ChainSpot] = []
+    dips: list[ChainSpot] = []
 
     def height(ahead: float) -> float:
         spot = curve.along(before, ahead)
         value = FAR_OFF if spot is None else sign * _tests(spot)[number]
         if spot is not None and value < 0.0:
-            found.append(spot)
+            dips.append(spot)
         return value
 
     minimize_scalar(
         height, bounds=(0.0, length), method="bounded", options={"xatol": LEAST * length}
     )
-    return found[0] if found else None
+    return dips[0] if dips else None
 
 
 def _events(family: Family, curve: ChainCurve, low: ChainSpot, high: ChainSpot) -> Iterator[Event]:
@@ -204,7 +204,7 @@ def range_ends(
             inside = outwards * beyond(before.solution) < 0.0
             spot = curve.locate(before, after, beyond) if inside else before
             parameters = spot.solution.chain.parameters.copy()
-            parameters[index] = end  # but for rounding it is
+            parameters[index] = end  # except for rounding it is
             chain = spot.solution.chain.moved(spot.solution.chain.phases, parameters)
             yield Event(PointType.RANGE_END, spot.arclength, chain, final=True)
 
@@ -228,16 +228,16 @@ def returns(
         if spot is None:
             continue
         chain = spot.solution.chain
-        there = np.abs(chain.parameters - start.chain.parameters).max() <= BACK
-        if there and start.chain.repeats(chain, BACK):
+        close = np.abs(chain.parameters - start.chain.parameters).max() <= BACK
+        if close and start.chain.repeats(chain, BACK):
             yield Event(PointType.CLOSED, spot.arclength, chain, final=True)
             return
 
 
 def _changed(low: ChainSpot, high: ChainSpot) -> Callable[[Callable[[ChainSolution], float]], bool]:
     def changed(test: Callable[[ChainSolution], float]) -> bool:
-        one, other = test(low.solution), test(high.solution)
-        return one != 0.0 and ((one > 0.0) != (other > 0.0))
+        before, after = test(low.solution), test(high.solution)
+        return before != 0.0 and ((before > 0.0) != (after > 0.0))
 
     return changed
 
@@ -286,8 +286,8 @@ def _halving(family: Family, curve: ChainCurve, low: ChainSpot, high: ChainSpot)
     apart, beyond = low.solution.chain.halves_apart, high.solution.chain.halves_apart
     if apart is None or beyond is None or not float(apart @ beyond) < 0.0:
         return
-    size, other = math.sqrt(float(apart @ apart)), math.sqrt(float(beyond @ beyond))
-    share = size / (size + other)
+    size, reach = math.sqrt(float(apart @ apart)), math.sqrt(float(beyond @ beyond))
+    share = size / (size + reach)
     # Not corrected: at the event itself the equations of the doubled orbit are singular.
     between = family.chain_at((1.0 - share) * low.place + share * high.place)
     half = None if between is None else between.halved()

@@ -121,8 +121,8 @@ class Family:
         slopes = slopes * np.concatenate([np.full(chain.impacts, self.phase_scale), self.widths])
         for condition in self.conditions:
 
-            def value(there: Floats, condition: Test = condition) -> float:
-                moved = self.chain_at(there)
+            def value(parameters: Floats, condition: Test = condition) -> float:
+                moved = self.chain_at(parameters)
                 return math.nan if moved is None else condition(moved)
 
             errors = np.append(errors, condition(chain))
@@ -204,7 +204,7 @@ class Course:
     direction
         +1 or -1.
     largest_step
-        Of arclength.
+        Largest step of arclength.
     most_points
         After which it ends.
 

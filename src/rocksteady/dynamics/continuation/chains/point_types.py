@@ -38,7 +38,7 @@ class PointType(StrEnum):
     CLOSED = "closed"
     """The branch is back where it began."""
     LIMIT = "limit"
-    """As many points were followed as were asked for."""
+    """The largest number of points was followed."""
     LOST = "lost"
     """The branch could not be followed on."""
     STALLED = "stalled"
@@ -48,10 +48,10 @@ class PointType(StrEnum):
 REASONS = {
     PointType.RANGE_END: "a parameter leaves its range",
     PointType.CLOSED: "it is back where it began",
-    PointType.LIMIT: "as many points were followed as were asked for",
+    PointType.LIMIT: "the largest number of points was followed",
     PointType.LOST: "no next point satisfies its equations, however near",
     PointType.STALLED: "200 steps together were shorter than the largest one: the equations are "
-    "near to singular there, or rounding is as large as what they ask for",
+    "near to singular there, or rounding is as large as their tolerance",
     PointType.GRAZING: "beyond, the solution passes through the floor",
     PointType.FOLD_GRAZE: "beyond, the solution at the fold passes through the floor",
     PointType.BREAKING_GRAZE: "beyond, the solution passes through the floor",
@@ -59,9 +59,9 @@ REASONS = {
     PointType.DOUBLE_GRAZE: "beyond, the solution passes through the floor elsewhere",
     PointType.RESONANT_GRAZE: "two impacts merge, and beyond, the solution passes through the "
     "floor",
-    PointType.GENERALISED_BREAKING: "the fold comes to the symmetry breaking from which its "
+    PointType.GENERALISED_BREAKING: "the fold meets the symmetry breaking from which its "
     "motions branch off",
-    PointType.GENERALISED_DOUBLING: "the fold comes to the period doubling from which its motions "
+    PointType.GENERALISED_DOUBLING: "the fold meets the period doubling from which its motions "
     "branch off",
 }
 """Why a branch or a curve ends at a point of a type."""

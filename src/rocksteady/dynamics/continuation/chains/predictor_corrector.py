@@ -2,7 +2,7 @@
 
 From a point and its tangent the next point is predicted along the tangent and corrected by Newton's
 method in the plane across it (Keller 1977).  Where the curve turns back in one of its unknowns
-nothing special happens.  This module knows no physics: it sees arrays.
+nothing special happens.  This module has no physics: it works on arrays.
 """
 
 import math
@@ -105,27 +105,27 @@ class Curve(Generic[SolutionT]):
 
     def start(self, place: Floats, towards: Floats) -> Spot[SolutionT] | None:
         """Return the point of a curve near a place, its tangent pointing along a direction."""
-        found = self._corrected(place, towards / _length(towards))
-        if found is None:
+        spot = self._corrected(place, towards / _length(towards))
+        if spot is None:
             return None
-        tangent = _tangent(found[1].slopes, towards)
+        tangent = _tangent(spot[1].slopes, towards)
         if tangent is None:
             return None
-        return Spot(place=found[0], tangent=tangent, solution=found[1], arclength=0.0)
+        return Spot(place=spot[0], tangent=tangent, solution=spot[1], arclength=0.0)
 
     def along(self, spot: Spot[SolutionT], length: float) -> Spot[SolutionT] | None:
         """Return the point of the curve one step from another."""
         guess = spot.place + length * spot.tangent
-        found = self._corrected(guess, spot.tangent)
-        if found is None or _length(found[0] - guess) > FAR * abs(length) + CONVERGED:
+        next_spot = self._corrected(guess, spot.tangent)
+        if next_spot is None or _length(next_spot[0] - guess) > FAR * abs(length) + CONVERGED:
             return None
-        tangent = _tangent(found[1].slopes, spot.tangent)
+        tangent = _tangent(next_spot[1].slopes, spot.tangent)
         if tangent is None:
             return None
         return Spot(
-            place=found[0],
+            place=next_spot[0],
             tangent=tangent,
-            solution=found[1],
+            solution=next_spot[1],
             arclength=spot.arclength + length,
         )
 
@@ -152,11 +152,11 @@ class Curve(Generic[SolutionT]):
             if new is None or float(new.tangent @ spot.tangent) < STRAIGHT:
                 step *= 0.5
                 continue
-            there = _orientation(new)
-            if there * oriented < 0.0 and step > CROSSING:
+            direction = _orientation(new)
+            if direction * oriented < 0.0 and step > CROSSING:
                 step *= 0.5
                 continue
-            oriented = there
+            oriented = direction
             yield new
             turn = acos(min(1.0, float(new.tangent @ spot.tangent)))
             spot = new
@@ -182,11 +182,11 @@ class Curve(Generic[SolutionT]):
         def between(share: float) -> Spot[SolutionT]:
             if share in (0.0, 1.0):
                 return before if share == 0.0 else after
-            found = self.start(before.place + share * chord, chord)
-            if found is None:
+            spot = self.start(before.place + share * chord, chord)
+            if spot is None:
                 raise LostError
             arclength = before.arclength + share * (after.arclength - before.arclength)
-            return replace(found, arclength=arclength)
+            return replace(spot, arclength=arclength)
 
         def value(share: float) -> float:
             return test(between(share).solution)
@@ -202,9 +202,9 @@ class Curve(Generic[SolutionT]):
         ahead = 1e-8
         while ahead <= reach:
             for step in (ahead, -ahead):
-                other = self.along(spot, step)
-                if other is not None and test(other.solution) * test(spot.solution) <= 0.0:
-                    return self.locate(spot, other, test)
+                nearby = self.along(spot, step)
+                if nearby is not None and test(nearby.solution) * test(spot.solution) <= 0.0:
+                    return self.locate(spot, nearby, test)
             ahead *= 4.0
         return None
 

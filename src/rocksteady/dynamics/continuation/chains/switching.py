@@ -34,7 +34,7 @@ def switched(kind: PointType, chain: Chain) -> tuple[Chain, Floats | None]:
     chain : Chain
         The orbit as one of the new branch.
     direction : ndarray, shape (m,), or None
-        Displacement of its phases along the new branch; None where the equations themselves say.
+        Displacement of its phases along the new branch; None where the equations themselves decide.
 
     Raises
     ------

@@ -34,7 +34,7 @@ def condition(kind: PointType, chain: Chain) -> Test:
     Parameters
     ----------
     kind
-        Of the curve.
+        Kind of the curve.
     chain
         On it: its sizes scale the determinants, and the arc that grazes is the one of it.
     """
@@ -86,7 +86,7 @@ def meetings(
     Parameters
     ----------
     kind
-        Of the curve.
+        Kind of the curve.
     family, curve
         Its equations.
     before, after
@@ -94,7 +94,7 @@ def meetings(
     """
     ends = [*_joining(kind, family, curve, before, after)]
     ends = ends or [*_touching(kind, family, curve, before, after)]
-    found = [*ends]
+    events = [*ends]
     for named, test in _tests(kind, before):
         low, high = test(before.solution), test(after.solution)
         if not low * high < 0.0:
@@ -103,8 +103,8 @@ def meetings(
             spot = curve.locate(before, after, test)
         except LostError:
             continue
-        found.append(Event(named, spot.arclength, spot.solution.chain, final=False))
-    return found
+        events.append(Event(named, spot.arclength, spot.solution.chain, final=False))
+    return events
 
 
 def _tests(kind: PointType, before: ChainSpot) -> Iterator[tuple[PointType, Test2]]:
@@ -112,7 +112,7 @@ def _tests(kind: PointType, before: ChainSpot) -> Iterator[tuple[PointType, Test
     chain = before.solution.chain
     if kind is PointType.FOLD:
         along = chain.null_direction(1.0)
-        yield PointType.CUSP, lambda there: fold_coefficient(there.chain, along)
+        yield PointType.CUSP, lambda solution: fold_coefficient(solution.chain, along)
         return
     if kind is not PointType.GRAZING:
         symmetric = kind is PointType.SYMMETRY_BREAKING
@@ -127,23 +127,23 @@ def _tests(kind: PointType, before: ChainSpot) -> Iterator[tuple[PointType, Test
         sizes = part(chain).sizes
 
         def value(
-            there: ChainSolution,
+            solution: ChainSolution,
             part: Callable[[Chain], Chain] = part,
             closing: float = closing,
             sizes: "np.ndarray" = sizes,
         ) -> float:
-            moved = part(there.chain)
+            moved = part(solution.chain)
             return moved.scaled_determinant(closing, sizes) if len(sizes) == moved.impacts else 0.0
 
         yield named, value
 
 
-def generalised(there: ChainSolution) -> float:
+def generalised(solution: ChainSolution) -> float:
     """Return what vanishes at a generalised flip.
 
     The coefficient itself has a pole where fold and flip meet, at the merging of impacts.
     """
-    return flip_coefficient(there.chain) * there.chain.determinant(1.0)
+    return flip_coefficient(solution.chain) * solution.chain.determinant(1.0)
 
 
 def touching(chain: Chain) -> Chain:
@@ -159,7 +159,7 @@ def merging(chain: Chain) -> Chain:
 
 
 def free(kind: PointType, chain: Chain) -> Test2:
-    """Return the least height and duration of a chain, but for the arc that grazes by itself."""
+    """Return the least height and duration of a chain, except the arc that grazes by itself."""
     row, merged = grazed(chain) if kind is PointType.GRAZING else (-1, False)
 
     def value(solution: ChainSolution) -> float:
@@ -185,7 +185,7 @@ def _touching(
         share = height(before.solution) / share
         half = _half_at(family, before, after, share, ALIKE)
         if half is not None:
-            met = _met(kind, half, family, curve, lambda there: there.flip)
+            met = _met(kind, half, family, curve, lambda solution: solution.flip)
             if met is not None:
                 arclength = before.arclength + share * (after.arclength - before.arclength)
                 named = graze_type(flip_type(half))
@@ -208,8 +208,8 @@ def _joining(
         return
     if not float(apart @ beyond) < 0.0:
         return
-    size, other = float(np.linalg.norm(apart)), float(np.linalg.norm(beyond))
-    share = size / (size + other)
+    size, reach = float(np.linalg.norm(apart)), float(np.linalg.norm(beyond))
+    share = size / (size + reach)
     half = _half_at(family, before, after, share, np.inf)
     if half is None:
         return
@@ -243,7 +243,7 @@ def _met(
 ) -> Chain | None:
     """Return the point near a chain at which a test vanishes on the curve of a kind through it."""
     step = curve.largest_step
-    # The chain lies only near to its curve: its own arc that is lowest is the one that grazes.
+    # The chain lies only near to its curve: its own lowest arc is the arc that grazes.
     if kind is PointType.GRAZING and not np.isfinite(half.shape[:, 1]).any():
         return None
     parents, equations = curve_through(kind, half, family.active, family.ranges, step)

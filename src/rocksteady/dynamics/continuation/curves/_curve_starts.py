@@ -24,7 +24,7 @@ from rocksteady.errors import ModelError
 Floats = NDArray[np.float64]
 
 BESIDE = 1e-5
-"""Arclength at which it is asked whether the motions of a curve stay above the floor."""
+"""Arclength at which the motions of a curve are tested for passing through the floor."""
 FIRST_STEPS = (0.01, 0.02, 0.005, 0.04)
 """Arclength of the first step away from where the equations are singular, in turn."""
 TOUCHING = 1e-9
@@ -38,7 +38,7 @@ class Departure:
     Attributes
     ----------
     kind
-        Of bifurcation.
+        Kind of bifurcation.
     family, curve
         Its equations.
     begin
@@ -96,7 +96,7 @@ def departures(
 def _regular(
     kind: PointType, chain: Chain, active: tuple[int, ...], ranges: Floats, step: float
 ) -> list[Departure]:
-    """Return both ways, or the one that is no way through the floor, of a curve through a point."""
+    """Return both ways of a curve through a point, or the way that stays above the floor."""
     family, curve = curve_through(kind, chain, active, ranges, step)
     place = family.place_of(chain)
     solution = family.evaluate(place)
@@ -124,7 +124,7 @@ def _other_graze(
     chain: Chain, row: int, active: tuple[int, ...], ranges: Floats, step: float
 ) -> list[Departure]:
     """Return the graze of one arc of a chain, from where two of them graze."""
-    conditions = (lambda there: float(there.shape[row, 1]),)
+    conditions = (lambda spot: float(spot.shape[row, 1]),)
     family = Family(chain=chain, active=active, ranges=ranges, conditions=conditions)
     curve = Curve(evaluate=family.evaluate, largest_step=step)
     place = family.place_of(chain)
@@ -177,8 +177,8 @@ def _branched_graze(
     count = half.impacts
     xi = half.null_direction(-1.0) / flips.phase_scale
 
-    def height(there: Floats) -> float:
-        moved = flips.chain_at(there)
+    def height(parameters: Floats) -> float:
+        moved = flips.chain_at(parameters)
         return np.nan if moved is None else float(moved.shape[row, 1])
 
     shift = BESIDE
@@ -195,7 +195,7 @@ def _branched_graze(
     twice = half.doubled()
     family, curve = curve_through(PointType.GRAZING, twice, active, ranges, step)
     first = grazed(twice)[0]
-    sign = 1.0 if first < count else -1.0  # which half is the one that stays at the floor
+    sign = 1.0 if first < count else -1.0  # which half stays at the floor
     phases = begin.tangent[:count] / np.sqrt(2.0)
     beside = sign * beside / np.sqrt(2.0)
     tangent = np.concatenate([phases + beside, phases - beside, begin.tangent[count:]])

@@ -3,7 +3,7 @@
 At a fold the quadratic coefficient, at a flip (a symmetry breaking or a period doubling) the cubic
 one.  Where it vanishes the bifurcation is degenerate: a cusp, or a generalised flip.  Derivatives
 beyond the first are differences of the exact first ones, `Chain.matrix`, of eighth order: those are
-analytic, and what is lost is some 1e-13 of their size.  Nothing else of a chain is asked for, so
+analytic, and what is lost is some 1e-13 of their size.  Nothing else of a chain is needed, so
 that chains of any model have these coefficients.
 """
 
@@ -21,7 +21,7 @@ STEP = 0.01
 FIRST = np.array([4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0])
 """Weights of (f(k h) - f(-k h))/h, k = 1 .. 4, in the first derivative; the next error is h^8."""
 EVEN = np.arange(1.0, 5.0)
-"""Multiples of the step at which an even function is asked for its coefficient of x^2."""
+"""Multiples of the step at which an even function is evaluated for its coefficient of x^2."""
 
 
 def fold_coefficient(chain: Chain, along: Floats) -> float:
@@ -66,7 +66,7 @@ def flip_coefficient(chain: Chain) -> float:
         moved = twice.moved(twice.phases + x * out + x * x * aside, twice.parameters)
         return float(weight @ (moved.matrix(1.0) @ (out + 2.0 * x * aside)))
 
-    start = slope(0.0)  # but for rounding it is 0
+    start = slope(0.0)  # except for rounding it is 0
     values = np.array([slope(unit * each) - start for each in EVEN])
     powers = np.array([EVEN ** (2 * k + 2) for k in range(len(EVEN))]).T
     bend: float = np.linalg.solve(powers, values)[0]

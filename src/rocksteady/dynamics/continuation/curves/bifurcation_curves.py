@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 MOST = 1000
-"""Of periods, impacts, curves and points, as branches have it."""
+"""Limits of periods, impacts, curves and points, as for branches."""
 SHORT = {**SYMBOLS, "restitution": "delta"}
 """As headings have them."""
 
@@ -48,23 +48,23 @@ class CurveSearch:
     Parameters
     ----------
     orders
-        n = 1, 3, 5, ... of the symmetric motions from which all begin; default (1,).  Of a block
+        n = 1, 3, 5, ... of the symmetric motions from which all begin; default (1,).  For a block
         whose sides differ: forcing periods of the motions with two impacts.
     lines
-        Across the plane on which bifurcations are looked for: at so many values of the first
-        parameter, and of the second; default (3, 3).
+        Numbers of lines across the plane on which bifurcations are looked for, at values of the
+        first parameter and of the second; default (3, 3).
     max_period, max_impacts
         Longest motions whose bifurcations are followed [forcing periods, impacts]; by default twice
         the largest order, and 6.
     max_branches
-        Of each line and order; default 20.
+        Largest number of branches of each line and order; default 20.
     max_curves
-        After so many (default 40) no further one is begun.
+        Largest number of curves (default 40).
     everywhere
         Whether to start also from all motions that `find_orbits` finds at both ends and in the
         middle of each line; they may be many.
     most_points
-        Of each curve, in either direction; default 400.
+        Largest number of points of each curve, in either direction; default 400.
 
     Raises
     ------
@@ -115,7 +115,7 @@ class BifurcationCurve(Result):
     type
         Fold, symmetry breaking, period doubling or graze.
     parameters
-        The two, by name.
+        Names of the two parameters.
     points
         In order; those of codimension two stand among the others, with their own type.
     """
@@ -144,8 +144,8 @@ class BifurcationCurve(Result):
     @property
     def _inner(self) -> BranchPoint:
         """A point that is neither an end nor of codimension two, where there is one."""
-        own = [point for point in self.points if point.type is self.type]
-        return own[len(own) // 2] if own else self.points[0]
+        points = [point for point in self.points if point.type is self.type]
+        return points[len(points) // 2] if points else self.points[0]
 
     @property
     def period(self) -> int:
@@ -164,7 +164,7 @@ class BifurcationCurve(Result):
 
     @property
     def kind(self) -> str:
-        """Symmetric or unsymmetric, in that word."""
+        """Symmetry in a word: "symmetric" or "unsymmetric"."""
         return self._inner.kind
 
     @cached_property
@@ -180,11 +180,11 @@ class BifurcationCurve(Result):
         return np.array([bool(abs(point.multipliers[0]) < 1.0) for point in self.points])
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a row a point."""
+        """Return one row per point."""
         return [_row(1, self.type, point) for point in self.points]
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point."""
+        """Return one row per point."""
         import pandas as pd
 
         return pd.DataFrame(self.rows())
@@ -261,9 +261,9 @@ class BifurcationCurves(Result):
     Attributes
     ----------
     block, motion
-        What moves, and by what; their own values of the two parameters do not count.
+        Block and base motion; their own values of the two parameters do not count.
     parameters, within
-        What moves, and the range of each.
+        The two parameters, and the range of each.
     search
         Which curves were looked for.
     curves
@@ -290,7 +290,7 @@ class BifurcationCurves(Result):
     model: Model = field(default_factory=Linear)
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Yield a row a point of each curve."""
+        """Yield one row per point of each curve."""
         for place, curve in enumerate(self.curves, start=1):
             for point in curve.points:
                 yield _row(place, curve.type, point)
@@ -301,7 +301,7 @@ class BifurcationCurves(Result):
         return next((list(row) for row in self.rows()), ["curve"])
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point of each curve."""
+        """Return one row per point of each curve."""
         import pandas as pd
 
         return pd.DataFrame(list(self.rows()), columns=self.columns)
@@ -339,7 +339,9 @@ class BifurcationCurves(Result):
         ]
         if isinstance(self.block, Block):
             facts.append(block_fact(self.block, self.parameters))
-        found = f"{plural(len(curves), 'curve')}, {plural(len(points), 'point')} of codimension two"
+        summary = (
+            f"{plural(len(curves), 'curve')}, {plural(len(points), 'point')} of codimension two"
+        )
         facts += [
             *model_facts_over(self.block, self.model, self.parameters),
             Fact("orders", list(self.search.orders)),
@@ -349,9 +351,9 @@ class BifurcationCurves(Result):
             Fact("max_branches", self.search.max_branches),
             Fact("max_curves", self.search.max_curves),
             Fact("complete", self.complete),
-            Fact("", label="found", text=found),
+            Fact("", label="found", text=summary),
         ]
-        images = "Of mirror images one is followed. " if self.block.symmetric else ""
+        images = "One of each pair of mirror images is followed. " if self.block.symmetric else ""
         note = (
             f"{images}Curves that hang together with no bifurcation on "
             "the lines across the plane are missed: more lines find more."
@@ -449,7 +451,7 @@ def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> 
 def _curves_table(
     curves: list[dict[str, Any]], parameters: tuple[str, str], named: set[str]
 ) -> Table:
-    """Return a row a curve; an end in the table of points, or of the range, is its place alone."""
+    """Return one row per curve; an end listed elsewhere has its place alone."""
 
     def place(end: dict[str, Any]) -> str:
         values = ", ".join(f"{end[name]:.4g}" for name in parameters)

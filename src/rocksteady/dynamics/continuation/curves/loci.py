@@ -45,7 +45,7 @@ def follow_bifurcation(
 ) -> Iterator[BranchPoint]:
     """Follow a fold, symmetry breaking, period doubling or graze in two parameters.
 
-    The orbit's own equations and the one that makes it a bifurcation are solved together.
+    The orbit's own equations and the condition of the bifurcation are solved together.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def follow_bifurcation(
     direction
         +1 to set off with the second parameter growing, -1 with it falling.
     largest_step
-        Of arclength, in parts of the ranges and of pi of mean phase.
+        Largest step of arclength, in parts of the ranges and of pi of mean phase.
     most_points
         Points after which the curve ends.
 
@@ -67,8 +67,8 @@ def follow_bifurcation(
     BranchPoint
         The origin, then one after another, of the type of the origin; where a second condition is
         met the point has the type of that: `CODIMENSION_TWO` in
-        `rocksteady.dynamics.continuation.points`.  The type of the last one says why the curve
-        ends: also as a graze, where the orbit on another curve meets the floor.
+        `rocksteady.dynamics.continuation.points`.  The type of the last one is the reason why
+        the curve ends: also as a graze, where the orbit on another curve meets the floor.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def follow_curve(
     family, curve
         Its equations.
     kind
-        Of bifurcation.
+        Kind of bifurcation.
     begin
         Where it begins, with the tangent along which it sets off.
     most_points

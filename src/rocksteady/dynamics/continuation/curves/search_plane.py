@@ -68,9 +68,9 @@ def find_bifurcation_curves(
     Branches are followed on lines across the plane in either direction, from the symmetric motions
     in closed form, or those of the nonlinear model to which they lead.  Each bifurcation on them is
     followed in both parameters, and at each point of codimension two the curves that meet there.
-    Of mirror images one is followed.  A block whose sides differ has neither symmetric motions nor
-    mirror images, and no symmetry breaks: all begins from motions with two impacts that a search
-    finds.
+    One of each pair of mirror images is followed.  A block whose sides differ has neither symmetric
+    motions nor mirror images, and no symmetry breaks: all begins from motions with two impacts that
+    a search finds.
 
     Parameters
     ----------
@@ -99,8 +99,8 @@ def find_bifurcation_curves(
     >>> block = DimensionlessBlock(restitution=0.87)
     >>> motion = Harmonic(amplitude=3.0, frequency_ratio=4.2)
     >>> few = CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
-    >>> found = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=few)
-    >>> for each in found.points:
+    >>> curves = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=few)
+    >>> for each in curves.points:
     ...     point = each.point
     ...     print(point.type, f"{point.frequency_ratio:.8f} {point.amplitude:.8f}", each.curves)
     doubling-graze 5.13279136 3.75209273 (2, 3)
@@ -111,12 +111,12 @@ def find_bifurcation_curves(
     shaken, asked = harmonic(motion), CurveSearch() if search is None else search
     names, ranges = _checked_plane(block, shaken, parameters, within)
     lines = list(_lines(block, shaken, names, ranges, asked, equations))
-    found = _Found(names, ranges, asked)
+    collection = _Found(names, ranges, asked)
     for line in lines:
         for branch in line.branches:
             for point in branch.bifurcations:
-                found.add(point)
-    found.follow()
+                collection.add(point)
+    collection.follow()
     whole = all(line.complete for line in lines)
     return BifurcationCurves(
         block=block,
@@ -124,10 +124,10 @@ def find_bifurcation_curves(
         parameters=names,
         within=ranges,
         search=asked,
-        curves=tuple(found.curves),
-        points=tuple(found.meetings()),
+        curves=tuple(collection.curves),
+        points=tuple(collection.meetings()),
         regions=tuple(_regions(lines, ranges)),
-        complete=whole and not found.waiting,
+        complete=whole and not collection.waiting,
         model=equations,
     )
 
@@ -175,7 +175,7 @@ class _Line:
     axis, value
         Index of the parameter over which they are, and the value of the other one.
     branches
-        Of one order.
+        Branches of one order.
     complete
         Whether all were followed.
     """
@@ -197,9 +197,9 @@ def _lines(
     """Yield the branches over each parameter at values of the other, those of each order."""
     for axis in (0, 1):
         low, high = ranges[1 - axis]
-        many = asked.lines[1 - axis]
-        for place in range(many):
-            value = low + (high - low) * (place + 0.5) / many
+        lines = asked.lines[1 - axis]
+        for place in range(lines):
+            value = low + (high - low) * (place + 0.5) / lines
             body, shaken = moved_to(block, motion, names[1 - axis], value)
             for order in asked.orders:
                 search = BranchSearch(
@@ -220,7 +220,7 @@ def _lines(
                     max_impacts=asked.max_impacts,
                     max_branches=asked.max_branches + 1,
                 )
-                most = asked.max_branches  # one more says that more would have begun
+                most = asked.max_branches  # one more shows that more would have begun
                 yield _Line(
                     axis=axis,
                     value=value,
@@ -308,8 +308,8 @@ class _Found:
         for curve in self.curves:
             if curve.type is not kind:
                 continue
-            for one, other in pairwise(curve.points):
-                near = self._between(one.chain, other.chain, chain, place)
+            for earlier, later in pairwise(curve.points):
+                near = self._between(earlier.chain, later.chain, chain, place)
                 if near is not None and chain.repeats(near, NEAR, mirrors=True):
                     return True
         return False
@@ -373,21 +373,21 @@ def _regions(lines: Iterable[_Line], ranges: tuple[Pair, Pair]) -> Iterator[Regi
         parts: list[tuple[float, float, tuple[str, ...]]] = []
         for low, high in pairwise(borders):
             middle = 0.5 * (low + high)
-            there = tuple(
+            words_between = tuple(
                 dict.fromkeys(word for first, last, word in spans if first < middle < last)
             )
-            if not there:
+            if not words_between:
                 continue
-            if parts and parts[-1][1] == low and parts[-1][2] == there:
-                parts[-1] = (parts[-1][0], high, there)
+            if parts and parts[-1][1] == low and parts[-1][2] == words_between:
+                parts[-1] = (parts[-1][0], high, words_between)
             else:
-                parts.append((low, high, there))
-        for low, high, there in parts:
+                parts.append((low, high, words_between))
+        for low, high, words_between in parts:
             if high - low < NARROW * (ranges[axis][1] - ranges[axis][0]):
                 continue
             middle = 0.5 * (low + high)
             place = (middle, value) if axis == 0 else (value, middle)
-            yield Region(place=place, motions=there, extent=(axis, low, high))
+            yield Region(place=place, motions=words_between, extent=(axis, low, high))
 
 
 def _motion_text(branch: Branch) -> str:

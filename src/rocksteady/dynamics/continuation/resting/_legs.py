@@ -77,7 +77,7 @@ def uplift_to(system: System, side: int) -> Section | None:
 
 
 def leg_from(system: System, begin: Section, longest: int) -> Leg:
-    """Return the motion from an uplift, for so many half periods at most."""
+    """Return the motion from an uplift, up to a number of half periods."""
     states: list[Section] = [begin]
     steps: list[Passage] = []
     guess, failure, following = -1.0, None, None
@@ -168,7 +168,7 @@ class Uplifts:
         return tuple(uplift_to(system, side) is not None for side in sides)
 
     def sample(self, value: float, side: int) -> Sample:
-        """Return the orbit with rest through an uplift; of one through both the first has it."""
+        """Return the orbit with rest through an uplift; for one through both the first has it."""
         system = self.system(value)
         begin = uplift_to(system, side)
         if begin is None:
@@ -181,12 +181,12 @@ class Uplifts:
             if self.block.symmetric and not self.block.one_sided:
                 legs.append(mirror_of(leg))
             else:
-                other = leg_from(system, leg.following, 2 * self.longest)
-                legs.append(other)
-                if other.following is None:
-                    return Sample((), tuple(legs), other.failure, True)
+                longer = leg_from(system, leg.following, 2 * self.longest)
+                legs.append(longer)
+                if longer.following is None:
+                    return Sample((), tuple(legs), longer.failure, True)
                 # Both uplifts lead to that of the other side, or the first of them has the orbit.
-                if other.following.side != side or side < 0:
+                if longer.following.side != side or side < 0:
                     return Sample((), tuple(legs), NoRest.ELSEWHERE, True)
         if sum(each.half_cycles for each in legs) > 2 * self.longest:
             return Sample((), tuple(legs), NoRest.NOT_WITHIN, True)
@@ -198,8 +198,8 @@ class Uplifts:
 def apart(one: Sample, other: Sample) -> float:
     """Return the largest difference of the phases of like impacts of two orbits."""
     gap = 0.0
-    for here, there in zip(one.legs, other.legs, strict=True):
-        pairs = zip(here.phases, there.phases, strict=False)
+    for here, second_leg in zip(one.legs, other.legs, strict=True):
+        pairs = zip(here.phases, second_leg.phases, strict=False)
         gap = max(gap, *(abs(first - second) for first, second in pairs))
     return gap
 
@@ -215,8 +215,8 @@ def bend(low: Sample, middle: Sample, high: Sample) -> float:
 
 def first_jump(one: Sample, other: Sample, least: float) -> tuple[int, int, float] | None:
     """Return leg, impact and difference of the first impact whose phases differ by that much."""
-    for row, (here, there) in enumerate(zip(one.legs, other.legs, strict=True)):
-        for k, (a, b) in enumerate(zip(here.phases, there.phases, strict=False)):
+    for row, (here, second_leg) in enumerate(zip(one.legs, other.legs, strict=True)):
+        for k, (a, b) in enumerate(zip(here.phases, second_leg.phases, strict=False)):
             if abs(a - b) > least:
                 return row, k, b - a
     return None

@@ -74,8 +74,8 @@ class Tracer:
 
     def pattern(self, value: float) -> Pattern:
         """Return the pattern of the orbit at a value; empty where there is none."""
-        found = self.sample(value)
-        return found.pattern if found.failure is None else ()
+        sample = self.sample(value)
+        return sample.pattern if sample.failure is None else ()
 
     def looked(self, low: float, high: float) -> list[float]:
         """Return the values between two at which it was looked for an orbit."""
@@ -87,26 +87,26 @@ class Tracer:
 
     def spans(self, low: float, high: float, largest_step: float) -> list[Span]:
         """Return the intervals of a range in which there is an orbit, in order."""
-        many, least = max(1, math.ceil((high - low) / largest_step)), LEAST * largest_step
-        even = [low + (high - low) * (k / many) for k in range(many)] + [high]
+        count, least = max(1, math.ceil((high - low) / largest_step)), LEAST * largest_step
+        even = [low + (high - low) * (k / count) for k in range(count)] + [high]
         values = [low]
         for a, b in pairwise(even):
             values += [*self._between(a, b, HALVINGS), b]
-        found: list[Span] = []
+        spans: list[Span] = []
         begin, kind = low, RestingPointType.RANGE_END
         for a, b in pairwise(values):
-            here, there = self.pattern(a), self.pattern(b)
-            if here == there:
+            here, pattern_end = self.pattern(a), self.pattern(b)
+            if here == pattern_end:
                 continue
             if here:
                 end, _, why = self.edge(a, b)
-                found += self._whole(Span(begin, end, here, kind, why), least)
-            if there:
+                spans += self._whole(Span(begin, end, here, kind, why), least)
+            if pattern_end:
                 begin, _, kind = self.edge(b, a)
         if self.pattern(high):
             last = Span(begin, high, self.pattern(high), kind, RestingPointType.RANGE_END)
-            found += self._whole(last, least)
-        return found
+            spans += self._whole(last, least)
+        return spans
 
     def thresholds(self, low: float, high: float, largest_step: float) -> list[float]:
         """Return the largest values on one side of which the shaking begins to lift the block."""
@@ -117,8 +117,8 @@ class Tracer:
         def lies_still(value: float) -> bool:
             return not lifts(value)
 
-        many = max(1, math.ceil((high - low) / largest_step))
-        even = [low + (high - low) * (k / many) for k in range(many)] + [high]
+        count = max(1, math.ceil((high - low) / largest_step))
+        even = [low + (high - low) * (k / count) for k in range(count)] + [high]
         return [
             bisected(a, b, lifts if lifts(a) else lies_still)[0]
             for a, b in pairwise(even)
@@ -130,13 +130,13 @@ class Tracer:
         pattern, ends = self.pattern(value), [value, value]
         types = [RestingPointType.RANGE_END] * 2
         for place, limit in enumerate((low, high)):
-            many = math.ceil(abs(limit - value) / step)
-            for k in range(1, many + 1):
-                there = limit if k == many else value + (limit - value) * (k / many)
-                if self.pattern(there) != pattern:
-                    ends[place], _, types[place] = self.edge(ends[place], there)
+            count = math.ceil(abs(limit - value) / step)
+            for k in range(1, count + 1):
+                value_at = limit if k == count else value + (limit - value) * (k / count)
+                if self.pattern(value_at) != pattern:
+                    ends[place], _, types[place] = self.edge(ends[place], value_at)
                     break
-                ends[place] = there
+                ends[place] = value_at
         whole = Span(ends[0], ends[1], pattern, types[0], types[1])
         return next(
             each for each in self._whole(whole, step * LEAST) if each.low <= value <= each.high
@@ -159,12 +159,12 @@ class Tracer:
         if span.high - span.low < least:
             return [span]
         values = [spot.value for spot in self._spots(span)]
-        there = [value for value in values if self.sample(value).pattern == span.pattern]
-        hole = next((value for value in values if value not in there), None)
+        matching = [value for value in values if self.sample(value).pattern == span.pattern]
+        hole = next((value for value in values if value not in matching), None)
         if hole is None:
             return [span]
-        before = max(value for value in there if value < hole)
-        after = min(value for value in there if value > hole)
+        before = max(value for value in matching if value < hole)
+        after = min(value for value in matching if value > hole)
         left, beyond, end = self.edge(before, hole)
         right, short, begin = self.edge(after, hole)
         parts = self._whole(span._replace(high=left, end=end), least)

@@ -70,16 +70,15 @@ class RestingBranches(Result):
     Attributes
     ----------
     block, motion, model
-        What moves, by what and in which equations; their own value of the parameter does not
-        count.
+        Block, base motion and equations; their own value of the parameter does not count.
     parameter, within
-        What was varied, and its range.
+        Parameter and its range.
     max_period, resolution
         Longest orbits [forcing periods], and the largest step through the range.
     branches
-        By their lower ends.  Of mirror images one is listed.
+        By their lower ends.  One of each pair of mirror images is listed.
     gaps
-        What the branches leave of the range.
+        Parts of the range without a branch.
     """
 
     block: Block | DimensionlessBlock
@@ -93,13 +92,13 @@ class RestingBranches(Result):
     gaps: tuple[RestingGap, ...]
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """Yield a row a point of each branch, in SI too where the block has a size."""
+        """Yield one row per point of each branch, in SI too where the block has a size."""
         for place, branch in enumerate(self.branches, start=1):
             for point in branch.points:
                 yield resting_row(place, point)
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point of each branch, in SI too where the block has a size."""
+        """Return one row per point of each branch, in SI too where the block has a size."""
         import pandas as pd
 
         return pd.DataFrame(list(self.rows()))
@@ -182,13 +181,13 @@ def find_resting_branches(
     >>> from rocksteady import DimensionlessBlock, Harmonic
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    >>> found = find_resting_branches(block, motion, "amplitude", (0.9, 1.08), resolution=0.02)
-    >>> for branch in found.branches:
+    >>> branches = find_resting_branches(block, motion, "amplitude", (0.9, 1.08), resolution=0.02)
+    >>> for branch in branches.branches:
     ...     print(branch.kind, branch.period, branch.begin.type, branch.end.type)
     ...     print(f"{branch.within[0]:.12f} {branch.within[1]:.12f}")
     symmetric 1 uplift end-of-rest
     1.000000000000 1.076291189582
-    >>> for gap in found.gaps:
+    >>> for gap in branches.gaps:
     ...     print(f"{gap.low:.3f} {gap.high:.3f}", *gap.reasons)
     0.900 1.000 below-uplift
     1.076 1.080 no-rest
@@ -274,8 +273,8 @@ def follow_resting_orbit(
         )
     for side in uplifts.sides:
         tracer = Tracer(uplifts, side)
-        found = tracer.sample(value)
-        if found.failure is None and sum(h for _, h in found.pattern) == 2 * period:
+        sample = tracer.sample(value)
+        if sample.failure is None and sum(h for _, h in sample.pattern) == 2 * period:
             return _branch(tracer, tracer.span_around(value, low, high, step))
     raise ModelError(
         "origin",
@@ -293,7 +292,7 @@ def _asked(
     Raises
     ------
     InputError
-        If one of them is none.
+        If one of them is not valid.
     """
     bare_block(moving.block)
     harmonic(moving.motion)

@@ -48,9 +48,9 @@ class Excursion:
     Attributes
     ----------
     side
-        To which the block lifts.
+        Side to which the block lifts.
     uplift_phase
-        Of the shaking, in [0, 2 pi).
+        Phase of the shaking at the uplift, in [0, 2 pi).
     impacts
         States after the impacts, until it is proved that the bounces die out.
     impact_phases
@@ -87,9 +87,9 @@ class RestingPoint(Result):
     Attributes
     ----------
     type
-        What is special about it.
+        Type of the point.
     block, motion, model
-        What moves at this point, by what and in which equations.
+        Block, base motion and equations at this point.
     gains
         At a graze 1 where two impacts are added as the parameter grows, -1 where they vanish; 0
         elsewhere.
@@ -132,12 +132,12 @@ class RestingPoint(Result):
 
     @property
     def kind(self) -> str:
-        """Symmetric or unsymmetric, in that word."""
+        """Symmetry in a word: "symmetric" or "unsymmetric"."""
         return "symmetric" if self.symmetric else "unsymmetric"
 
     @property
     def rest_phases(self) -> int:
-        """Times it comes to rest within a period of its own."""
+        """Number of rests in a period of the orbit."""
         return len(self.legs)
 
     @property
@@ -179,13 +179,13 @@ class RestingPoint(Result):
         return np.array([each.rest for each in self.excursions])
 
     def orbit(self) -> Orbit:
-        """Return the orbit, as `rocksteady.find_orbits` has it."""
+        """Return the orbit, as from `rocksteady.find_orbits`."""
         system = make_system(self.block, self.motion, self.model)
         passages = sum(len(leg.states) for leg in self.legs)
         table = np.zeros((passages, periodic.ORBIT_COLUMNS))
         begin = self.legs[0].states[0]
-        found = periodic.polish(system, begin, passages, self.period, table)
-        return orbit_from(self.block, self.motion, table, self.period, found.residual, self.model)
+        orbit = periodic.polish(system, begin, passages, self.period, table)
+        return orbit_from(self.block, self.motion, table, self.period, orbit.residual, self.model)
 
     def describe(self) -> Description:
         """Return where the point is, what is special about it, and its orbit."""
@@ -245,10 +245,9 @@ class RestingBranch(Result):
     Attributes
     ----------
     block, motion, model
-        What moves, by what and in which equations; their own value of the parameter does not
-        count.
+        Block, base motion and equations; their own value of the parameter does not count.
     parameter
-        Over what it was followed.
+        Parameter over which it was followed.
     points
         With the parameter growing; the special ones stand among the regular ones.
     """
@@ -275,12 +274,12 @@ class RestingBranch(Result):
 
     @property
     def begin(self) -> RestingPoint:
-        """Its lower end, whose type says why it ends there."""
+        """Its lower end, whose type is the reason why it ends there."""
         return self.points[0]
 
     @property
     def end(self) -> RestingPoint:
-        """Its upper end, whose type says why it ends there."""
+        """Its upper end, whose type is the reason why it ends there."""
         return self.points[-1]
 
     @property
@@ -300,12 +299,12 @@ class RestingBranch(Result):
 
     @property
     def kind(self) -> str:
-        """Symmetric or unsymmetric, in that word."""
+        """Symmetry in a word: "symmetric" or "unsymmetric"."""
         return self.points[0].kind
 
     @property
     def rest_phases(self) -> int:
-        """Times its orbits come to rest within their period."""
+        """Number of rests in a period of its orbits."""
         return self.points[0].rest_phases
 
     @property
@@ -361,15 +360,15 @@ class RestingBranch(Result):
         begin = self.points[0].legs
         pattern = tuple((leg.side, leg.half_cycles) for leg in begin)
         if low <= number <= high:
-            found = uplifts.sample(number, begin[0].side)
-            if found.pattern == pattern:
+            sample = uplifts.sample(number, begin[0].side)
+            if sample.pattern == pattern:
                 block, motion = uplifts.moved(number)
                 return RestingPoint(
                     type=RestingPointType.REGULAR,
                     block=block,
                     motion=motion,
                     model=self.model,
-                    legs=found.legs,
+                    legs=sample.legs,
                 )
         raise InputError(
             "value",
@@ -379,11 +378,11 @@ class RestingBranch(Result):
         )
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return a row a point, in SI too where the block has a size."""
+        """Return one row per point, in SI too where the block has a size."""
         return [resting_row(1, point) for point in self.points]
 
     def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a point, in SI too where the block has a size."""
+        """Return one row per point, in SI too where the block has a size."""
         import pandas as pd
 
         return pd.DataFrame(self.rows())

@@ -150,7 +150,7 @@ def model_facts(block: AnyBlock, model: Any) -> list[Fact]:
 
 
 def fixed_facts(result: Any) -> list[Fact]:
-    """Return the three parameters of a branch; None for the one that moves."""
+    """Return the three parameters of a branch; None for the varied parameter."""
     fixed = {
         "amplitude": result.motion.amplitude,
         "frequency_ratio": result.motion.frequency_ratio,

@@ -29,7 +29,7 @@ class NoRest(StrEnum):
     OVERTURNS = "overturns"
     """Lifted from rest, the block falls."""
     NOT_WITHIN = "no-rest"
-    """It does not rest, or not in the same way again, within the longest period asked for."""
+    """It does not rest, or not in the same way again, within the longest period."""
     UNDECIDED = "undecided"
     """A small difference grows by more than 1e12 before the rest: rounding decides."""
     ELSEWHERE = "elsewhere"

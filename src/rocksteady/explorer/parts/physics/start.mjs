@@ -199,7 +199,7 @@ function growingDirection(kernels, rows, velocity, frequencyRatio, branch) {
   if (!(largest > 0 && largest < Infinity)) {
     throw new NoStart(
       `branch ${branch}: at Omega = ${generalFormat(frequencyRatio, 6)} its half cycle is so long `
-        + 'that no number says how it is left',
+        + 'that no number determines how it is left',
       'take a State to start from',
     );
   }

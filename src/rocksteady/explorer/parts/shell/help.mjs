@@ -24,7 +24,7 @@ const PANEL_WORDS = {
   quake: 'the ground motion and the angle of the block; drop a file to read another',
   spectrum: 'the largest angle of blocks of other sizes under this motion',
   verdict: 'whether the block overturns, at this scale of the motion and at others',
-  design: 'sizes of blocks that stand the demand, and those that do not',
+  design: 'sizes of blocks that stand the demand, and sizes that fall',
   designed: 'the chosen block in numbers',
 };
 

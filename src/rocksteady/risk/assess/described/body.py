@@ -145,22 +145,22 @@ def _form(shape: Geometry, source: str) -> int:
     """Return which of the three ways a geometry is given in."""
     given = [key for key in shape.__struct_fields__ if getattr(shape, key) is not None]
     heads = (("width_m", "height_m"), ("left_m", "right_m"), ("alpha_rad", "alpha_deg", "p_rad_s"))
-    found = [place for place, head in enumerate(heads) if set(head) & set(given)]
+    places = [place for place, head in enumerate(heads) if set(head) & set(given)]
     table = f"{source}: [geometry]"
     ways = "; ".join(FORMS)
-    if not found:
+    if not places:
         raise ModelError(
             table, Words("has no size"), f"it is one of: {ways}", "add width_m and height_m"
         )
-    if len(found) > 1:
-        both = [next(key for key in heads[place] if key in given) for place in found]
+    if len(places) > 1:
+        keys = [next(key for key in heads[place] if key in given) for place in places]
         raise ModelError(
             table,
-            Words(f"has both {both[0]} and {both[1]}"),
+            Words(f"has both {keys[0]} and {keys[1]}"),
             f"the size is given in one way: {ways}",
-            f"leave {both[0]} or {both[1]} out",
+            f"leave {keys[0]} or {keys[1]} out",
         )
-    (form,) = found
+    (form,) = places
     fits = FORMS[list(FORMS)[form]]
     for key in given:
         if key not in fits:
@@ -183,13 +183,13 @@ def _form(shape: Geometry, source: str) -> int:
                 f"a geometry is one of: {ways}",
                 "add it",
             )
-    for one, other in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):
-        if one in given and other in given:
+    for first, second in (("gyration_m", "inertia_kg_m2"), ("alpha_rad", "alpha_deg")):
+        if first in given and second in given:
             raise ModelError(
                 table,
-                Words(f"has both {one} and {other}"),
+                Words(f"has both {first} and {second}"),
                 "one of the two is enough",
-                f"leave {one} or {other} out",
+                f"leave {first} or {second} out",
             )
     if "inertia_kg_m2" in given and "mass_kg" not in given:
         raise ModelError(

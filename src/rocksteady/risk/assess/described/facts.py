@@ -29,7 +29,7 @@ class ObjectFacts(Result):
     name
         Name of the object.
     block
-        The block that it is; of a range the middle.
+        The block that it is; for a range the middle.
     uplift_pga_g
         Static base acceleration that lifts its weaker side, tan(alpha) [g].
     friction
@@ -125,7 +125,7 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
     Raises
     ------
     InputError
-        If the object is none.
+        If `described` is no object.
 
     Examples
     --------

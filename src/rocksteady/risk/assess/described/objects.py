@@ -1,4 +1,4 @@
-"""One object as its owner knows it: a TOML file, checked, and the blocks that it can be."""
+"""One object as its owner describes it: a TOML file, checked, and the blocks that it can be."""
 
 import hashlib
 from collections.abc import Mapping
@@ -56,7 +56,7 @@ class ObjectFile(Result):
     Parameters
     ----------
     values
-        Tables and keys of `docs/objects.md`, as `tomllib` returns them; units are in the names.
+        Tables and keys of `docs/guides/objects.md`, as `tomllib` returns them, units in the names.
     source
         Where they come from, for messages; default "object".
     extra
@@ -109,7 +109,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     @property
     def body(self) -> Body:
-        """The object with its content as one body; of a range the middle."""
+        """The object with its content as one body; for a range the middle."""
         return body_of(self.given, self.source)
 
     @property
@@ -122,7 +122,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     @property
     def block(self) -> Block:
-        """The block that it is; of a range the middle."""
+        """The block that it is; for a range the middle."""
         return self._made(self.body, self.restitution)
 
     def block_of(self, body: Body) -> Block:
@@ -162,7 +162,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         )
 
     def describe(self) -> Description:
-        """Return what the file says of it."""
+        """Return the description in the file."""
         block = self.block.describe()
         about = [
             Fact("name", self.name, "name"),
@@ -237,7 +237,7 @@ def read_object(path: Path | str) -> ObjectFile:
     Parameters
     ----------
     path
-        The file; its keys are in `docs/objects.md`.
+        The file; its keys are in `docs/guides/objects.md`.
 
     Returns
     -------

@@ -105,7 +105,7 @@ def _object(cells: Mapping[str, str], source: str, sha256: str) -> ObjectFile:
 
 def _value(column: str, cell: str, name: str) -> object:
     """Return the number or the range of a cell; a text or a form of "housner" stays."""
-    if column in TEXTS or "housner" in cell:  # of which the validation of the values knows more
+    if column in TEXTS or "housner" in cell:  # the validation of the values checks it
         return cell
     if column == "against_wall":
         if cell.lower() not in ANSWERS:

@@ -42,7 +42,7 @@ class Evidence:
     tests: Integers
 
     def weights(self, temper: float = 1.0, kept: Bools | None = None) -> Floats:
-        """Return the weights of the draws by all tests, or by those that are kept."""
+        """Return the weights of the draws by all tests, or by the tests that are kept."""
         given = self.log_likelihood if kept is None else self.log_likelihood[:, kept]
         return normalised((self.base + temper * given.sum(axis=1))[:, np.newaxis])[:, 0]
 
@@ -79,8 +79,8 @@ def normalised(logs: Floats) -> Floats:
 
 def effective(weights: Floats) -> Floats:
     """Return how many equal weights are worth as much, 1/sum(w^2), along the first axis."""
-    found: Floats = 1.0 / np.square(weights).sum(axis=0)
-    return found
+    counts: Floats = 1.0 / np.square(weights).sum(axis=0)
+    return counts
 
 
 def hold_out(
@@ -99,7 +99,7 @@ def hold_out(
     Parameters
     ----------
     evidence
-        Of each object.
+        Evidence of each object.
     codes
         Number of each test's group, from 0.
     temper
@@ -112,17 +112,17 @@ def hold_out(
     .. [1] A. B. Owen, Monte Carlo Theory, Methods and Examples (2013), 9.2.
     """
     total = len(codes)
-    found = {key: np.full(total, np.nan) for key in ("p", "low", "high", "error", "effective")}
+    columns = {key: np.full(total, np.nan) for key in ("p", "low", "high", "error", "effective")}
     exponent = np.broadcast_to(np.asarray(temper, dtype=np.float64), int(codes.max()) + 1)
     for each in evidence:
         groups, place = np.unique(codes[each.tests], return_inverse=True)
-        own = _sums_by(each.log_likelihood, place, len(groups))
-        rest = each.log_likelihood.sum(axis=1)[:, np.newaxis] - own
+        sums = _sums_by(each.log_likelihood, place, len(groups))
+        rest = each.log_likelihood.sum(axis=1)[:, np.newaxis] - sums
         weights = normalised(each.base[:, np.newaxis] + exponent[groups] * rest)
         parts = predict_with(weights[:, place], each.share, ends=ends)
         for key, values in parts.items():
-            found[key][each.tests] = values
-    return HeldOut(**found)
+            columns[key][each.tests] = values
+    return HeldOut(**columns)
 
 
 def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[str, Floats]:
@@ -131,7 +131,8 @@ def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[s
     Parameters
     ----------
     weights, share
-        Of each draw and test, shape (draws, tests); of the weights one column may stand for all.
+        Weight and share of each draw and test, shape (draws, tests); one column of weights may
+        stand for all.
     ends
         Whether the band is wanted too.
     """
@@ -142,11 +143,11 @@ def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[s
         error = error / np.sqrt(1.0 - 1.0 / count)
     # Of a draw that has all the weight the formula gives 0, and of its error nothing is known.
     error = np.where(count < 2.0, 0.5, error)
-    found = {"p": p, "error": error, "effective": count}
+    columns = {"p": p, "error": error, "effective": count}
     if ends:
         wide = np.broadcast_to(weights, share.shape)
-        found["low"], found["high"] = weighted_quantiles(share, wide, (0.05, 0.95))
-    return found
+        columns["low"], columns["high"] = weighted_quantiles(share, wide, (0.05, 0.95))
+    return columns
 
 
 def weighted_quantiles(values: Floats, weights: Floats, at: Sequence[float]) -> Floats:
@@ -212,7 +213,7 @@ def _nested_scores(
     """Return sums of the log score of folds without a group, shape (tempers, folds, groups)."""
     groups, draws = len(folds), len(each.base)
     known = np.isfinite(fell)
-    own = _sums_by(each.log_likelihood, codes, groups)
+    sums = _sums_by(each.log_likelihood, codes, groups)
     total = each.log_likelihood.sum(axis=1)
     scores = np.zeros((len(ladder), int(folds.max()) + 1, groups))
     step = max(1, MOST_WEIGHTS // draws)
@@ -220,10 +221,10 @@ def _nested_scores(
         inside = np.flatnonzero((folds[codes] == fold) & known)
         if len(inside) == 0:
             continue
-        left = total - own[:, folds == fold].sum(axis=1)
+        left = total - sums[:, folds == fold].sum(axis=1)
         for begin in range(0, groups, step):
             outer = np.arange(begin, min(groups, begin + step))
-            without = left[:, np.newaxis] - own[:, outer] * (folds[outer] != fold)
+            without = left[:, np.newaxis] - sums[:, outer] * (folds[outer] != fold)
             # Groups whose tests are of other objects, or lie in the fold, change nothing here.
             same, back = np.unique(
                 np.where((folds[outer] != fold) & np.isin(outer, codes), outer, -1),
@@ -244,5 +245,5 @@ def _sums_by(values: Floats, place: Integers, groups: int) -> Floats:
     """Return the sums of columns of the same group, shape (rows, groups)."""
     member = np.zeros((values.shape[1], groups))
     member[np.arange(values.shape[1]), place] = 1.0
-    found: Floats = values @ member
-    return found
+    sums: Floats = values @ member
+    return sums

@@ -32,7 +32,7 @@ class Trial:
     Attributes
     ----------
     evidence
-        Of each object.
+        Evidence of each object.
     codes, objects
         Number of the group and of the object of each test, shape (tests,).
     fell
@@ -71,7 +71,7 @@ def learning_curve(trial: Trial, *, seed: int) -> list[dict[str, Any]]:
     Returns
     -------
     list
-        Of each size `groups`, `tests` (mean number of the training), and the `Scores` of
+        For each size `groups`, `tests` (mean number of the training), and the `Scores` of
         "calibrated", "logistic" and "base rate": means of the ten, with their 5 and 95 %.
     """
     names = np.unique(trial.codes)
@@ -82,12 +82,12 @@ def learning_curve(trial: Trial, *, seed: int) -> list[dict[str, Any]]:
         parts = []
         for _ in range(REPEATS):
             train = np.isin(trial.codes, rng.choice(names, size=size, replace=False))
-            found = _once(trial, train)
-            if found:
-                parts.append((float((train & np.isfinite(trial.fell)).sum()), found))
+            result = _once(trial, train)
+            if result:
+                parts.append((float((train & np.isfinite(trial.fell)).sum()), result))
         if parts:
             row: dict[str, Any] = {"groups": size, "tests": float(np.mean([n for n, _ in parts]))}
-            row |= {name: _mean([found[name] for _, found in parts]) for name in RULES}
+            row |= {name: _mean([part[name] for _, part in parts]) for name in RULES}
             rows.append(row)
     return rows
 
@@ -137,10 +137,10 @@ def _once(trial: Trial, train: Bools) -> dict[str, Scores]:
 
 def _of_tests(each: Evidence, kept: Bools) -> Evidence:
     """Return what draws make of some of the tests."""
-    own = kept[each.tests]
+    mask = kept[each.tests]
     return replace(
         each,
-        log_likelihood=each.log_likelihood[:, own],
-        share=each.share[:, own],
-        tests=each.tests[own],
+        log_likelihood=each.log_likelihood[:, mask],
+        share=each.share[:, mask],
+        tests=each.tests[mask],
     )

@@ -44,7 +44,7 @@ def measures_of(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]
         pga, pgv, duration = courses[id(test.record)]
         uplift, rate = scales[test.object]
         measures = (test.gain * pga / uplift, test.gain * rate * pgv / uplift, pgv / pga, duration)
-        rows.append([math.log(max(one, LEAST)) for one in measures])
+        rows.append([math.log(max(measure, LEAST)) for measure in measures])
     return np.array(rows)
 
 
@@ -65,19 +65,19 @@ def _scale_of(given: ObjectPrior) -> tuple[float, float]:
 
 def base_rate(fell: Floats, objects: Integers, train: Bools) -> Floats:
     """Return the share of an object's tests that fell, (k + 1)/(n + 2), for each test."""
-    found = np.full(len(fell), 0.5)
+    rates = np.full(len(fell), 0.5)
     for number in np.unique(objects):
-        own = objects == number
-        seen = fell[own & train & np.isfinite(fell)]
-        found[own] = (seen.sum() + 1.0) / (len(seen) + 2.0)
-    return found
+        rows = objects == number
+        seen = fell[rows & train & np.isfinite(fell)]
+        rates[rows] = (seen.sum() + 1.0) / (len(seen) + 2.0)
+    return rates
 
 
 def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats]:
     """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
 
     Measures are taken in standard deviations, and each slope has a normal prior of scale 2.5, near
-    the Cauchy density of [1].  The constant has none but for a tenth of a trial of each kind, so
+    the Cauchy density of [1].  The constant has none except a tenth of a trial of each kind, so
     that outcomes of one kind have a fit.
 
     References
@@ -113,8 +113,8 @@ def logistic(measures: Floats, fell: Floats, train: Bools) -> Floats:
         return np.full(len(fell), 0.5)
     centre, scale, at = fit_logistic(measures[used], fell[used])
     odds = at[0] + (measures - centre) / scale @ at[1:]
-    found: Floats = 1.0 / (1.0 + np.exp(-np.clip(odds, -30.0, 30.0)))
-    return found
+    p: Floats = 1.0 / (1.0 + np.exp(-np.clip(odds, -30.0, 30.0)))
+    return p
 
 
 def out_of_group(

@@ -26,7 +26,7 @@ REPLICATES = 1000
 NAMES = ("accuracy", "f1", "brier", "log_score", "ece")
 WORDS = {
     "accuracy": "accuracy",
-    "f1": "F1 of those that fell",
+    "f1": "F1 of falls",
     "brier": "Brier score",
     "log_score": "log score",
     "ece": "calibration error",
@@ -50,7 +50,7 @@ class Scores(Result):
     ece
         Mean over the tests of abs(mean p - share that fell) of their tenth of p.
     tests, groups
-        How many were scored.
+        Number of tests and of groups that were scored.
     """
 
     accuracy: Interval
@@ -105,7 +105,7 @@ def score_predictions(
     Parameters
     ----------
     probabilities
-        Of a fall, shape (tests,).
+        Probabilities of a fall, shape (tests,).
     fell
         Outcomes, 1 of a test that fell and 0 of one that stood, shape (tests,).
     groups
@@ -113,7 +113,7 @@ def score_predictions(
     replicates
         Redrawn sets, default 1000; 0 leaves the intervals at nan.
     seed
-        Of the redrawing; default 0.
+        Seed of the redrawing; default 0.
 
     Returns
     -------
@@ -128,8 +128,8 @@ def score_predictions(
     Examples
     --------
     >>> from rocksteady import score_predictions
-    >>> found = score_predictions([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
-    >>> print(f"{found.accuracy[0]:.3f} {found.brier[0]:.3f}")
+    >>> scores = score_predictions([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
+    >>> print(f"{scores.accuracy[0]:.3f} {scores.brier[0]:.3f}")
     0.667 0.137
     """
     p, y = np.asarray(probabilities, dtype=np.float64), np.asarray(fell)
@@ -162,9 +162,9 @@ def scores_of(
         drawn = np.random.default_rng(seed).multinomial(
             groups, np.full(groups, 1.0 / groups), size=replicates
         )
-        found = _from_sums(drawn @ sums)
+        scores = _from_sums(drawn @ sums)
         for place in range(len(NAMES)):
-            known = found[np.isfinite(found[:, place]), place]
+            known = scores[np.isfinite(scores[:, place]), place]
             if len(known):
                 ends[:, place] = np.quantile(known, [0.05, 0.95])
     intervals = {
@@ -176,8 +176,8 @@ def scores_of(
 
 def bin_of(p: Floats) -> Integers:
     """Return the tenth that each probability lies in, 0 to 9."""
-    found: Integers = np.minimum((BINS * p).astype(np.int64), BINS - 1)
-    return found
+    bins: Integers = np.minimum((BINS * p).astype(np.int64), BINS - 1)
+    return bins
 
 
 def _sums(p: Floats, fell: Floats, codes: Integers) -> Floats:
@@ -192,9 +192,9 @@ def _sums(p: Floats, fell: Floats, codes: Integers) -> Floats:
     columns[:, 4] = np.square(p - fell)
     columns[:, 5] = -np.log(np.maximum(happened, LEAST))
     columns[np.arange(len(p)), 6 + bin_of(p)] = p - fell
-    found = np.zeros((int(codes.max()) + 1, columns.shape[1]))
-    np.add.at(found, codes, columns)
-    return found
+    totals = np.zeros((int(codes.max()) + 1, columns.shape[1]))
+    np.add.at(totals, codes, columns)
+    return totals
 
 
 def _from_sums(sums: Floats) -> Floats:

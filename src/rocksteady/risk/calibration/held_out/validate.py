@@ -39,10 +39,10 @@ class Validation(Result):
     temper_scores
         `Scores` by temper, of all groups at that temper.
     predictions
-        Of each test without its group.
+        Predictions of each test without its group.
     reliability
-        Of each tenth of p that holds tests: `from`, `to`, `tests`, `predicted` (mean p), `observed`
-        (share that fell), and `low`, `high` of its 90 % interval (of Jeffreys).
+        For each tenth of p that holds tests: `from`, `to`, `tests`, `predicted` (mean p),
+        `observed` (share that fell), and `low`, `high` of its 90 % interval (of Jeffreys).
     residuals
         By "record" and by "session" a row for each: `name`, `tests`, `fell`, `expected`,
         `deviation` of it, and `z`, the difference over the deviation.
@@ -114,8 +114,8 @@ class Validation(Result):
 
     def _tempers(self) -> list[Row]:
         return [
-            {"temper": temper, "log_score": found.log_score[0], "brier": found.brier[0]}
-            for temper, found in self.temper_scores.items()
+            {"temper": temper, "log_score": scores.log_score[0], "brier": scores.brier[0]}
+            for temper, scores in self.temper_scores.items()
         ]
 
 
@@ -202,35 +202,35 @@ def temper_of(trial: Trial) -> float:
 
 def _plain(scores: Scores) -> Row:
     """Return scores and their ends as values of a row."""
-    found: Row = {}
+    row: Row = {}
     for key in NAMES:
         value, low, high = getattr(scores, key)
-        found |= {key: value, f"{key}_low": low, f"{key}_high": high}
-    return found
+        row |= {key: value, f"{key}_low": low, f"{key}_high": high}
+    return row
 
 
 def _reliability(p: Floats, fell: Floats) -> list[Row]:
     """Return the tenths of p that hold tests."""
     from scipy.special import betaincinv
 
-    found = []
+    rows = []
     place = bin_of(p)
     for tenth in np.unique(place).tolist():
-        own = place == tenth
-        tests, count = int(own.sum()), float(fell[own].sum())
+        members = place == tenth
+        tests, count = int(members.sum()), float(fell[members].sum())
         low, high = (betaincinv(count + 0.5, tests - count + 0.5, end) for end in (0.05, 0.95))
-        found.append(
+        rows.append(
             {
                 "from": tenth / BINS,
                 "to": (tenth + 1) / BINS,
                 "tests": tests,
-                "predicted": float(p[own].mean()),
+                "predicted": float(p[members].mean()),
                 "observed": count / tests,
                 "low": float(low) if count else 0.0,
                 "high": float(high) if count < tests else 1.0,
             }
         )
-    return found
+    return rows
 
 
 def _residuals(p: Floats, fell: Floats, tests: Sequence[ShakingTest]) -> dict[str, tuple[Row, ...]]:
@@ -239,24 +239,27 @@ def _residuals(p: Floats, fell: Floats, tests: Sequence[ShakingTest]) -> dict[st
         "record": [test.record.name or test.group or "" for test in tests],
         "session": [test.session for test in tests],
     }
-    found = {}
+    groups = {}
     for kind, names in keys.items():
         rows = []
         for name in dict.fromkeys(name for name in names if name is not None):
-            own = np.array([each == name for each in names]) & np.isfinite(fell)
-            if not own.any():
+            chosen = np.array([each == name for each in names]) & np.isfinite(fell)
+            if not chosen.any():
                 continue
-            expected, deviation = float(p[own].sum()), float(np.sqrt((p * (1.0 - p))[own].sum()))
-            count = int(fell[own].sum())
+            expected, deviation = (
+                float(p[chosen].sum()),
+                float(np.sqrt((p * (1.0 - p))[chosen].sum())),
+            )
+            count = int(fell[chosen].sum())
             rows.append(
                 {
                     "name": name,
-                    "tests": int(own.sum()),
+                    "tests": int(chosen.sum()),
                     "fell": count,
                     "expected": expected,
                     "deviation": deviation,
                     "z": (count - expected) / deviation if deviation > 0.0 else 0.0,
                 }
             )
-        found[kind] = tuple(rows)
-    return found
+        groups[kind] = tuple(rows)
+    return groups

@@ -111,8 +111,8 @@ def number_in(place: str, column: str, cell: str) -> float:
     Raises
     ------
     InputError
-        With file, line and column, if it is none: of Python's, only finite ones that everyone
-        reads, so that neither "1_7" is 17 nor a digit of another script a number.
+        With file, line and column, if it is no number: of Python's numbers only finite ones that
+        everyone reads, so that neither "1_7" is 17 nor a digit of another script a number.
     """
     try:
         value = float(cell) if cell.isascii() and "_" not in cell else math.nan
@@ -207,7 +207,7 @@ def _header(names: Sequence[str], place: str, columns: Columns) -> list[str]:
 def _meant(name: str, known: Collection[str], names: Sequence[str]) -> str | None:
     """Return the column that a name which is not read seems to mean; None if it seems to mean none.
 
-    Besides names that look alike, those with the letters of a column in another order, and those
+    Besides names that look alike, those with the letters of a column in another order, and names
     that begin with the quantity of a column which the table does not have: "gain [%]", "peak_deg".
     """
     word = name.lower()

@@ -68,7 +68,7 @@ class RecordFiles:
                 raise InputError(
                     f"{place}, {option}", error.value, error.valid, error.hint
                 ) from None
-            # The name of the file is in the cell, and its whole path says no more.
+            # The name of the file is in the cell, and its whole path adds nothing.
             raise InputError(
                 f"{place}, {column}", name, f"it cannot be read: {error.valid}", error.hint
             ) from None
@@ -79,21 +79,21 @@ class RecordFiles:
     def records(self) -> dict[Channel, Record]:
         """Return every channel that has been named, each record with a name of its own."""
         alike = Counter(record.name for record in self._named.values())
-        own = {}
+        records = {}
         for (path, number), record in self._named.items():
-            own[path, number] = record
+            records[path, number] = record
             if alike[record.name] > 1:
                 several = f" channel {number}" if len(self._read[path]) > 1 else ""
-                own[path, number] = replace(record, name=f"{self._shown(path)}{several}")
-        return own
+                records[path, number] = replace(record, name=f"{self._shown(path)}{several}")
+        return records
 
     def _all_channels(self, path: Path) -> tuple[Recording, ...]:
         """Return the channels of a file, and keep its hash and its warnings."""
         recordings = read_recordings(path, units=self._units, dt_s=self._dt_s)
         shown = self._shown(path)
         self.sources[shown] = hashlib.sha256(path.read_bytes()).hexdigest()
-        said = dict.fromkeys(text for each in recordings for text in each.warnings)
-        self.remarks += [f"{shown}: {text}" for text in said]
+        remarks = dict.fromkeys(text for each in recordings for text in each.warnings)
+        self.remarks += [f"{shown}: {text}" for text in remarks]
         return recordings
 
     def _shown(self, path: Path) -> str:
@@ -130,8 +130,10 @@ class RecordFiles:
         if len(fitting) == 1:
             return fitting[0]
         if fitting:
-            both = ", ".join(path.name for path in fitting)
-            raise InputError(place, name, f"{both} have this name", "give it with its suffix")
+            names_fitting = ", ".join(path.name for path in fitting)
+            raise InputError(
+                place, name, f"{names_fitting} have this name", "give it with its suffix"
+            )
         if given.is_dir():
             raise InputError(place, name, "it is a folder", hint)
         names = [path.name for path in files] + [path.stem for path in files]

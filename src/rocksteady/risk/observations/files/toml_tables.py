@@ -100,8 +100,8 @@ class TomlTables:
         if path in self.kinds or not key:
             wanted = ["a table of keys"]
             if path in self.lists:
-                many = "array" in what.partition(",")[0]
-                wanted = [f"tables, each below its own [[{path}]]"] if many else wanted
+                is_array = "array" in what.partition(",")[0]
+                wanted = [f"tables, each below its own [[{path}]]"] if is_array else wanted
         if not wanted:  # of an integer beyond 64 bits nothing is quoted
             wanted = ["a number of usual size"]
         valid = f"it must be {' or '.join(dict.fromkeys(wanted))}"
@@ -110,9 +110,9 @@ class TomlTables:
     def _missing(self, key: str, path: str, source: str) -> InputError:
         """Return the refusal of a table without a key that it needs."""
         if path not in self.kinds:
-            table, _, own = path.rpartition(".")
+            table, _, last_part = path.rpartition(".")
             return InputError(
-                self._named(source, table, own),
+                self._named(source, table, last_part),
                 Words(f"has no {key}"),
                 "a range has a low and a high",
                 "write { low = 0.3, high = 0.5 }, or one number",
@@ -126,8 +126,8 @@ class TomlTables:
 
     def _unknown(self, key: str, table: str, source: str) -> InputError:
         """Return the refusal of a key that no table has, or another one."""
-        own = self.keys_of(table)
-        near = difflib.get_close_matches(key, own, n=1)
+        keys = self.keys_of(table)
+        near = difflib.get_close_matches(key, keys, n=1)
         homes = [name for name in self.kinds if key in self.keys_of(name) and name != table]
         if homes:
             hint = f"it belongs to {self._place(homes[0])}"
@@ -142,12 +142,12 @@ class TomlTables:
         return InputError(
             self._named(source, table, key) if known else f"{named(source, above, last)}: {key}",
             Words("is unknown"),
-            f"{f'the keys of {self._place(table)}' if known else 'its keys'} are {', '.join(own)}",
+            f"{f'the keys of {self._place(table)}' if known else 'its keys'} are {', '.join(keys)}",
             hint,
         )
 
     def _named(self, source: str, table: str, key: str) -> str:
-        """Return a key with its table; of a list the table stands in the source already."""
+        """Return a key with its table; for a list the table stands in the source already."""
         return named(source, "" if table in self.lists else table, key)
 
     def _place(self, table: str) -> str:

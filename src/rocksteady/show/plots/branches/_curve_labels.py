@@ -18,11 +18,11 @@ Floats = NDArray[np.float64]
 SPACING = 3.0
 """Between the points of a line at which a word is tried [points]."""
 BUNDLE = 4.0
-"""Distance of lines that the eye does not tell apart [points]."""
+"""Distance below which lines look like one [points]."""
 STRAIGHT = 2.5
 """Largest distance of a line from the chord under its word [points]."""
 MOST_NAMES = 2
-"""Names in one word on a bundle of lines; of a larger one the first alone is written."""
+"""Names in one word on a bundle of lines; for a larger one the first alone is written."""
 AROUND = [(1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1)]
 """Sides of a mark on which its word is tried, in turn."""
 
@@ -51,8 +51,8 @@ class Words:
     def there(self, places: Floats) -> Floats:
         """Return places in points from the lower left corner."""
         shown = self.axes.transData.transform(np.asarray(places, dtype=float))
-        found: Floats = self.axes.transAxes.inverted().transform(shown) * self.size
-        return found
+        points: Floats = self.axes.transAxes.inverted().transform(shown) * self.size
+        return points
 
     def take(self, places: Sequence[tuple[float, float]], radius: float) -> None:
         """Keep words off marks."""
@@ -60,7 +60,7 @@ class Words:
             self.taken.append((self.there(np.array(places)), radius))
 
     def along(self, names: Sequence[str], colours: Sequence[str]) -> None:
-        """Write names along lines, where each has most room; of a bundle on one of its lines."""
+        """Write names along lines, where each has most room; for a bundle on one of its lines."""
         size = text_size(self.axes, 7.0)
         named = [False] * len(self.lines)
         order = sorted(range(len(self.lines)), key=lambda k: -len(self.lines[k]))
@@ -107,8 +107,8 @@ class Words:
     ) -> tuple[str, float, float] | None:
         """Return as many names as a line has room for at a point, half their width, its slope."""
         most = len(words) if len(words) <= MOST_NAMES else 1
-        for many in range(most, 0, -1):
-            text = " | ".join(words[:many]) + (" …" if len(words) > many else "")
+        for words_kept in range(most, 0, -1):
+            text = " | ".join(words[:words_kept]) + (" …" if len(words) > words_kept else "")
             half = 0.5 * LETTER * size * len(text) + 3.0
             angle = self._angle(line, index, half)
             if angle is not None:
@@ -206,8 +206,8 @@ class Words:
         places = np.arange(0.0, passed[-1], SPACING)
         spaced = np.column_stack([np.interp(places, passed, line[:, k]) for k in (0, 1)])
         within = ((spaced >= 0.0) & (spaced <= self.size)).all(axis=1)
-        found: Floats = spaced[within]
-        return found
+        positions: Floats = spaced[within]
+        return positions
 
     def _angle(self, line: Floats, index: int, half: float) -> float | None:
         """Return the slope of a line under a word; None where it bends or ends there."""
@@ -233,8 +233,8 @@ class Words:
     def _shape(middle: Floats, angle: float, half: float) -> Floats:
         """Return points along the middle of a word."""
         ways = np.linspace(-half, half, max(2, math.ceil(half / 3.0)))
-        found: Floats = middle + np.outer(ways, [math.cos(angle), math.sin(angle)])
-        return found
+        corners: Floats = middle + np.outer(ways, [math.cos(angle), math.sin(angle)])
+        return corners
 
     @staticmethod
     def _far(line: Floats, place: Floats) -> float:
@@ -243,7 +243,7 @@ class Words:
     def _free(self, shape: Floats, radius: float) -> bool:
         inside = ((shape > 2.0) & (shape < self.size - 2.0)).all()
         return bool(inside) and all(
-            self._far(places, each) > radius + other
-            for places, other in self.taken
+            self._far(places, each) > radius + margin
+            for places, margin in self.taken
             for each in shape
         )

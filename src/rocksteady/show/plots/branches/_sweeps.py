@@ -27,9 +27,9 @@ FATES: dict[str, dict[str, Any]] = {
     "overturned": {"fc": palette.OVERTURNED, "ec": "none", "lw": 0.0},
     "at rest": {"fc": palette.GROUND, "ec": palette.FAINT, "lw": 0.4},
 }
-"""Look of the bars along the upper edge, one row a sweep."""
+"""Look of the bars along the upper edge, one row per sweep."""
 KINDS = {"overturned": "overturned", "at rest": "rest"}
-"""The kind of attractor of which each bar tells."""
+"""The kind of attractor that each bar shows."""
 LANE = 8.0
 """Height of a row of bars [points]."""
 NAMES_WIDTH = 24.0
@@ -101,8 +101,8 @@ def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) ->
         dots: dict[float, list[Floats]] = {size: [], CLOUD: []}
         for value, extremes in zip(sweep.values, sweep.peaks, strict=True):
             drawn = np.abs(extremes) if sizes else extremes
-            many = CLOUD if len(drawn) > MOST_DOTS else size
-            dots[many].append(np.column_stack([np.full(drawn.shape, value), drawn]))
+            dot = CLOUD if len(drawn) > MOST_DOTS else size
+            dots[dot].append(np.column_stack([np.full(drawn.shape, value), drawn]))
         for big, places in dots.items():
             x, y = np.concatenate([np.empty((0, 2)), *places]).T
             look: dict[str, Any] = {"color": inks.sweeps[number], "mew": 0.0, "ls": "none"}
@@ -113,10 +113,10 @@ def _bars(sweep: AttractorSweep, fate: str) -> list[tuple[float, float]]:
     """Return begin and width of each run of values at which a sweep's motion ended so."""
     order = np.argsort(sweep.values)
     values = sweep.values[order]
-    there = np.array([sweep.kinds[index] == KINDS[fate] for index in order])
+    present = np.array([sweep.kinds[index] == KINDS[fate] for index in order])
     # Each value stands for what is nearest to it.
     borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
-    change = np.flatnonzero(np.diff(np.concatenate([[False], there, [False]]).astype(int)))
+    change = np.flatnonzero(np.diff(np.concatenate([[False], present, [False]]).astype(int)))
     return [
         (float(borders[first]), float(borders[last] - borders[first]))
         for first, last in change.reshape(-1, 2)

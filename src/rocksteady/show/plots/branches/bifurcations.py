@@ -65,12 +65,12 @@ def plot_bifurcations(
 
     Every flight of an orbit is a line, the extreme u = theta/alpha that it reaches: solid where the
     motion is stable, dashed where it is unstable, dotted and faint where the solution is no motion.
-    Colours tell symmetric and unsymmetric motions and periods apart, and orbits that come to rest,
+    Colours distinguish symmetric and unsymmetric motions, periods, and orbits that come to rest,
     which are stable, from all of these; a dot at the highest angle marks an end of these.
     Bifurcations are marked at the highest and at the lowest angle of their orbits.  The motions
     that a sweep meets are dots beneath the lines, larger ones of an upward sweep than of a downward
     one, so that both show where they agree; elsewhere there is hysteresis.  Bars along the upper
-    edge, a row for each sweep, say where its motion overturned or came to rest.  The axis of the
+    edge, a row for each sweep, show where its motion overturned or came to rest.  The axis of the
     parameter is logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does,
     and where nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a
     small part of the picture are drawn again in an inset, large enough to be distinguished; where
@@ -84,13 +84,13 @@ def plot_bifurcations(
     sweeps
         From `rocksteady.sweep_attractor`, over the same parameter; those of a diagram are drawn.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     side
         "positive" draws the size of every extreme: what leans has its higher and its lower peaks in
         one half of the picture, and nothing is lost.  "both" draws each to its side, of what leans
         the mirror image too.
     top
-        Upper end of the axis of angles; without, everything is shown.
+        Upper end of the axis of angles; default: everything is shown.
     key
         Where the legend goes by default: to the right of the axes, or inside; below narrow ones.
     legend
@@ -218,7 +218,7 @@ def _parameter(drawn: Sequence[Branch | RestingBranch | AttractorSweep]) -> str:
 
 
 def _kind_of(branch: Branch) -> tuple[int, bool]:
-    """Return what tells branches apart by their colour."""
+    """Return the properties by which branches differ in colour."""
     return branch.period, not branch.symmetric
 
 
@@ -246,11 +246,11 @@ def _label(kind: tuple[int, bool], kinds: Iterable[tuple[int, bool]]) -> str:
 def _sided(peaks: Floats, side: Side, branch: Branch) -> Floats:
     """Return what is drawn of the extremes of flights, shape (points, lines)."""
     symmetric = branch.symmetric
-    # Of two impacts that merge the flight between them is none: its extreme is 0.
+    # Of two impacts that merge the flight between them vanishes: its extreme is 0.
     peaks = np.nan_to_num(peaks, nan=0.0)
     if side == "positive":
         return np.abs(peaks[..., : peaks.shape[-1] // 2] if symmetric else peaks)
-    # The mirror image of what leans; of a block whose sides differ it is no motion.
+    # The mirror image of what leans; for a block whose sides differ it is no motion.
     leans = not symmetric and branch.block.symmetric
     return np.concatenate([peaks, -peaks], axis=-1) if leans else peaks
 

@@ -33,7 +33,7 @@ def plot_cascade(
     cascade
         From `rocksteady.find_cascade`, or of a diagram; of two doublings or more.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes (default), to their "right", "below" them or "none".
 
@@ -58,8 +58,8 @@ def plot_cascade(
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_cascade, find_orbits
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
-    >>> found = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)
-    >>> axes = plot_cascade(found, Figure().add_subplot())
+    >>> cascade = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)
+    >>> axes = plot_cascade(cascade, Figure().add_subplot())
     >>> print(axes.get_yscale(), [text.get_text() for text in axes.texts])
     log ['6.107']
     """

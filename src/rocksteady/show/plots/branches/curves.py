@@ -62,7 +62,7 @@ def plot_bifurcation_curves(
     Folds are solid, symmetry breakings and period doublings dashed, grazes dotted; those of the
     longer motions are thin.  Each line has its name along it where there is room, once for lines
     that lie on each other.  Points of codimension two are marked and named, and words in italics
-    say which of the motions that were followed are stable there.
+    name which of the motions that were followed are stable there.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def plot_bifurcation_curves(
         From `rocksteady.find_bifurcation_curves`, or one of its curves; or lists, each the points
         that `rocksteady.follow_bifurcation` yields.
     ax
-        Axes to draw on, a `rocksteady.plot_regions` for one; those of a new figure without.
+        Axes to draw on, for example of `rocksteady.plot_regions`; default: axes of a new figure.
     parameters
         What is drawn to the right and upwards: two of "amplitude", "frequency_ratio" and
         "restitution"; by default those of the curves, or the frequency ratio and the amplitude.
@@ -186,11 +186,11 @@ def _drawn_lines(
             lw=(0.9 if thin else 1.6) * scale,
             zorder=2.8 if thin else 3.0,
         )
-    there = {kind for kind, _ in drawn}
+    kinds_drawn = {kind for kind, _ in drawn}
     return [
         Line2D([], [], color=colour_of(number, inks), ls=dash, lw=1.6 * scale, label=word)
         for kind, (number, dash, word) in CURVES.items()
-        if kind in there
+        if kind in kinds_drawn
     ]
 
 
@@ -205,15 +205,15 @@ def _places(points: Sequence[BranchPoint], parameters: tuple[str, str]) -> Float
 
 def _special(drawn: Sequence[Curve], parameters: tuple[str, str]) -> dict[PointType, list[Place]]:
     """Return the places of points of codimension two, each once."""
-    found: dict[PointType, list[Place]] = {}
+    positions: dict[PointType, list[Place]] = {}
     for _, points in drawn:
         for point in points:
             if point.type in CODIMENSION_TWO:
                 x, y = (round(getattr(point, name), 7) for name in parameters)
-                places = found.setdefault(point.type, [])
+                places = positions.setdefault(point.type, [])
                 if (x, y) not in places:
                     places.append((x, y))
-    return found
+    return positions
 
 
 def _drawn_points(
@@ -273,16 +273,16 @@ def _written(
 
 
 def _names(drawn: Sequence[Curve]) -> list[str]:
-    """Return what each curve is called: with what tells it from others of its type."""
+    """Return the name of each curve, with what distinguishes it from others of its type."""
     kinds = [(kind, *_motion(points)) for kind, points in drawn]
     names = []
     for kind, period, impacts in kinds:
         word = CURVES[kind][2]
         if kind is PointType.PERIOD_DOUBLING:
             word = f"doubling {period} to {2 * period}"
-        elif len({other for _, other, _ in kinds}) > 1:
+        elif len({period_drawn for _, period_drawn, _ in kinds}) > 1:
             word += f", period {period}"
-        if len({other for same, at, other in kinds if (same, at) == (kind, period)}) > 1:
+        if len({place for same, at, place in kinds if (same, at) == (kind, period)}) > 1:
             word += f", {impacts} impacts"
         names.append(word)
     return names

@@ -44,7 +44,7 @@ def plot_capacity(
     check
         From `rocksteady.check_facade`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     language
         "en", the default, or "it".
     legend

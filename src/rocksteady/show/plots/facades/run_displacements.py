@@ -40,7 +40,7 @@ def plot_facade_runs(
     runs
         From `rocksteady.run_facade`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     language
         "en", the default, or "it".
     legend

@@ -43,7 +43,7 @@ def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en
     facade
         From `rocksteady.read_facade` or made by hand.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     language
         "en", the default, or "it".
 

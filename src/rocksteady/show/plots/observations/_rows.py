@@ -40,4 +40,4 @@ def name_rows(axes: "Axes", names: Sequence[str], endings: Sequence[str] = ()) -
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
     if figure.get_layout_engine() is not None:
-        figure.draw_without_rendering()  # a legend below needs to know where the axes begin
+        figure.draw_without_rendering()  # a legend below needs the place of the axes

@@ -22,7 +22,7 @@ PLAIN = 1e-3
 
 @checked
 def plot_back_analysis(
-    found: BackAnalysis, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    analysis: BackAnalysis, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
     """Draw the shakings that agree with a survey, over its first two measures.
 
@@ -32,10 +32,10 @@ def plot_back_analysis(
 
     Parameters
     ----------
-    found
+    analysis
         From `rocksteady.back_analyse`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them, the default, or "none".
 
@@ -52,8 +52,8 @@ def plot_back_analysis(
     ...     ObjectPrior(name=f"block {k}", width_m=0.1 + 0.1 * k, height_m=0.8) for k in range(3)
     ... ]
     >>> survey = Survey(objects=blocks, fell=[True, False, False])
-    >>> found = back_analyse(survey, make_synthetic_suite(4), scan=Scan(levels=6, draws=2))
-    >>> axes = plot_back_analysis(found, Figure().add_subplot())
+    >>> analysis = back_analyse(survey, make_synthetic_suite(4), scan=Scan(levels=6, draws=2))
+    >>> axes = plot_back_analysis(analysis, Figure().add_subplot())
     >>> axes.get_xlabel(), axes.get_ylabel()
     ('PGA [g]', 'PGV [m/s]')
     """
@@ -62,31 +62,31 @@ def plot_back_analysis(
 
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
-    first = found.first_values
-    across = np.broadcast_to(first[:, np.newaxis], found.density.shape)
-    up = first[:, np.newaxis] * found.ratios
+    first = analysis.first_values
+    across = np.broadcast_to(first[:, np.newaxis], analysis.density.shape)
+    up = first[:, np.newaxis] * analysis.ratios
     axes.set(xscale="log", yscale="log")
-    lines = first[:, np.newaxis] * (found.values_at_one[:, 1] / found.values_at_one[:, 0])
+    lines = first[:, np.newaxis] * (analysis.values_at_one[:, 1] / analysis.values_at_one[:, 0])
     axes.plot(first, lines, color=inks.faint, lw=0.5, alpha=0.55, zorder=1.0)
-    top = float(found.density.max())
-    inner = found.inner_threshold
-    edges = sorted({min(found.threshold, 0.999 * top), min(inner, 0.9995 * top)})
+    top = float(analysis.density.max())
+    inner = analysis.inner_threshold
+    edges = sorted({min(analysis.threshold, 0.999 * top), min(inner, 0.9995 * top)})
     filled = axes.contourf(
         across,
         up,
-        found.density,
+        analysis.density,
         levels=[*edges, 1.001 * top],
         colors=[palette.SYMMETRIC, palette.LINK][-len(edges) :],
         alpha=0.55,
         zorder=1.5,
     )
     axes.contour(
-        across, up, found.density, levels=edges[:1], colors=[inks.lines[0]], linewidths=1.2
+        across, up, analysis.density, levels=edges[:1], colors=[inks.lines[0]], linewidths=1.2
     )
     filled.set_linewidth(0.0)
     # Dots at the middles of the scales: all of one record weigh as much as the record.
     step = max(1, len(first) // 40)
-    parts = found.weights[:, ::step]
+    parts = analysis.weights[:, ::step]
     shown = parts > PLAIN * parts.max()
     rows, columns = np.nonzero(shown)
     axes.scatter(
@@ -97,10 +97,10 @@ def plot_back_analysis(
         lw=0.0,
         zorder=2.5,
     )
-    certain = found.bound == "interval"
+    certain = analysis.bound == "interval"
     (middle,) = axes.plot(
-        found.medians[:1],
-        found.medians[1:2],
+        analysis.medians[:1],
+        analysis.medians[1:2],
         ls="none",
         marker="D",
         ms=6.5,
@@ -110,7 +110,7 @@ def plot_back_analysis(
         zorder=3.0,
         label="medians",
     )
-    corner = found.region.nonzero()
+    corner = analysis.region.nonzero()
     margin = 1.6
     axes.set(
         xlim=(
@@ -118,12 +118,12 @@ def plot_back_analysis(
             min(float(first[-1]), float(across[corner].max()) * margin),
         ),
         ylim=(float(up[corner].min()) / margin, float(up[corner].max()) * margin),
-        xlabel=literal(str(found.measures[0])),
-        ylabel=literal(str(found.measures[1])),
-        title=f"{sum(found.survey.fell)} of {len(found.survey)} fell",
+        xlabel=literal(str(analysis.measures[0])),
+        ylabel=literal(str(analysis.measures[1])),
+        title=f"{sum(analysis.survey.fell)} of {len(analysis.survey)} fell",
     )
     plain_ticks(axes)
-    percent = number(100.0 * found.confidence)
+    percent = number(100.0 * analysis.confidence)
     handles = [
         Patch(
             facecolor=palette.SYMMETRIC,

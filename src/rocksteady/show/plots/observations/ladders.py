@@ -38,7 +38,7 @@ class Rung:
     Attributes
     ----------
     name
-        Of the record, and of the object where it shook several.
+        Name of the record, and of the object where it shook several.
     at
         Gains, or peak accelerations [g], shape (tests,).
     p
@@ -79,7 +79,7 @@ def plot_ladders(
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     first, most
         Row at the top, and the number of rows; default 0 and 40.
     legend
@@ -103,8 +103,8 @@ def plot_ladders(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_ladders(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_ladders(calibration, Figure().add_subplot())
     >>> axes.get_xscale()
     'log'
     """
@@ -132,7 +132,7 @@ def plot_ladders(
 
 
 def rungs_of(calibration: Calibration) -> tuple[list[Rung], str]:
-    """Return the rows of all records, those that fell an object least first, and the abscissa."""
+    """Return the rows of all records, the weakest record first, and the abscissa."""
     tests, predictions = calibration.tests.tests, calibration.validation.predictions
     p = np.asarray(predictions.p, dtype=np.float64)
     rows: dict[tuple[str, str], list[int]] = {}
@@ -195,7 +195,7 @@ def _shade(p: float, inks: Inks) -> str:
 
 
 def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) -> list[Any]:
-    """Draw outcomes, and rings about those that were not expected; return their entries."""
+    """Draw outcomes, and rings about unexpected ones; return their entries."""
     x, y, fell, missed = [], [], [], []
     for row, rung in enumerate(rungs):
         for level in np.unique(rung.at):

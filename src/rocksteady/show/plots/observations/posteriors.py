@@ -1,4 +1,4 @@
-"""Plots of what tests say of a block: a parameter before and after them."""
+"""Plots of what follows from tests for a block: a parameter before and after them."""
 
 from typing import TYPE_CHECKING
 
@@ -45,15 +45,15 @@ def plot_posterior(
 ) -> "Axes":
     """Draw a parameter before and after the tests, with its interval of 90 %.
 
-    Of alpha the value of the outline is marked: the tests know a block that rocks like this, which
-    need not be that of a ruler.
+    The alpha of the outline is marked: the calibrated one is that of rocking, and may differ from
+    the measured one.
 
     Parameters
     ----------
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     parameter
         Name of a row of the parameters; default "alpha_rad".
     object
@@ -79,8 +79,8 @@ def plot_posterior(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_posterior(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_posterior(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'density'
     """

@@ -29,7 +29,7 @@ def plot_predictions(
     predictions
         From `rocksteady.Calibration.predict`, or the held-out ones of a validation.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them (default) or "none".
 
@@ -46,8 +46,8 @@ def plot_predictions(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_predictions(found.validation.predictions, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_predictions(calibration.validation.predictions, Figure().add_subplot())
     >>> axes.get_xlabel()
     'probability of falling'
     """

@@ -31,14 +31,14 @@ def plot_reliability(
     """Draw the share of tests that fell against the predicted probability, held out.
 
     Tests are taken together by tenths of the probability; bars at the foot are the numbers of tests
-    in each.  Points of a model that knows its own errors lie on the diagonal.
+    in each.  Points of a model with correct errors lie on the diagonal.
 
     Parameters
     ----------
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them (default) or "none".
 
@@ -60,8 +60,8 @@ def plot_reliability(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_reliability(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_reliability(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'share that fell'
     """

@@ -40,7 +40,7 @@ def plot_residuals(
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     by
         "record" (default) or "session".
     most
@@ -66,8 +66,8 @@ def plot_residuals(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_residuals(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_residuals(calibration, Figure().add_subplot())
     >>> axes.get_xlabel()
     'falls less those predicted'
     """

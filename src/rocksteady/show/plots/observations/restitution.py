@@ -35,7 +35,7 @@ def plot_restitution(
     fit
         From `rocksteady.fit_restitution`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     panel
         "peaks" (default): peaks over the number of impacts, with the fit and its band of 90 % from
         the first peak of the first release, and Housner's decay.  "impacts": the restitution of

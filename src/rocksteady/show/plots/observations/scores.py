@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 AXIS = {
     "accuracy": "accuracy, held out",
-    "f1": "F1 of those that fell, held out",
+    "f1": "F1 of falls, held out",
     "brier": "Brier score, held out",
     "log_score": "log score, held out",
     "ece": "calibration error, held out",
@@ -47,7 +47,7 @@ def plot_temper(
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     score
         "accuracy", "f1", "brier", "log_score" (default) or "ece".
     legend
@@ -71,8 +71,8 @@ def plot_temper(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_temper(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_temper(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'log score, held out'
     """
@@ -123,7 +123,7 @@ def plot_learning(
     calibration
         From `rocksteady.calibrate`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     score
         "accuracy" (default), "f1", "brier", "log_score" or "ece".
     legend
@@ -148,8 +148,8 @@ def plot_learning(
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
     >>> few = Sampling(draws=60, gains=2, rounds=1)
-    >>> found = calibrate(tests, sampling=few, model=Linear())
-    >>> axes = plot_learning(found, Figure().add_subplot())
+    >>> calibration = calibrate(tests, sampling=few, model=Linear())
+    >>> axes = plot_learning(calibration, Figure().add_subplot())
     >>> axes.get_ylabel()
     'accuracy, held out'
     """

@@ -33,7 +33,7 @@ def plot_basins(
     """Draw the basins of attraction over the window, and the attractors at that phase.
 
     Each state of the window has the fill of the attractor to which it goes: dark where the block
-    overturns, and one hue a kind of attractor.  Several of one kind differ in lightness and in
+    overturns, and one hue per kind of attractor.  Several of one kind differ in lightness and in
     their marks, which stand where the attractor is at the phase of the initial states; one that
     repeats itself after n forcing periods has n of them.  The legend has the shares.
 
@@ -42,7 +42,7 @@ def plot_basins(
     basins
         From `rocksteady.compute_basins`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
         right, or below narrow ones.
@@ -132,7 +132,7 @@ def plot_erosion(
     erosion
         From `rocksteady.compute_erosion`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     drops
         From `Erosion.drop`; each is marked on its curve, which goes through the two amplitudes
         between which it lies.
@@ -150,8 +150,8 @@ def plot_erosion(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import DimensionlessBlock, Harmonic, compute_erosion
     >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.0, 0.3, 0.6, 0.9])
-    >>> axes = plot_erosion(found, Figure().add_subplot(), drops=[found.drop(tolerance=0.1)])
+    >>> erosion = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.0, 0.3, 0.6, 0.9])
+    >>> axes = plot_erosion(erosion, Figure().add_subplot(), drops=[erosion.drop(tolerance=0.1)])
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
     ['integrity factor', 'global integrity measure']
     """
@@ -228,9 +228,9 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     erosion
         From `rocksteady.compute_erosion`.
     index
-        Of the amplitude.
+        Index of the amplitude.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
 
     Returns
     -------

@@ -35,7 +35,7 @@ def plot_edge_state(
     edge
         From `rocksteady.find_edge_state` or `rocksteady.find_hilltop_saddles`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default below.
 

@@ -49,7 +49,7 @@ def plot_fate_basins(
     fates
         From `rocksteady.compute_fate_basins`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
         right, or below narrow ones.
@@ -67,8 +67,8 @@ def plot_fate_basins(
     >>> window = np.linspace(-1.4, 1.4, 15)
     >>> block = DimensionlessBlock(restitution=0.9)
     >>> pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0)
-    >>> found = compute_fate_basins(block, pulse, angles=window, velocities=window)
-    >>> axes = plot_fate_basins(found, Figure().add_subplot())
+    >>> basins = compute_fate_basins(block, pulse, angles=window, velocities=window)
+    >>> axes = plot_fate_basins(basins, Figure().add_subplot())
     >>> for text in axes.get_legend().get_texts():
     ...     print(text.get_text())
     at rest, peak up to 0.5  7.1 %
@@ -148,11 +148,11 @@ def _classes(fates: FateBasins) -> tuple[NDArray[np.int8], list[tuple[str, str, 
         if (status, side) in FILLS:
             masks.append((fates.fate == status) & (fates.side == side))
             classes.append((name, FILLS[status, side]))
-    found = np.zeros(fates.fate.shape, dtype=np.int8)
+    codes = np.zeros(fates.fate.shape, dtype=np.int8)
     for index, mask in enumerate(masks):
-        found[mask] = index
+        codes[mask] = index
     counts = (int(np.count_nonzero(mask)) for mask in masks)
-    return found, [(*one, count) for one, count in zip(classes, counts, strict=True)]
+    return codes, [(*entry, count) for entry, count in zip(classes, counts, strict=True)]
 
 
 def _ends(axis: Floats) -> tuple[float, float]:

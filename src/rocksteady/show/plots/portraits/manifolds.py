@@ -36,16 +36,16 @@ def plot_manifolds(
 ) -> "Axes":
     """Draw manifolds of saddles: stable ones solid, unstable ones dashed, saddles as crosses.
 
-    On axes of `plot_basins` or `plot_section` they are drawn over what is there, in white casings
-    over basins, and nothing else changes.  Over a phase, basins of that phase have the stable
-    manifolds as their borders.
+    On axes of `plot_basins` or `plot_section` they are drawn over the existing picture, in white
+    casings over basins, and nothing else changes.  Over a phase, basins of that phase have the
+    stable manifolds as their borders.
 
     Parameters
     ----------
     manifolds
         From `rocksteady.compute_manifold`; one or several, all over a phase or all over impacts.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default below new axes, and
         none on axes that are drawn on already.
@@ -72,8 +72,8 @@ def plot_manifolds(
     ... )
     >>> motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
     >>> saddles = find_hilltop_saddles(DimensionlessBlock(restitution=0.9), motion)
-    >>> found = [compute_manifold(saddle, "stable", length=2.0) for saddle in saddles]
-    >>> axes = plot_manifolds(found, Figure().add_subplot())
+    >>> manifolds = [compute_manifold(saddle, "stable", length=2.0) for saddle in saddles]
+    >>> axes = plot_manifolds(manifolds, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['stable manifold', 'saddle']
     """
@@ -167,12 +167,12 @@ def _alike(manifolds: list[Manifold]) -> None:
     overs = {each.over for each in manifolds}
     if len(overs) == 1 and len(phases) <= 1:
         return
-    found = "are none" if not manifolds else "are over " + " and ".join(sorted(overs))
+    problem = "are none" if not manifolds else "are over " + " and ".join(sorted(overs))
     if len(phases) > 1:
-        found = f"are over {len(phases)} phases"
+        problem = f"are over {len(phases)} phases"
     raise ModelError(
         "manifolds",
-        Words(found),
+        Words(problem),
         "one picture has those over one phase, or those over impacts",
         "give manifolds of one kind of section",
     )
@@ -181,27 +181,27 @@ def _alike(manifolds: list[Manifold]) -> None:
 def _fits(axes: "Axes", over: str) -> None:
     """Refuse manifolds over a phase on axes of impacts, and the other way round."""
     drawn = {palette.LABELS["phase"]: "impacts", palette.LABELS["angle"]: "phase"}
-    there = drawn.get(axes.get_xlabel(), over)
-    if there != over:
+    quantity = drawn.get(axes.get_xlabel(), over)
+    if quantity != over:
         names = {"impacts": "impacts", "phase": "states at a phase"}
         raise ModelError(
             "manifolds",
-            Words(f"are over {names[over]} and the axes over {names[there]}"),
+            Words(f"are over {names[over]} and the axes over {names[quantity]}"),
             "manifolds and axes are over the same section",
-            f'compute them with over="{there}"',
+            f'compute them with over="{quantity}"',
         )
 
 
 def _pieces(branch: ManifoldBranch, over: str) -> list[tuple[Floats, Floats]]:
-    """Return the parts of a branch without jumps; over impacts cut where the phase begins anew."""
-    found = []
+    """Return the parts of a branch without jumps; over impacts cut where the phase begins again."""
+    pieces = []
     for part in branch.pieces:
         x, y = branch.first[part], branch.second[part]
         cuts = np.zeros(0, dtype=np.int64)
         if over == "impacts":
             cuts = np.flatnonzero(np.abs(np.diff(x)) > 0.5 * TURN) + 1
-        found += list(zip(np.split(x, cuts), np.split(y, cuts), strict=True))
-    return found
+        pieces += list(zip(np.split(x, cuts), np.split(y, cuts), strict=True))
+    return pieces
 
 
 def _saddle_points(manifold: Manifold) -> Floats:

@@ -58,7 +58,7 @@ def plot_basin_shares(
     shares
         From `rocksteady.compute_basin_shares`, of two values or more.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     top
         Upper end of the axis of shares, in (0, 1]; by default 1, or above all that does not
         overturn where this stays below one half.
@@ -105,14 +105,14 @@ def plot_basin_shares(
     values = shares.values[order]
     families = sorted(shares.families, key=_place)
     # The largest basins have tints of their own, those of a kind as long as these last.
-    largest = sorted(shares.families, key=lambda one: -float(shares.share[one.label].sum()))
-    labels_by_size = [one.label for one in largest]
-    tints = dict(zip(labels_by_size, fills_of([one.typical for one in largest]), strict=True))
-    fills = [tints[one.label] for one in families]
+    largest = sorted(shares.families, key=lambda family: -float(shares.share[family.label].sum()))
+    labels_by_size = [family.label for family in largest]
+    tints = dict(zip(labels_by_size, fills_of([family.typical for family in largest]), strict=True))
+    fills = [tints[family.label] for family in families]
     edges = np.vstack(
         [
             np.zeros(len(values)),
-            np.cumsum([100.0 * shares.share[one.label][order] for one in families], axis=0),
+            np.cumsum([100.0 * shares.share[family.label][order] for family in families], axis=0),
         ]
     )
     for low, high, fill in zip(edges[:-1], edges[1:], fills, strict=True):
@@ -133,11 +133,11 @@ def plot_basin_shares(
     point = 100.0 * upper / size_of(axes)[1]
     listed: list[tuple[str, str]] = []
     thin = 0
-    for one, fill, low, high in zip(families, fills, edges[:-1], edges[1:], strict=True):
+    for family, fill, low, high in zip(families, fills, edges[:-1], edges[1:], strict=True):
         if float((high - low).max()) < point:
             thin += 1
-        elif not _named(axes, one.name, fill, (along, low, high)):
-            listed.append((one.name, fill))
+        elif not _named(axes, family.name, fill, (along, low, high)):
+            listed.append((family.name, fill))
     handles = [Patch(fc=fill, ec=inks.faint, lw=0.6) for _, fill in listed]
     labels = [name for name, _ in listed]
     if thin:
@@ -156,7 +156,11 @@ def plot_basin_shares(
 
 def _top(shares: BasinShares) -> float:
     """Return the upper end of the axis of shares by default."""
-    falls = [one.label for one in shares.families if one.typical.kind is AttractorKind.OVERTURNED]
+    falls = [
+        family.label
+        for family in shares.families
+        if family.typical.kind is AttractorKind.OVERTURNED
+    ]
     stands = float(1.0 - shares.share[falls].sum(axis=0).min())
     if not falls or stands >= 0.5:
         return 1.0

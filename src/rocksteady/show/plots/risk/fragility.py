@@ -86,7 +86,7 @@ def plot_fragility(
     fragility
         From `rocksteady.compute_fragility`, `rocksteady.fit_two_stages` or `rocksteady.fit_curve`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     state
         Name of the damage state; the last, which is the worst, by default.
     legend
@@ -156,7 +156,7 @@ def plot_fragility_states(
     fragility
         From `rocksteady.compute_fragility`, or a curve.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their right, or
         below narrow ones.
@@ -164,7 +164,7 @@ def plot_fragility_states(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes, as of `plot_fragility`.
+        The axes, as for `plot_fragility`.
 
     Raises
     ------
@@ -358,7 +358,7 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
 
 
 def _wilson(shares: Floats, count: Floats) -> tuple[Floats, Floats]:
-    """Return the ends of Wilson's interval of shares of so many trials."""
+    """Return the ends of Wilson's interval of shares of a number of trials."""
     from scipy.special import ndtri
 
     z = float(ndtri(0.5 + 0.5 * INTERVAL))

@@ -35,7 +35,7 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     risk
         From `rocksteady.compute_risk`.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     legend
         "inside" the axes, to their "right", "below" them, the default, or "none".
 

@@ -32,7 +32,7 @@ def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     fragility
         From `rocksteady.compute_fragility`, with its ranking.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
 
     Returns
     -------
@@ -52,9 +52,9 @@ def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     >>> shakes = [
     ...     Record(acceleration_m_s2=[0.0, a, -a, 0.5, 0.0], dt_s=0.1 * a) for a in (1, 2, 3, 4)
     ... ]
-    >>> found = compute_fragility(cabinet, shakes, fitting=Fitting(bands=None))
-    >>> axes = plot_ranking(found, Figure().add_subplot())
-    >>> len(axes.patches) == len(found.ranking)
+    >>> fragility = compute_fragility(cabinet, shakes, fitting=Fitting(bands=None))
+    >>> axes = plot_ranking(fragility, Figure().add_subplot())
+    >>> len(axes.patches) == len(fragility.ranking)
     True
     """
     rows = [each for each in fragility.ranking if math.isfinite(each.aic)]
@@ -84,7 +84,7 @@ def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     axes.grid(visible=False, axis="y")
     axes.set(
         xlabel=r"standard deviation of ln(intensity)  $\beta$",
-        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0)) * max(betas)),
+        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0, sides=1)) * max(betas)),
         ylim=(len(rows) - 0.4, -0.6),
     )
     return axes
@@ -108,7 +108,7 @@ def plot_tornado(
     base
         Answer as assumed.
     ax
-        Axes to draw on; those of a new figure without.
+        Axes to draw on; default: axes of a new figure.
     label
         What the answer is, with its unit; default that of a probability of overturning.
     legend
@@ -167,18 +167,20 @@ def plot_tornado(
         column = int(before[place_].argmax())
         handles[column].patches[place_].set_zorder(2.6)
     axes.axvline(middle, color=inks.ink, lw=1.0, zorder=3.0)
-    small = text_size(axes, 8.0)
+    small, longest = text_size(axes, 8.0), 0
     for at, (low, high) in enumerate(ends.tolist()):
         for side in (-1.0, 1.0):
             end = max(side * low, side * high)
             if end > 0.0:
+                text = f"{middle + side * end:.3g}"
+                longest = max(longest, len(text))
                 axes.annotate(
-                    f"{middle + side * end:.3g}", (middle + side * end, at), (3.0 * side, 0.0),
+                    text, (middle + side * end, at), (3.0 * side, 0.0),
                     textcoords="offset points", ha="left" if side > 0.0 else "right",
                     va="center", fontsize=small, color=inks.ink,
                 )  # fmt: skip
     span = float(np.ptp([*ends.ravel(), 0.0])) or 0.1 * abs(middle) or 1.0
-    room = span * _share_of_text(axes, 5.0)
+    room = span * _share_of_text(axes, float(longest), sides=2)
     axes.set_yticks(rows_at.tolist(), [greek(palette.shortened(bar[0], 40)) for bar in bars])
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
@@ -191,9 +193,9 @@ def plot_tornado(
     return axes
 
 
-def _share_of_text(axes: "Axes", letters: float) -> float:
-    """Return the width of text beside bars over that of the longest bar."""
+def _share_of_text(axes: "Axes", letters: float, *, sides: int) -> float:
+    """Return the width of text on one or both sides of bars over that of all bars together."""
     # A third of the figure is left of the axes, for names that are not laid out yet.
     wide = 0.65 * size_of(axes)[0]
-    text = min(0.6 * text_size(axes, 8.0) * letters + 4.0, 0.4 * wide)
-    return text / (wide - text)
+    text = min(0.6 * text_size(axes, 8.0) * letters + 4.0, (0.4, 0.28)[sides - 1] * wide)
+    return text / (wide - sides * text)

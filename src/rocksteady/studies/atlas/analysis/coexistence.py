@@ -88,13 +88,13 @@ class OrbitClass:
 
     @property
     def text(self) -> str:
-        """As tables have it: "3x6", "3x6-unsymmetric", "1xrests"."""
+        """As in tables: "3x6", "3x6-unsymmetric", "1xrests"."""
         impacts = "rests" if self.impacts is None else str(self.impacts)
         return f"{self.period}x{impacts}" + ("-unsymmetric" if self.unsymmetric else "")
 
     @property
     def words(self) -> str:
-        """As sentences have it: "an unsymmetric motion of 3 periods and 6 impacts"."""
+        """As in sentences: "an unsymmetric motion of 3 periods and 6 impacts"."""
         periods = "1 period" if self.period == 1 else f"{self.period} periods"
         impacts = "with rests" if self.impacts is None else f"and {self.impacts} impacts"
         kind = "an unsymmetric" if self.unsymmetric else "a symmetric"
@@ -200,9 +200,9 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Upr
     Parameters
     ----------
     amplitude, ratio
-        Of the cells, shape (cells,).
+        Amplitude and frequency ratio of the cells, shape (cells,).
     restitution
-        Of all of them.
+        Restitution of all blocks.
     """
     still = np.zeros(len(amplitude))
     for k in range(REST_PHASES):
@@ -210,9 +210,9 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Upr
     for order, branch in STEADY:
         states = find_steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
-        there = states.admissible[branch - 1]
-        phase = np.where(there, states.phase[branch - 1], 0.0)
-        velocity = np.where(there, states.velocity[branch - 1], 0.0)
+        admissible = states.admissible[branch - 1]
+        phase = np.where(admissible, states.phase[branch - 1], 0.0)
+        velocity = np.where(admissible, states.velocity[branch - 1], 0.0)
         for aside in (1.0 - ASIDE, 1.0 + ASIDE):  # at rest where there is no such state
             yield aside * velocity, phase
     beta = amplitude / (1.0 + ratio * ratio)
@@ -242,7 +242,7 @@ def _found(
     ]
 
     def each(which: AttractorKind) -> NDArray[np.bool_]:
-        return np.stack([found.are(which) for found in settled])
+        return np.stack([attractors.are(which) for attractors in settled])
 
     def any_of(which: AttractorKind) -> NDArray[np.bool_]:
         return np.asarray(each(which).any(axis=0))
@@ -253,10 +253,11 @@ def _found(
         "rest": any_of(AttractorKind.REST),
         "aperiodic": any_of(AttractorKind.APERIODIC),
         "undecided": undecided.astype(np.int32),
-        "orbits": np.array([len(found) for found in codes], dtype=np.int32),
+        "orbits": np.array([len(cell_codes) for cell_codes in codes], dtype=np.int32),
         **{
             f"code_{place}": np.array(
-                [found[place] if place < len(found) else 0 for found in codes], dtype=np.int64
+                [cell_codes[place] if place < len(cell_codes) else 0 for cell_codes in codes],
+                dtype=np.int64,
             )
             for place in range(MOST)
         },
@@ -275,7 +276,7 @@ def _codes(settled: list[Attractors], unsymmetric: NDArray[np.bool_]) -> list[li
     impacts = np.where(rests > 0, INFINITELY_MANY, passages)
     codes = np.where(period > 0, 2 * (ROOM * period + 1 + impacts) + unsymmetric, 0)
     larger, smaller = np.maximum(highest, -lowest), np.minimum(highest, -lowest)
-    found = []
+    lists = []
     for cell in range(codes.shape[1]):
         here = np.flatnonzero(codes[:, cell])
         order = here[np.lexsort((smaller[here, cell], larger[here, cell], codes[here, cell]))]
@@ -285,5 +286,5 @@ def _codes(settled: list[Attractors], unsymmetric: NDArray[np.bool_]) -> list[li
             | (np.diff(larger[order, cell]) > near)
             | (np.abs(np.diff(smaller[order, cell])) > near)
         )
-        found.append([*ranked[:1].tolist(), *ranked[1:][new].tolist()])
-    return found
+        lists.append([*ranked[:1].tolist(), *ranked[1:][new].tolist()])
+    return lists

@@ -39,7 +39,8 @@ from rocksteady.studies.atlas.analysis.plane import Plane
 Floats = NDArray[np.float64]
 
 LEVELS = 4
-"""Symmetric, unsymmetric, doubled once and twice: three doublings say where infinitely many end."""
+"""Symmetric, unsymmetric, doubled once and twice: three doublings determine where infinitely many
+end."""
 SCANNED = 48
 """Amplitudes at which a column is looked at for a stable symmetric motion to begin from."""
 THIN = 1e-6
@@ -79,7 +80,7 @@ class Column:
         Where each band ends, the symmetric one first, up to `LEVELS`; the plane's top where the
         band goes on beyond it.
     ends
-        Which bifurcation is there; None at the plane's top, and of a band too thin to be followed.
+        Bifurcation at the end; None at the plane's top, and of a band too thin to be followed.
     followed
         Whether what branches off was followed: not of a band of symmetric motions below `THIN`.
     """
@@ -168,17 +169,17 @@ def _bands(
     frequency_ratio: Floats, *, restitution: float, top: float, order: int
 ) -> dict[str, NDArray[Any]]:
     """Return the bands at some frequencies as numbers."""
-    found = [column(restitution, ratio, top, order) for ratio in frequency_ratio.tolist()]
-    rows = len(found)
+    columns_found = [column(restitution, ratio, top, order) for ratio in frequency_ratio.tolist()]
+    rows = len(columns_found)
     borders, codes = np.full((LEVELS, rows), math.nan), np.full((LEVELS, rows), NO_BAND, np.int8)
-    for row, each in enumerate(found):
+    for row, each in enumerate(columns_found):
         borders[: len(each.borders), row] = each.borders
         codes[: len(each.ends), row] = [
             BEYOND if end is None else 2 + BORDERS.index(end) for end in each.ends
         ]
     return {
-        "lowest": np.array([each.lowest for each in found]),
-        "followed": np.array([each.followed for each in found]),
+        "lowest": np.array([each.lowest for each in columns_found]),
+        "followed": np.array([each.followed for each in columns_found]),
         **{f"border_{level}": values for level, values in enumerate(borders)},
         **{f"end_{level}": values for level, values in enumerate(codes)},
     }
@@ -273,7 +274,7 @@ def _ends(start: Orbit, within: tuple[float, float]) -> Iterator[BranchPoint | N
 def border_of(
     start: Orbit | BranchPoint, within: tuple[float, float], *, direction: int = 1
 ) -> BranchPoint | None:
-    """Return the first bifurcation of a branch, from a bifurcation of the one that begins there."""
+    """Return the first bifurcation of a branch, from one of the branch that begins there."""
     switch = isinstance(start, BranchPoint)
     branch = follow_branch(start, "amplitude", within, direction=direction, switch=switch)
     next(branch)
@@ -293,7 +294,7 @@ def _orbit(amplitude: float, ratio: float, restitution: float, order: int) -> Or
     block = DimensionlessBlock(restitution=restitution)
     shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
     try:
-        found = find_attractor(block, shaking, start=Steady(order=order)).orbit
+        orbit = find_attractor(block, shaking, start=Steady(order=order)).orbit
     except RocksteadyError:
         return None
-    return found if found is not None and found.symmetric and found.period == order else None
+    return orbit if orbit is not None and orbit.symmetric and orbit.period == order else None

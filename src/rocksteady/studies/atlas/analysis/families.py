@@ -85,5 +85,5 @@ def family_map(
             done(f"columns, n = {order}")
 
     how = replace(Run() if run is None else run, progress=told)
-    found = columns(plane, order, plane.ratios, run=how)
-    return FamilyMap(plane=plane, order=order, columns=found)
+    bands = columns(plane, order, plane.ratios, run=how)
+    return FamilyMap(plane=plane, order=order, columns=bands)

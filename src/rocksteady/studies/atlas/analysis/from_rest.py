@@ -33,7 +33,7 @@ MARKED = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
 STEPS = 700
 """Amplitudes from uplift to the plane's top that are tried at each."""
 PARTS = 8
-"""Parts of the cells after each of which `from_rest` says how far it is."""
+"""Parts of the cells after each of which `from_rest` reports its progress."""
 
 FATES = (
     "rest",
@@ -59,7 +59,7 @@ class LowestFall:
     amplitude
         The lowest of those tried; nan where none overturns it.
     phase
-        Of the shaking at its start [rad].
+        Phase of the shaking at its start [rad].
     step
         From one amplitude tried to the next.
     heteroclinic
@@ -82,7 +82,7 @@ class FromRest:
     plane
         Where.
     phases
-        Of the shaking at its start [rad], shape (phases,).
+        Phases of the shaking at its start [rad], shape (phases,).
     fate
         Index of `FATES`, shape (phases, amplitudes, columns).
     period, impacts
@@ -143,8 +143,8 @@ def from_rest(
             run=replace(how, store=None if parts is None else parts.store(name)),
         )
 
-    found = settled("from-rest", plane.amplitudes, plane.ratios)
-    period, impacts = (found[name].values for name in ("period", "impacts"))
+    dataset = settled("from-rest", plane.amplitudes, plane.ratios)
+    period, impacts = (dataset[name].values for name in ("period", "impacts"))
     falls: tuple[LowestFall, ...] = ()
     if marked and tried.size:
         fallen = _where(settled("falls", tried, marked), AttractorKind.OVERTURNED)
@@ -152,7 +152,7 @@ def from_rest(
     return FromRest(
         plane=plane,
         phases=phases,
-        fate=_fates(found),
+        fate=_fates(dataset),
         period=period,
         impacts=impacts,
         falls=falls,
@@ -160,7 +160,7 @@ def from_rest(
 
 
 def _in_parts(cells: int, done: Done) -> Callable[[int], None]:
-    """Return what is told how many cells are done, and tells when another part of all is."""
+    """Return a progress callback that counts cells and reports each completed part."""
     passed = 0
 
     def told(count: int) -> None:
@@ -172,23 +172,23 @@ def _in_parts(cells: int, done: Done) -> Callable[[int], None]:
     return told
 
 
-def _where(found: "xarray.Dataset", which: AttractorKind) -> NDArray[np.bool_]:
+def _where(dataset: "xarray.Dataset", which: AttractorKind) -> NDArray[np.bool_]:
     """Return in which cells of an attractor map a block settles to one kind."""
-    kind = found["kind"]
+    kind = dataset["kind"]
     same: NDArray[np.bool_] = kind.values == kind.attrs["flag_meanings"].split().index(which)
     return same
 
 
-def _fates(found: "xarray.Dataset") -> NDArray[np.int8]:
+def _fates(dataset: "xarray.Dataset") -> NDArray[np.int8]:
     """Return what came out of an attractor map, by the codes of `FATES`."""
     chosen = {
-        "rest": _where(found, AttractorKind.REST),
-        "overturned": _where(found, AttractorKind.OVERTURNED),
-        "aperiodic": _where(found, AttractorKind.APERIODIC),
-        "undecided": _where(found, AttractorKind.UNDECIDED),
-        "subharmonic": found["period"].values > 1,
-        "period 1 with rests": found["impacts"].values < 0,
-        "symmetric, period 1": _where(found, AttractorKind.SYMMETRIC),
+        "rest": _where(dataset, AttractorKind.REST),
+        "overturned": _where(dataset, AttractorKind.OVERTURNED),
+        "aperiodic": _where(dataset, AttractorKind.APERIODIC),
+        "undecided": _where(dataset, AttractorKind.UNDECIDED),
+        "subharmonic": dataset["period"].values > 1,
+        "period 1 with rests": dataset["impacts"].values < 0,
+        "symmetric, period 1": _where(dataset, AttractorKind.SYMMETRIC),
     }
     fates: NDArray[np.int8] = np.select(
         list(chosen.values()),

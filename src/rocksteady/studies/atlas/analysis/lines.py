@@ -1,6 +1,6 @@
 """Borders of a family as bifurcation curves in two parameters, started from its columns.
 
-The columns say where the bands are; the curves say it between the columns too, and to rounding.
+The columns show where the bands are; the curves give it between the columns too, and to rounding.
 """
 
 from collections.abc import Iterator, Sequence
@@ -68,9 +68,9 @@ class Line:
 
     def amplitude_at(self, ratio: float) -> float:
         """Return the amplitude of the curve at a frequency between its points; nan beyond them."""
-        for k, (one, other) in enumerate(pairwise(self.frequency_ratio.tolist())):
-            if min(one, other) <= ratio <= max(one, other):
-                share = (ratio - one) / (other - one) if other != one else 0.0
+        for k, (left, right) in enumerate(pairwise(self.frequency_ratio.tolist())):
+            if min(left, right) <= ratio <= max(left, right):
+                share = (ratio - left) / (right - left) if right != left else 0.0
                 low, high = self.amplitude[k : k + 2].tolist()
                 return float(low + share * (high - low))
         return float("nan")
@@ -90,14 +90,14 @@ def family_lines(family: FamilyMap) -> tuple[Line, ...]:
         The existence boundary in closed form, what bifurcates as far as it can be followed within
         the plane, and the end of the cascade through the columns.
     """
-    found = [_existence(family)]
+    lines = [_existence(family)]
     plane = family.plane
     for column in family.columns:
         names = [_name(column.ends, level) for level in range(len(column.ends))]
         begun = {
             level: name
             for level, name in enumerate(names)
-            if name is not None and not _known(found, name, column, level, plane)
+            if name is not None and not _known(lines, name, column, level, plane)
         }
         if not begun:
             continue
@@ -108,8 +108,8 @@ def family_lines(family: FamilyMap) -> tuple[Line, ...]:
             assert point is not None
             line = traced(point, name, _within(family))
             if line is not None:
-                found.append(replace(line, order=family.order))
-    return (*found, *_limits(family))
+                lines.append(replace(line, order=family.order))
+    return (*lines, *_limits(family))
 
 
 def _existence(family: FamilyMap) -> Line:
@@ -174,9 +174,9 @@ def traced(point: BranchPoint, name: str, within: Ranges) -> Line | None:
     Parameters
     ----------
     point
-        Of a branch.
+        Point of a branch.
     name
-        Of the line.
+        Name of the line.
     within
         Ranges of amplitude and frequency ratio.
     """

@@ -39,7 +39,7 @@ class Window:
     cells
         Number of cells in which the search has found them.
     frequency_ratio
-        Of the cell from which the borders were followed.
+        Frequency ratio of the cell from which the borders were followed.
     low, high
         Amplitudes there at which the stable symmetric motion begins and ends.
     last
@@ -57,30 +57,30 @@ class Window:
     lines: tuple[Line, ...]
 
 
-def windows(found: Coexistence) -> tuple[Window, ...]:
+def windows(result: Coexistence) -> tuple[Window, ...]:
     """Return the windows that a search has come upon, with exact borders.
 
     Parameters
     ----------
-    found
+    result
         The search.
     """
     wanted = [
         (count, kind)
-        for kind, count in found.classes.items()
+        for kind, count in result.classes.items()
         if (kind.impacts or 0) > 2
         and not kind.unsymmetric
         and kind.period % 2 == 1
         and count >= FEWEST
     ]
-    several = (_window(found, kind, count) for count, kind in sorted(wanted, reverse=True)[:MOST])
+    several = (_window(result, kind, count) for count, kind in sorted(wanted, reverse=True)[:MOST])
     return tuple(window for window in several if window is not None)
 
 
-def _window(found: Coexistence, kind: OrbitClass, count: int) -> Window | None:
+def _window(result: Coexistence, kind: OrbitClass, count: int) -> Window | None:
     """Return the window of one class; None where its borders cannot be followed."""
-    plane = found.plane
-    cells = np.argwhere((found.codes == kind.code).any(axis=0))
+    plane = result.plane
+    cells = np.argwhere((result.codes == kind.code).any(axis=0))
     # From the cell at the highest frequency: there half cycles are short.
     row, column = max(cells.tolist(), key=lambda cell: cell[1])
     amplitude, ratio = float(plane.amplitudes[row]), float(plane.ratios[column])

@@ -126,8 +126,8 @@ def draw_pattern(
     # Each cell as four corners, so that the pattern ends where the cells do.
     field = np.repeat(np.repeat(where.astype(float), 2, axis=0), 2, axis=1)
     x, y = (
-        np.repeat(np.linspace(one, other, count + 1), 2)[1:-1]
-        for one, other, count in ((left, right, columns), (low, high, rows))
+        np.repeat(np.linspace(start, end, count + 1), 2)[1:-1]
+        for start, end, count in ((left, right, columns), (low, high, rows))
     )
     drawn = axes.contourf(x, y, field, levels=[0.5, 1.5], colors="none", hatches=[hatch])
     drawn.set_edgecolor(ink)

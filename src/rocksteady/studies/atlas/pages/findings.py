@@ -25,7 +25,7 @@ class BandsAt:
     Attributes
     ----------
     order, frequency_ratio
-        Of the family, and where.
+        Order of the family, and frequency ratio of the sentence.
     begins, symmetric_until, unsymmetric_until, cascade_until
         Amplitudes.
     ends_with
@@ -43,7 +43,7 @@ class BandsAt:
 
 
 def bands_at(column: Column, order: int) -> BandsAt:
-    """Return a column as the table has it."""
+    """Return a column as in the table."""
     last = column.ends[-1] if column.ends else None
     ends = "beyond"
     if last is not None:
@@ -89,25 +89,25 @@ def meeting(order: int, lines: Sequence[Line]) -> dict[str, float] | None:
     return None
 
 
-def coexistence_values(found: Coexistence) -> dict[str, Any]:
+def coexistence_values(result: Coexistence) -> dict[str, Any]:
     """Return the numbers of the coexistence by name."""
-    most = int(found.motions.max())
-    row, column = np.unravel_index(int(np.argmax(found.motions)), found.motions.shape)
-    counts = np.bincount(found.motions.ravel(), minlength=most + 1) / found.motions.size
+    most = int(result.motions.max())
+    row, column = np.unravel_index(int(np.argmax(result.motions)), result.motions.shape)
+    counts = np.bincount(result.motions.ravel(), minlength=most + 1) / result.motions.size
     return {
         "most": most,
-        "cells_with_most": int((found.motions == most).sum()),
+        "cells_with_most": int((result.motions == most).sum()),
         "most_at": {
-            "amplitude": float(found.plane.amplitudes[row]),
-            "frequency_ratio": float(found.plane.ratios[column]),
-            "orbits": found.text_at(int(row), int(column)),
-            "rest": bool(found.rest[row, column]),
-            "aperiodic": bool(found.aperiodic[row, column]),
+            "amplitude": float(result.plane.amplitudes[row]),
+            "frequency_ratio": float(result.plane.ratios[column]),
+            "orbits": result.text_at(int(row), int(column)),
+            "rest": bool(result.rest[row, column]),
+            "aperiodic": bool(result.aperiodic[row, column]),
         },
         "shares": {str(count): float(share) for count, share in enumerate(counts)},
-        "cells_with_undecided": int((found.undecided > 0).sum()),
-        "cells_with_aperiodic": int(found.aperiodic.sum()),
-        "cells": found.motions.size,
+        "cells_with_undecided": int((result.undecided > 0).sum()),
+        "cells_with_aperiodic": int(result.aperiodic.sum()),
+        "cells": result.motions.size,
         "classes": [
             {
                 "period": kind.period,
@@ -115,7 +115,7 @@ def coexistence_values(found: Coexistence) -> dict[str, Any]:
                 "unsymmetric": kind.unsymmetric,
                 "cells": count,
             }
-            for kind, count in found.classes.items()
+            for kind, count in result.classes.items()
         ],
     }
 
@@ -133,12 +133,12 @@ def window_values(window: Window) -> dict[str, Any]:
     }
 
 
-def rest_values(found: FromRest) -> dict[str, Any]:
+def rest_values(result: FromRest) -> dict[str, Any]:
     """Return the numbers of the fates from rest by name."""
-    share = found.overturned
+    share = result.overturned
     return {
-        "phases": 2 * len(found.phases),
-        "shares_at_phase_0": {fate: found.share(fate) for fate in FATES},
+        "phases": 2 * len(result.phases),
+        "shares_at_phase_0": {fate: result.share(fate) for fate in FATES},
         "share_overturned_at_every_phase": float((share == 1.0).mean()),
         "share_overturned_at_some_phases": float(((share > 0.0) & (share < 1.0)).mean()),
         "lowest_falls": [
@@ -149,7 +149,7 @@ def rest_values(found: FromRest) -> dict[str, Any]:
                 "heteroclinic": fall.heteroclinic,
                 "step": fall.step,
             }
-            for fall in found.falls
+            for fall in result.falls
         ],
     }
 
@@ -196,19 +196,19 @@ def _window_sentence(window: Window) -> str:
     )
 
 
-def coexistence_sentences(found: Coexistence) -> list[str]:
+def coexistence_sentences(result: Coexistence) -> list[str]:
     """Return what the search shows, one paragraph an entry."""
-    values = coexistence_values(found)
+    values = coexistence_values(result)
     shares, at, most = values["shares"], values["most_at"], values["most"]
-    nothing, one = shares.get("0", 0.0), shares.get("1", 0.0)
-    several = max(0.0, 1.0 - nothing - one)
+    nothing, single = shares.get("0", 0.0), shares.get("1", 0.0)
+    several = max(0.0, 1.0 - nothing - single)
     first = (
         f"In {percent(nothing)} of the cells every start ends in a fall. One motion was found in "
-        f"{percent(one)}, and more than one, so that the start decides, in {percent(several)}."
+        f"{percent(single)}, and more than one, so that the start decides, in {percent(several)}."
     )
     texts = [first]
     if most > 1:
-        company = [OrbitClass.of(code).words for code in _codes_at(found, at)]
+        company = [OrbitClass.of(code).words for code in _codes_at(result, at)]
         company += ["a motion that does not repeat itself"] if at["aperiodic"] else []
         company += ["rest"] if at["rest"] else []
         where = (
@@ -218,31 +218,31 @@ def coexistence_sentences(found: Coexistence) -> list[str]:
             f"The most are {most}, in {where}; at A = {amplitude_text(at['amplitude'])}, "
             f"Ω = {amplitude_text(at['frequency_ratio'])}: {listed(company)}."
         )
-    cells = found.motions.size
-    others = found.having(lambda kind: kind.period not in (1, 3, 5)).sum() / cells
-    rests = found.having(lambda kind: kind.impacts is None).sum() / cells
+    cells = result.motions.size
+    others = result.having(lambda kind: kind.period not in (1, 3, 5)).sum() / cells
+    rests = result.having(lambda kind: kind.impacts is None).sum() / cells
     texts.append(
-        f"Motions of 3 periods were found in {percent(_share(found, 3))} of the cells, of 5 in "
-        f"{percent(_share(found, 5))}, of 2, 4, 6, 7 or more in {percent(others)}; motions that "
+        f"Motions of 3 periods were found in {percent(_share(result, 3))} of the cells, of 5 in "
+        f"{percent(_share(result, 5))}, of 2, 4, 6, 7 or more in {percent(others)}; motions that "
         f"come to rest in each of their periods in {percent(rests)}."
     )
     return texts
 
 
-def _share(found: Coexistence, period: int) -> float:
-    return float(found.having(lambda kind: kind.period == period).mean())
+def _share(result: Coexistence, period: int) -> float:
+    return float(result.having(lambda kind: kind.period == period).mean())
 
 
-def _codes_at(found: Coexistence, at: dict[str, Any]) -> list[int]:
-    row = int(np.argmin(np.abs(found.plane.amplitudes - at["amplitude"])))
-    column = int(np.argmin(np.abs(found.plane.ratios - at["frequency_ratio"])))
-    codes: list[int] = [code for code in found.codes[:, row, column].tolist() if code]
+def _codes_at(result: Coexistence, at: dict[str, Any]) -> list[int]:
+    row = int(np.argmin(np.abs(result.plane.amplitudes - at["amplitude"])))
+    column = int(np.argmin(np.abs(result.plane.ratios - at["frequency_ratio"])))
+    codes: list[int] = [code for code in result.codes[:, row, column].tolist() if code]
     return codes
 
 
-def rest_sentences(found: FromRest, harmonic: FamilyMap | None) -> list[str]:
+def rest_sentences(result: FromRest, harmonic: FamilyMap | None) -> list[str]:
     """Return the fates of a block initially at rest, one paragraph an entry."""
-    values = rest_values(found)
+    values = rest_values(result)
     every, some = (
         values[f"share_overturned_at_{which}"] for which in ("every_phase", "some_phases")
     )
@@ -253,14 +253,14 @@ def rest_sentences(found: FromRest, harmonic: FamilyMap | None) -> list[str]:
     )
     texts = [first]
     if harmonic is not None:
-        safe = harmonic.stable(found.plane.amplitudes)
-        fallen = (found.overturned > 0.0) & safe
+        safe = harmonic.stable(result.plane.amplitudes)
+        fallen = (result.overturned > 0.0) & safe
         texts.append(
             "A stable harmonic motion does not mean that a block reaches it: in "
             f"{percent(float(fallen.sum() / max(int(safe.sum()), 1)))} of the cells that have one "
             "of n = 1, unsymmetric and doubled ones included, it overturns from rest at some phase."
         )
-    above = [fall for fall in found.falls if fall.amplitude == fall.amplitude]
+    above = [fall for fall in result.falls if fall.amplitude == fall.amplitude]
     if above:
         ratios = [fall.amplitude / max(fall.heteroclinic, 1.0) for fall in above]
         texts.append(

@@ -62,7 +62,7 @@ PERIODS = (
     ("5 periods", palette.UNSYMMETRIC),
     ("3 and 5 periods", palette.SUBHARMONIC),
 )
-"""Fills of where motions of several periods live, each cell one of them."""
+"""Fills of the regions of motions of several periods, each cell one of them."""
 WITH_RESTS = ("1 period,\nwith rests in it", "none", "....", palette.INK)
 """The one pattern, over any of the fills."""
 REST_EDGE: dict[str, Any] = {"color": palette.IMPACT, "lw": 1.3}
@@ -90,9 +90,11 @@ def draw_families(
             for window in strips:
                 if window.orbits.period == family.order:
                     _draw_window(axes, window)
-            own = [line for line in lines if line.order == family.order]
-            draw_lines(axes, [_beside(line, family) for line in own], only=DRAWN, cased=False)
-            _magnify(axes, family, own)
+            family_lines = [line for line in lines if line.order == family.order]
+            draw_lines(
+                axes, [_beside(line, family) for line in family_lines], only=DRAWN, cased=False
+            )
+            _magnify(axes, family, family_lines)
         names = [
             name
             for name in (*DRAWN[:3], "second-doubling", *DRAWN[3:])
@@ -105,39 +107,41 @@ def draw_families(
 
 
 def draw_coexistence(
-    found: Coexistence, families: Sequence[FamilyMap], lines: Sequence[Line]
+    result: Coexistence, families: Sequence[FamilyMap], lines: Sequence[Line]
 ) -> "Figure":
-    """Draw how many motions there are, and where those that are not harmonic live."""
+    """Draw the number of motions, and the regions of motions that are not harmonic."""
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-    plane = found.plane
-    most = max(int(found.motions.max()), 1)
+    plane = result.plane
+    most = max(int(result.motions.max()), 1)
     colours = [palette.OVERTURNED, *shades(*MOST_COUNTED, most)]
     with palette.style():
         figure = Figure(figsize=(7.2, 8.2))
         upper, lower = figure.subplots(2, 1)
         prepare(upper, plane, title="Number of motions that stand side by side", bottom=False)
-        draw_cells(upper, plane, found.motions, colours)
-        draw_pattern(upper, plane, found.motions == 0, "////", palette.FAINT)
+        draw_cells(upper, plane, result.motions, colours)
+        draw_pattern(upper, plane, result.motions == 0, "////", palette.FAINT)
         handles = [patch("0: all overturn", palette.OVERTURNED, "////", palette.FAINT)]
         handles += [patch(str(count), colours[count]) for count in range(1, most + 1)]
         upper.legend(handles=handles, loc="center left", bbox_to_anchor=(1.01, 0.5))
         prepare(lower, plane, title="Where motions other than the plain harmonic one were found")
-        three = found.having(lambda kind: kind.period == 3)
-        five = found.having(lambda kind: kind.period == 5)
-        both = np.where(three | five, three + 2.0 * five - 1.0, np.nan)
-        draw_cells(lower, plane, both, [fill for _, fill in PERIODS])
-        rests = found.having(lambda kind: kind.impacts is None)
+        three = result.having(lambda kind: kind.period == 3)
+        five = result.having(lambda kind: kind.period == 5)
+        codes = np.where(three | five, three + 2.0 * five - 1.0, np.nan)
+        draw_cells(lower, plane, codes, [fill for _, fill in PERIODS])
+        rests = result.having(lambda kind: kind.impacts is None)
         draw_pattern(lower, plane, rests, WITH_RESTS[2], WITH_RESTS[3])
-        draw_edge(lower, plane, found.rest, **REST_EDGE)
+        draw_edge(lower, plane, result.rest, **REST_EDGE)
         # Rare ones above the fills and beneath the pattern, so that both are seen.
-        rare = found.having(lambda kind: kind.period not in (1, 3, 5))
+        rare = result.having(lambda kind: kind.period not in (1, 3, 5))
         draw_cells(lower, plane, np.where(rare, 0.0, np.nan), [RARE[1]], above=0.7)
         for family in families:
             if family.order in (3, 5):
-                own = [_beside(line, family) for line in lines if line.order == family.order]
-                draw_lines(lower, own, only=("existence", "cascade-limit", "graze"))
+                family_lines = [
+                    _beside(line, family) for line in lines if line.order == family.order
+                ]
+                draw_lines(lower, family_lines, only=("existence", "cascade-limit", "graze"))
         looks = ((*look, "", palette.INK) for look in PERIODS)
         handles = [patch(*look) for look in (*looks, RARE, WITH_RESTS)]
         handles.append(Line2D([], [], label="rest for ever below", **REST_EDGE))
@@ -145,12 +149,12 @@ def draw_coexistence(
     return figure
 
 
-def draw_from_rest(found: FromRest, lines: Sequence[Line]) -> "Figure":
+def draw_from_rest(result: FromRest, lines: Sequence[Line]) -> "Figure":
     """Draw the long-term motion from rest, and at how many phases the block overturns."""
     from matplotlib.figure import Figure
 
-    plane, count = found.plane, len(found.phases)
-    own = [line for line in lines if line.order == 1]
+    plane, count = result.plane, len(result.phases)
+    family_lines = [line for line in lines if line.order == 1]
     over = ("symmetry-breaking", "first-doubling")
     shares = shades(*OVERTURNING, count + 1)
     with palette.style():
@@ -158,13 +162,13 @@ def draw_from_rest(found: FromRest, lines: Sequence[Line]) -> "Figure":
         upper, lower = figure.subplots(2, 1)
         title = "A block at rest when the shaking begins at phase 0"
         prepare(upper, plane, title=title, bottom=False)
-        draw_cells(upper, plane, found.fate[0], [FATE_LOOKS[fate][0] for fate in FATES])
+        draw_cells(upper, plane, result.fate[0], [FATE_LOOKS[fate][0] for fate in FATES])
         for code, fate in enumerate(FATES):
             _, hatch, ink = FATE_LOOKS[fate]
             if hatch:
-                draw_pattern(upper, plane, found.fate[0] == code, hatch, ink)
-        there = [fate for code, fate in enumerate(FATES) if (found.fate[0] == code).any()]
-        looks = [(fate, *FATE_LOOKS[fate]) for fate in there]
+                draw_pattern(upper, plane, result.fate[0] == code, hatch, ink)
+        fates = [fate for code, fate in enumerate(FATES) if (result.fate[0] == code).any()]
+        looks = [(fate, *FATE_LOOKS[fate]) for fate in fates]
         upper.legend(
             handles=[patch(fate.replace(" with", "\nwith").replace(", ", ",\n"), *look)
                      for fate, *look in looks],
@@ -172,16 +176,16 @@ def draw_from_rest(found: FromRest, lines: Sequence[Line]) -> "Figure":
             bbox_to_anchor=(1.01, 0.5),
         )  # fmt: skip
         prepare(lower, plane, title=f"At how many of {2 * count} phases it overturns")
-        draw_cells(lower, plane, np.rint(found.overturned * count), shares)
+        draw_cells(lower, plane, np.rint(result.overturned * count), shares)
         lower.legend(
             handles=[patch(f"{2 * k} of {2 * count}", shares[k]) for k in range(count, -1, -1)],
             loc="center left",
             bbox_to_anchor=(1.01, 0.5),
         )
         for axes in (upper, lower):
-            draw_lines(axes, own, only=over)
+            draw_lines(axes, family_lines, only=over)
             draw_thresholds(axes, plane)
-        names = [name for name in over if any(line.name == name for line in own)]
+        names = [name for name in over if any(line.name == name for line in family_lines)]
         handles = line_handles(names, thresholds=True)
         for handle in handles[: len(names)]:
             handle.set_label(f"{handle.get_label()}, n = 1")

@@ -32,7 +32,7 @@ def report_html(
     families: Sequence[FamilyMap],
     bands: Sequence[BandsAt],
     lines: Sequence[Line],
-    found: Coexistence,
+    coexisting: Coexistence,
     strips: Sequence[Window],
     rest: FromRest,
     pictures: dict[str, str],
@@ -44,7 +44,7 @@ def report_html(
 
     Parameters
     ----------
-    families, bands, lines, found, strips, rest
+    families, bands, lines, coexisting, strips, rest
         What it shows; the attributes of `Atlas`.
     pictures
         Data URI of each picture by its name.
@@ -56,7 +56,7 @@ def report_html(
         What it ran on, in one line.
     """
     harmonic = next((family for family in families if family.order == 1), None)
-    plane = found.plane
+    plane = coexisting.plane
     return render(
         __package__,
         "atlas.html.j2",
@@ -65,8 +65,8 @@ def report_html(
             for band in bands
             if not math.isnan(band.symmetric_until) and band.ends_with != "not-followed"
         ],
-        coexistence=coexistence_values(found),
-        coexistence_texts=coexistence_sentences(found),
+        coexistence=coexistence_values(coexisting),
+        coexistence_texts=coexistence_sentences(coexisting),
         command=command(plane),
         cycles=CYCLES,
         environment=environment,

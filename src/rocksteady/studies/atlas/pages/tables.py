@@ -24,7 +24,7 @@ def bands_table(families: Sequence[FamilyMap]) -> Table:
 
 
 def lines_table(lines: Sequence[Line]) -> Table:
-    """Return the points of every border; a number tells pieces of one name apart."""
+    """Return the points of every border; a number distinguishes pieces of one name."""
     header = ("order", "impacts", "border", "piece", "frequency_ratio", "amplitude")
     rows: list[tuple[object, ...]] = []
     for piece, line in enumerate(lines):
@@ -33,54 +33,54 @@ def lines_table(lines: Sequence[Line]) -> Table:
     return header, rows
 
 
-def coexistence_table(found: Coexistence) -> Table:
+def coexistence_table(result: Coexistence) -> Table:
     """Return the coexisting stable motions, cell by cell."""
     header = (
         "amplitude", "frequency_ratio", "motions", "rest", "aperiodic", "undecided_starts",
         "of_1_period", "of_3_periods", "of_5_periods", "of_other_periods", "with_rests", "orbits",
     )  # fmt: skip
-    return header, [*_coexistence_rows(found)]
+    return header, [*_coexistence_rows(result)]
 
 
-def _coexistence_rows(found: Coexistence) -> Iterator[tuple[object, ...]]:
-    kinds = {kind.code: kind for kind in found.classes}
-    for row, amplitude in enumerate(found.plane.amplitudes.tolist()):
-        for column, ratio in enumerate(found.plane.ratios.tolist()):
-            here = [kinds[code] for code in found.codes[:, row, column].tolist() if code]
+def _coexistence_rows(result: Coexistence) -> Iterator[tuple[object, ...]]:
+    kinds = {kind.code: kind for kind in result.classes}
+    for row, amplitude in enumerate(result.plane.amplitudes.tolist()):
+        for column, ratio in enumerate(result.plane.ratios.tolist()):
+            here = [kinds[code] for code in result.codes[:, row, column].tolist() if code]
             periods = [kind.period for kind in here]
             yield (
                 amplitude,
                 ratio,
-                int(found.motions[row, column]),
-                int(found.rest[row, column]),
-                int(found.aperiodic[row, column]),
-                int(found.undecided[row, column]),
+                int(result.motions[row, column]),
+                int(result.rest[row, column]),
+                int(result.aperiodic[row, column]),
+                int(result.undecided[row, column]),
                 *(periods.count(period) for period in (1, 3, 5)),
                 sum(period not in (1, 3, 5) for period in periods),
                 sum(kind.impacts is None for kind in here),
-                found.text_at(row, column),
+                result.text_at(row, column),
             )
 
 
-def rest_table(found: FromRest) -> Table:
+def rest_table(result: FromRest) -> Table:
     """Return the long-term motion of a block initially at rest, cell by cell."""
     header = (
         "amplitude", "frequency_ratio", "fate_at_phase_0", "period", "impacts",
         "phases", "phases_overturned",
     )  # fmt: skip
-    phases = 2 * len(found.phases)
-    fallen = (found.fate == FATES.index("overturned")).sum(axis=0) * 2
+    phases = 2 * len(result.phases)
+    fallen = (result.fate == FATES.index("overturned")).sum(axis=0) * 2
     rows: list[tuple[object, ...]] = [
         (
             amplitude,
             ratio,
-            FATES[int(found.fate[0, row, column])],
-            int(found.period[0, row, column]),
-            int(found.impacts[0, row, column]),
+            FATES[int(result.fate[0, row, column])],
+            int(result.period[0, row, column]),
+            int(result.impacts[0, row, column]),
             phases,
             int(fallen[row, column]),
         )
-        for row, amplitude in enumerate(found.plane.amplitudes.tolist())
-        for column, ratio in enumerate(found.plane.ratios.tolist())
+        for row, amplitude in enumerate(result.plane.amplitudes.tolist())
+        for column, ratio in enumerate(result.plane.ratios.tolist())
     ]
     return header, rows

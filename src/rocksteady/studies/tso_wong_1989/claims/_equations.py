@@ -227,22 +227,22 @@ def constants(evidence: Evidence) -> Finding:
 def two_velocities(evidence: Evidence) -> Finding:
     """Put both phases into both expressions, and compare with the package."""
     sample = evidence.sample
-    states, there = sample.states, sample.exists
+    states, exists = sample.states, sample.exists
     w = states.frequency_ratio
     sine, cosine = sin(states.phase), cos(states.phase)
     ratio = sample.beta * sine / sample.tanh
     by_18 = states.restitution * ((ratio + sample.tanh) / w - sample.beta * cosine)
     by_19 = -(ratio - sample.tanh) / w - sample.beta * cosine
     scale = sample.beta + sample.tanh / w
-    apart = float((np.abs(by_18 - by_19) / scale)[:, there].max())
-    package = float((np.abs(states.velocity_tau - by_19) / scale)[:, there].max())
+    apart = float((np.abs(by_18 - by_19) / scale)[:, exists].max())
+    package = float((np.abs(states.velocity_tau - by_19) / scale)[:, exists].max())
     return Finding(
         holds=apart < ROUNDING and package < ROUNDING,
-        detail=f"At {int(there.sum())} random points, both branches, (18) and (19) differ by at "
+        detail=f"At {int(exists.sum())} random points, both branches, (18) and (19) differ by at "
         f"most {scientific(apart)} of their terms, and the velocity of the package from (19) by "
         f"{scientific(package)}. The scan of (18) is not legible; it is derived in "
         "docs/theory/steady.md.",
-        values={"points": int(there.sum()), "difference": apart, "package": package},
+        values={"points": int(exists.sum()), "difference": apart, "package": package},
     )
 
 
@@ -255,9 +255,9 @@ def two_velocities(evidence: Evidence) -> Finding:
 def paired_signs(evidence: Evidence) -> Finding:
     """Check both pairings of the signs."""
     sample = evidence.sample
-    states, there = sample.states, sample.exists
-    p, q, root = sample.p[there], sample.q[there], sample.root[there]
-    phase = states.phase[:, there]
+    states, exists = sample.states, sample.exists
+    p, q, root = sample.p[exists], sample.q[exists], sample.root[exists]
+    phase = states.phase[:, exists]
     worst = float((np.abs(p * cos(phase) + sin(phase) - q) / (1.0 + p)).max())
     # Where the radical or P is next to 0 the wrong pairing is next to the right one.
     clear = p * root > 1e-3
@@ -266,7 +266,7 @@ def paired_signs(evidence: Evidence) -> Finding:
     distinct = float(np.abs(phase[0] - phase[1]).min())
     return Finding(
         holds=worst < 1e-8 and wrong > 0.0 and distinct > 0.0,
-        detail=f"At {int(there.sum())} random points both phases meet (20) within "
+        detail=f"At {int(exists.sum())} random points both phases meet (20) within "
         f"{scientific(worst)}. With the signs of (21) and (22) paired the other way "
         f"sin² φ + cos² φ differs from 1 by at least {scientific(wrong)}. The two phases are never "
         f"closer than {scientific(distinct)}.",

@@ -24,8 +24,8 @@ RESTITUTIONS = (0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99)
 def first_phase(evidence: Evidence) -> Finding:
     """Count phases of branch 1 by quadrant."""
     sample = evidence.sample
-    phase, there = sample.states.phase[0], sample.exists
-    above, below = there & (sample.q > 1.0), there & (sample.q < 1.0)
+    phase, exists = sample.states.phase[0], sample.exists
+    above, below = exists & (sample.q > 1.0), exists & (sample.q < 1.0)
     right = int(((phase > 0.0) & (phase < 0.5 * math.pi))[above].sum())
     left = int(((phase > 0.5 * math.pi) & (phase < math.pi))[below].sum())
     return Finding(
@@ -45,8 +45,8 @@ def first_phase(evidence: Evidence) -> Finding:
 def second_phase(evidence: Evidence) -> Finding:
     """Count phases of branch 2 by quadrant."""
     sample = evidence.sample
-    phase, there = sample.states.phase[1], sample.exists
-    below, above = there & (sample.p < sample.q), there & (sample.p > sample.q)
+    phase, exists = sample.states.phase[1], sample.exists
+    below, above = exists & (sample.p < sample.q), exists & (sample.p > sample.q)
     right = int(((phase > 0.0) & (phase < 0.5 * math.pi))[below].sum())
     negative = int(((phase > -0.5 * math.pi) & (phase < 0.0))[above].sum())
     return Finding(
@@ -65,16 +65,17 @@ def second_phase(evidence: Evidence) -> Finding:
 def kinds(evidence: Evidence) -> Finding:
     """Count in-phase solutions."""
     sample = evidence.sample
-    there = sample.exists
+    exists = sample.exists
     in_phase = sample.states.in_phase.sum(axis=0)
-    two = int((in_phase == 2)[there & (sample.q > 1.0)].sum())
-    one = int((in_phase == 1)[there & (sample.q < 1.0)].sum())
-    total = int(there.sum())
+    two = int((in_phase == 2)[exists & (sample.q > 1.0)].sum())
+    single = int((in_phase == 1)[exists & (sample.q < 1.0)].sum())
+    total = int(exists.sum())
     return Finding(
-        holds=two + one == total,
+        holds=two + single == total,
         detail=f"Of {total} random points with solutions {two} have two in-phase ones, all with "
-        f"Q > 1, and {one} one of each kind, all with Q < 1; {total - two - one} are otherwise.",
-        values={"two_in_phase": two, "one_of_each": one, "points": total},
+        f"Q > 1, and {single} one of each kind, all with Q < 1; {total - two - single} are "
+        "otherwise.",
+        values={"two_in_phase": two, "one_of_each": single, "points": total},
     )
 
 
@@ -98,8 +99,8 @@ def boundaries_in_amplitude(evidence: Evidence) -> Finding:
     return Finding(
         holds=bool(agree.all()) and worst < 1e-12,
         detail=f"Both hold at {int(agree.sum())} of {len(agree)} random points; the package's "
-        f"boundaries equal the formulae within {scientific(worst)}. (The scan does not tell ≥ from "
-        "≤ here; these are the directions that hold.)",
+        f"boundaries equal the formulae within {scientific(worst)}. (The scan does not "
+        "distinguish ≥ from ≤ here; these are the directions that hold.)",
         values={"agree": int(agree.sum()), "points": len(agree), "difference": worst},
     )
 
@@ -113,22 +114,22 @@ def boundaries_in_amplitude(evidence: Evidence) -> Finding:
 )
 def four_regions(evidence: Evidence) -> Finding:
     """See which regions take part of the paper's windows, and where a fifth can be."""
-    found = {
+    numbers_by_plane = {
         name: [number for number, share in plane.shares.items() if share > 0.0]
         for name, plane in evidence.planes.items()
     }
     expected = {"3a": 4, "3b": 4, "4a": 5, "4b": 4}
-    words = "; ".join(f"Fig. {name}: {numbers}" for name, numbers in found.items())
+    words = "; ".join(f"Fig. {name}: {numbers}" for name, numbers in numbers_by_plane.items())
     # P = D h Omega grows with Omega towards D n pi/2; region 5 needs P > 1.
     limits = {}
     for order in (1, 3):
         damping = 2.0 / (order * math.pi)
         limits[order] = (1.0 - damping) / (1.0 + damping)
     return Finding(
-        holds={name: len(numbers) for name, numbers in found.items()} == expected,
+        holds={name: len(numbers) for name, numbers in numbers_by_plane.items()} == expected,
         detail=f"Regions with a share of the window: {words}. Region 5 (P > Q > 1) needs P > 1 "
         f"somewhere, that is δ < {limits[1]:.4f} for n = 1 and δ < {limits[3]:.4f} for n = 3.",
-        values={"regions": found, "restitution_below": limits},
+        values={"regions": numbers_by_plane, "restitution_below": limits},
     )
 
 
@@ -174,12 +175,12 @@ def sign_of_phase(evidence: Evidence) -> Finding:
     phase = states.phase[1]
     positive = int((phase > 0.0)[states.region == 1].sum())
     negative = int((phase < 0.0)[states.region == 2].sum())
-    one, two = int((states.region == 1).sum()), int((states.region == 2).sum())
+    first, second = int((states.region == 1).sum()), int((states.region == 2).sum())
     return Finding(
-        holds=positive == one and negative == two,
-        detail=f"Positive at {positive} of {one} random points of region 1, negative at {negative} "
-        f"of {two} of region 2.",
-        values={"region_1": (positive, one), "region_2": (negative, two)},
+        holds=positive == first and negative == second,
+        detail=f"Positive at {positive} of {first} random points of region 1, negative at "
+        f"{negative} of {second} of region 2.",
+        values={"region_1": (positive, first), "region_2": (negative, second)},
     )
 
 
@@ -193,16 +194,16 @@ def region_3_signs(evidence: Evidence) -> Finding:
     """Count the signs in regions 3 and 5."""
     states = evidence.sample.states
     opposite = states.phase[0] * states.phase[1] < 0.0
-    both = (states.phase[0] > 0.0) & (states.phase[1] > 0.0)
+    positive = (states.phase[0] > 0.0) & (states.phase[1] > 0.0)
     three, five = states.region == 3, states.region == 5
     return Finding(
         holds=bool(opposite[three].all()),
-        detail=f"In region 3 both phases are positive ({int(both[three].sum())} of "
+        detail=f"In region 3 both phases are positive ({int(positive[three].sum())} of "
         f"{int(three.sum())} random points; opposite at {int(opposite[three].sum())}), as Q > 1 "
         "and P < Q demand. The sentence fits region 5, where they are opposite at "
         f"{int(opposite[five].sum())} of {int(five.sum())}.",
         values={
-            "region_3": (int(both[three].sum()), int(opposite[three].sum()), int(three.sum())),
+            "region_3": (int(positive[three].sum()), int(opposite[three].sum()), int(three.sum())),
             "region_5": (int(opposite[five].sum()), int(five.sum())),
         },
     )
@@ -312,21 +313,21 @@ def region_4_shrinks(_: Evidence) -> Finding:
 )
 def region_that_grows(evidence: Evidence) -> Finding:
     """Measure regions 1 and 2, and how far their common boundary moves."""
-    few, many = evidence.planes["4a"], evidence.planes["4b"]
-    moved = float(np.abs(many.curves.sign / few.curves.sign - 1.0).max())
-    growth = {number: many.shares[number] / few.shares[number] for number in (1, 2)}
+    low, high = evidence.planes["4a"], evidence.planes["4b"]
+    moved = float(np.abs(high.curves.sign / low.curves.sign - 1.0).max())
+    growth = {number: high.shares[number] / low.shares[number] for number in (1, 2)}
     # What region 2 gains comes from region 5 alone; above both boundaries it does not change.
-    gained = many.shares[2] - few.shares[2]
+    gained = high.shares[2] - low.shares[2]
     return Finding(
-        holds=growth[2] > growth[1] and abs(many.shares[1] / few.shares[1] - 1.0) < 0.05,
+        holds=growth[2] > growth[1] and abs(high.shares[1] / low.shares[1] - 1.0) < 0.05,
         detail="The numbers 1 and 2 are exchanged in the sentence, against the text's own "
         "definition by the sign of the phase. From δ = 0.5 to 0.95 region 1 grows "
-        f"{growth[1]:.2f}-fold, from {percent(few.shares[1])} to {percent(many.shares[1])} of the "
-        f"window, downwards into regions 3 and 4. Region 2 goes from {percent(few.shares[2])} to "
-        f"{percent(many.shares[2])}; its gain, {percent(gained)}, is what region 5 had "
-        f"({percent(few.shares[5])}). The boundary between the two, (24), does not depend on δ (it "
+        f"{growth[1]:.2f}-fold, from {percent(low.shares[1])} to {percent(high.shares[1])} of the "
+        f"window, downwards into regions 3 and 4. Region 2 goes from {percent(low.shares[2])} to "
+        f"{percent(high.shares[2])}; its gain, {percent(gained)}, is what region 5 had "
+        f"({percent(low.shares[5])}). The boundary between the two, (24), does not depend on δ (it "
         f"moves by {scientific(moved)}).",
-        values={"growth": growth, "boundary_moves": moved, "region_5": few.shares[5]},
+        values={"growth": growth, "boundary_moves": moved, "region_5": low.shares[5]},
     )
 
 

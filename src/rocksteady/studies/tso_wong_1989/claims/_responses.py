@@ -19,12 +19,12 @@ Floats = NDArray[np.float64]
 
 def peaks_at(response: Responses, x: float) -> Floats:
     """Return the peak of each curve at the abscissa nearest to `x`; nan where there is none."""
-    found = []
+    peaks = []
     for curve in response.curves:
         axis = curve.frequency_hz if response.hertz else curve.frequency_ratio
         assert axis is not None
-        found.append(float(curve.peak[int(np.argmin(np.abs(axis - x)))]))
-    return np.array(found)
+        peaks.append(float(curve.peak[int(np.argmin(np.abs(axis - x)))]))
+    return np.array(peaks)
 
 
 @STATEMENTS.add(
@@ -91,9 +91,9 @@ def curves_end(evidence: Evidence) -> Finding:
     response = evidence.responses["5b"]
     ends, gaps = {}, {}
     for amplitude, curve in zip(response.values, response.curves, strict=True):
-        there = np.flatnonzero(np.isfinite(curve.peak))
-        if len(there) and there[-1] + 1 < len(curve.peak):
-            last, beyond = curve.frequency_ratio[there[-1] : there[-1] + 2]
+        places = np.flatnonzero(np.isfinite(curve.peak))
+        if len(places) and places[-1] + 1 < len(curve.peak):
+            last, beyond = curve.frequency_ratio[places[-1] : places[-1] + 2]
             ends[amplitude] = float(last)
             limits = region_boundaries([last, beyond], RESTITUTION, order=3).existence
             gaps[amplitude] = bool(limits[0] <= amplitude < limits[1])
@@ -255,19 +255,19 @@ def insensitive_to_restitution(evidence: Evidence) -> Finding:
 )
 def restitution_trend(evidence: Evidence) -> Finding:
     """Follow both trends along the whole of the stable curves."""
-    found = {}
+    rises = {}
     for name, direction in (("7a", 1.0), ("7b", -1.0)):
         curves = evidence.responses[name].curves
         peaks = np.array([curve.peak for curve in curves])
         stable = np.array([curve.stable for curve in curves[:-1]]).all(axis=0)
         steps = direction * np.diff(peaks, axis=0)[:, stable]
-        found[name] = (int((steps > 0.0).all(axis=0).sum()), int(stable.sum()))
+        rises[name] = (int((steps > 0.0).all(axis=0).sum()), int(stable.sum()))
     return Finding(
-        holds=all(right == total > 0 for right, total in found.values()),
+        holds=all(right == total > 0 for right, total in rises.values()),
         detail="Over all frequencies of the axis at which the motions with δ = 0.7, 0.8 and 0.9 "
-        f"are stable, the peak rises with δ for n = 1 at {found['7a'][0]} of {found['7a'][1]}, and "
-        f"falls for n = 3 at {found['7b'][0]} of {found['7b'][1]}.",
-        values=dict(found),
+        f"are stable, the peak rises with δ for n = 1 at {rises['7a'][0]} of {rises['7a'][1]}, and "
+        f"falls for n = 3 at {rises['7b'][0]} of {rises['7b'][1]}.",
+        values=dict(rises),
     )
 
 

@@ -35,7 +35,7 @@ class Solution:
     branch
         1 or 2.
     phase, velocity_tau
-        Of the state: du/d(omega t) after the impact.
+        Phase and du/d(omega t) of the state after the impact.
     """
 
     amplitude: float
@@ -53,7 +53,7 @@ def followable(states: SteadyStates) -> Axis:
     # In pt a flight multiplies every rounding by exp(length): longer ones cannot be followed.
     short = states.order * math.pi / states.frequency_ratio < LONGEST
     some = np.argwhere(states.admissible & short)[:: len(states.region) // 500].tolist()
-    found = [
+    solutions = [
         Solution(
             amplitude=float(states.amplitude[point]),
             frequency_ratio=float(states.frequency_ratio[point]),
@@ -66,7 +66,7 @@ def followable(states: SteadyStates) -> Axis:
         for which, point in some
     ]
     names = [f"branch {which + 1} at point {point}" for which, point in some]
-    return Axis(name="solution", values=names, items=found)
+    return Axis(name="solution", values=names, items=solutions)
 
 
 def landed(solution: NDArray[Any]) -> dict[str, Floats]:
@@ -84,19 +84,19 @@ def landed(solution: NDArray[Any]) -> dict[str, Floats]:
         much the velocity before it is not -v/delta, relative to v.
     """
     late, fast = np.empty(len(solution)), np.empty(len(solution))
-    for cell, one in enumerate(solution):
-        w = one.frequency_ratio
+    for cell, point in enumerate(solution):
+        w = point.frequency_ratio
         run = simulate(
-            DimensionlessBlock(restitution=one.restitution),
-            Harmonic(amplitude=one.amplitude, frequency_ratio=w, phase=one.phase),
-            start=State.per_tau(angle=0.0, velocity_tau=one.velocity_tau, frequency_ratio=w),
-            cycles=one.order,
+            DimensionlessBlock(restitution=point.restitution),
+            Harmonic(amplitude=point.amplitude, frequency_ratio=w, phase=point.phase),
+            start=State.per_tau(angle=0.0, velocity_tau=point.velocity_tau, frequency_ratio=w),
+            cycles=point.order,
         )
         # Velocities next to 0 lose digits to rounding, as those of all impacts that graze do.
-        scale = max(one.velocity_tau, 1e-3)
-        late[cell] = abs(float(run.impacts.pt[0]) * w - one.order * math.pi) * min(1.0, scale)
+        scale = max(point.velocity_tau, 1e-3)
+        late[cell] = abs(float(run.impacts.pt[0]) * w - point.order * math.pi) * min(1.0, scale)
         before = float(run.impacts.velocity_before[0]) / w
-        fast[cell] = abs(before + one.velocity_tau / one.restitution) / scale
+        fast[cell] = abs(before + point.velocity_tau / point.restitution) / scale
     return {"late": late, "fast": fast}
 
 
@@ -114,20 +114,20 @@ def differing(solution: NDArray[Any]) -> dict[str, Floats]:
         ``apart``: largest difference of theta/alpha.
     """
     apart = np.empty(len(solution))
-    for cell, one in enumerate(solution):
-        a, w = one.amplitude, one.frequency_ratio
+    for cell, point in enumerate(solution):
+        a, w = point.amplitude, point.frequency_ratio
         orbit = compute_steady_orbit(
-            a, w, one.restitution, order=one.order, branch=one.branch, samples=201
+            a, w, point.restitution, order=point.order, branch=point.branch, samples=201
         )
         tau = orbit.tau[:101]
         beta = a / (1.0 + w * w)
-        sinh_part = w * (one.velocity_tau + beta * cos(one.phase))  # (14)
-        cosh_part = beta * sin(one.phase) - 1.0  # (15)
+        sinh_part = w * (point.velocity_tau + beta * cos(point.phase))  # (14)
+        cosh_part = beta * sin(point.phase) - 1.0  # (15)
         angle = (
             sinh_part * sinh(tau / w)
             + cosh_part * cosh(tau / w)
             + 1.0
-            - beta * sin(tau + one.phase)
+            - beta * sin(tau + point.phase)
         )
         apart[cell] = np.abs(angle - orbit.angle[:101]).max()
     return {"apart": apart}

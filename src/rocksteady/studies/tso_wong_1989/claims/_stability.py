@@ -139,7 +139,7 @@ def one_fate(evidence: Evidence) -> Finding:
         fates = history.fates_over_kicks
         classes = {side: {(fate.kind, fate.period) for fate in fates[side]} for side in SIDES}
         leanings = {fate.bias for side in SIDES for fate in fates[side]}
-        if max(len(found) for found in classes.values()) > 1:
+        if max(len(members) for members in classes.values()) > 1:
             by_distance.append(name)
         elif classes[1] != classes[-1]:
             by_side.append(name)
@@ -149,7 +149,10 @@ def one_fate(evidence: Evidence) -> Finding:
             always.append(name)
     changes = max(
         (
-            sum(one.kind is not other.kind for one, other in pairwise(h.fates_over_kicks[side]))
+            sum(
+                earlier.kind is not later.kind
+                for earlier, later in pairwise(h.fates_over_kicks[side])
+            )
             for h in evidence.histories.values()
             if not h.stable
             for side in SIDES
@@ -175,8 +178,8 @@ def one_fate(evidence: Evidence) -> Finding:
     )
 
 
-def _names(found: list[str]) -> str:
-    return ", ".join(found) if found else "none"
+def _names(names: list[str]) -> str:
+    return ", ".join(names) if names else "none"
 
 
 @STATEMENTS.add(
@@ -221,7 +224,7 @@ def three_periods(evidence: Evidence) -> Finding:
     words = ", ".join(f"Fig. {name}: {period}" for name, period in periods.items())
     return Finding(
         holds=set(periods.values()) == {3},
-        detail=f"Smallest number of excitation periods after which the motion repeats: {words}.",
+        detail=f"Smallest number of forcing periods after which the motion repeats: {words}.",
         values=dict(periods),
     )
 

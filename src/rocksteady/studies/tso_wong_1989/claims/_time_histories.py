@@ -25,9 +25,9 @@ class Shown:
     text, page
         What the paper says, in our words, and where.
     fate
-        To what the motion is left; None where it is said to be stable.
+        Attractor to which the motion departs; None where the paper calls it stable.
     period, symmetric
-        Of a subharmonic fate.
+        Period and symmetry of a subharmonic fate.
     """
 
     figure: str

@@ -131,14 +131,14 @@ def no_subharmonic(_: Evidence) -> Finding:
         Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
         axes={"phase": phases, "velocity": velocities},
     )
-    found = dict(Counter(kind.value for kind in kinds_in(fates)))
+    counts = dict(Counter(kind.value for kind in kinds_in(fates)))
     total = len(velocities) * len(phases)
-    words = ", ".join(f"{count} {kind}" for kind, count in sorted(found.items()))
+    words = ", ".join(f"{count} {kind}" for kind, count in sorted(counts.items()))
     return Finding(
-        holds=Kind.SUBHARMONIC.value not in found and Kind.UNSETTLED.value not in found,
+        holds=Kind.SUBHARMONIC.value not in counts and Kind.UNSETTLED.value not in counts,
         detail=f"Of {total} runs from the floor with {len(phases)} phases and {len(velocities)} "
         f"velocities (du/d(pt) to 1.4, δ = 0.8): {words}. A search, not a proof.",
-        values={"fates": found},
+        values={"fates": counts},
     )
 
 
@@ -251,24 +251,24 @@ def beyond_unsymmetric(_: Evidence) -> Finding:
     """Follow both unsymmetric motions down to their end."""
     descents = {order: descent(order) for order in (1, 3)}
     words = "; ".join(
-        f"n = {order}: found with {order} excitation period{'s' if order > 1 else ''} down to "
-        f"Ω = {found.doubled_from + STEP:.3f}, gone at {found.gone_from:.3f}, where the run "
-        f"{'becomes ' if found.then.kind is not Kind.OVERTURNED else ''}{found.then.label}"
-        for order, found in descents.items()
+        f"n = {order}: found with {order} forcing period{'s' if order > 1 else ''} down to "
+        f"Ω = {end.doubled_from + STEP:.3f}, gone at {end.gone_from:.3f}, where the run "
+        f"{'becomes ' if end.then.kind is not Kind.OVERTURNED else ''}{end.then.label}"
+        for order, end in descents.items()
     )
     return Finding(
-        holds=all(found.then.kind is Kind.OVERTURNED for found in descents.values()),
+        holds=all(end.then.kind is Kind.OVERTURNED for end in descents.values()),
         detail="So it is for the harmonic motion, not for the 1/3 subharmonic, which gives way to "
         "the stable harmonic one (as the paper's own Fig. 13c shows), and between the two the "
         f"unsymmetric motion doubles its period. In steps of {STEP} in Ω at A = 2, δ = 0.8: "
         f"{words}.",
         values={
             f"n={order}": {
-                "symmetric_above": found.symmetric_from,
-                "doubled_at": found.doubled_from,
-                "gone_at": found.gone_from,
+                "symmetric_above": end.symmetric_from,
+                "doubled_at": end.doubled_from,
+                "gone_at": end.gone_from,
             }
-            for order, found in descents.items()
+            for order, end in descents.items()
         },
     )
 
@@ -285,17 +285,17 @@ def narrow_range(_: Evidence) -> Finding:
     values = {}
     axis_end = 16.0
     for order in (1, 3):
-        found = descent(order)
-        ratios = np.linspace(found.symmetric_from, axis_end, 4001)[1:]
+        result = descent(order)
+        ratios = np.linspace(result.symmetric_from, axis_end, 4001)[1:]
         stable = find_steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
         end = float(ratios[stable][-1])
-        symmetric = end - found.symmetric_from
-        unsymmetric = found.symmetric_from - found.gone_from
+        symmetric = end - result.symmetric_from
+        unsymmetric = result.symmetric_from - result.gone_from
         holds = holds and unsymmetric < 0.1 * symmetric
         values[f"n={order}"] = (unsymmetric, symmetric)
         rows.append(
             f"n = {order}: unsymmetric over {unsymmetric:.3f} below Ω = "
-            f"{found.symmetric_from:.4f}, symmetric from there to {end:.2f}"
+            f"{result.symmetric_from:.4f}, symmetric from there to {end:.2f}"
             + (" (end of the axis)" if end == axis_end else "")
         )
     return Finding(holds=holds, detail="At A = 2, δ = 0.8. " + "; ".join(rows) + ".", values=values)
@@ -317,11 +317,11 @@ def peak_to_peak(evidence: Evidence) -> Finding:
         assert history.states.peak is not None
         fate = history.fates[-1]
         symmetric = 2.0 * float(history.states.peak[0])
-        found = fate.highest - fate.lowest
-        apart.append(abs(found / symmetric - 1.0))
+        span = fate.highest - fate.lowest
+        apart.append(abs(span / symmetric - 1.0))
         rows.append(
-            f"Fig. {name}: {found:.5f} (from {signed(fate.lowest, '.5f')} to {fate.highest:.5f}) "
-            f"against {symmetric:.5f}, {signed(found / symmetric - 1.0, '+.2%')}"
+            f"Fig. {name}: {span:.5f} (from {signed(fate.lowest, '.5f')} to {fate.highest:.5f}) "
+            f"against {symmetric:.5f}, {signed(span / symmetric - 1.0, '+.2%')}"
         )
     return Finding(
         holds=max(apart) < 0.1,

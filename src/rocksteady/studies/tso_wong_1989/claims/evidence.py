@@ -47,14 +47,14 @@ class Sample:
     def root(self) -> Floats:
         """The radical of eqs 21 and 22; nan where it is not real."""
         with np.errstate(invalid="ignore"):
-            found: Floats = np.sqrt(1.0 + np.square(self.p) - np.square(self.q))
-        return found
+            root: Floats = np.sqrt(1.0 + np.square(self.p) - np.square(self.q))
+        return root
 
     @property
     def exists(self) -> NDArray[np.bool_]:
         """Where there are solutions."""
-        found: NDArray[np.bool_] = self.states.region != 4
-        return found
+        exists: NDArray[np.bool_] = self.states.region != 4
+        return exists
 
 
 def drawn_between(draw: np.random.Generator, low: float, high: float, points: int) -> Floats:
@@ -88,7 +88,7 @@ def random_sample(points: int = POINTS) -> Sample:
 
 @dataclass(frozen=True, kw_only=True)
 class Evidence:
-    """Results on which the checks draw; each is computed when first asked for."""
+    """Results on which the checks draw; each is computed at its first use."""
 
     planes: dict[str, Plane] = field(default_factory=planes)
     responses: dict[str, Responses] = field(default_factory=responses)

@@ -7,7 +7,7 @@ from enum import StrEnum
 
 
 class Verdict(StrEnum):
-    """What the computation says of a statement."""
+    """What the computation gives for a statement."""
 
     REPRODUCED = "reproduced"
     CORRECTED = "corrected"
@@ -42,7 +42,7 @@ class Finding:
 
 @dataclass(frozen=True, kw_only=True)
 class Claim:
-    """A statement of the paper with what the computation says of it.
+    """A statement of the paper with what the computation gives.
 
     Attributes
     ----------
@@ -75,6 +75,9 @@ class Claim:
 
 def corrected(claims: Sequence[Claim]) -> list[Claim]:
     """Return the corrected statements: those numbered E1 to E9 first, the others in their order."""
-    found = [claim for claim in claims if claim.verdict is Verdict.CORRECTED]
-    numbered = [claim for claim in found if re.fullmatch(r"E\d", claim.id)]
-    return [*sorted(numbered, key=lambda claim: claim.id), *(c for c in found if c not in numbered)]
+    corrected_claims = [claim for claim in claims if claim.verdict is Verdict.CORRECTED]
+    numbered = [claim for claim in corrected_claims if re.fullmatch(r"E\d", claim.id)]
+    return [
+        *sorted(numbered, key=lambda claim: claim.id),
+        *(c for c in corrected_claims if c not in numbered),
+    ]

@@ -26,9 +26,9 @@ class Case:
     amplitude, frequency_ratio
         A and Omega, which is the frequency in Hz as well, since p = 2 pi.
     order, branch
-        Of the symmetric steady state on which it starts.
+        Order and branch of the symmetric steady state on which it starts.
     periods
-        End of the time axis [excitation periods].
+        End of the time axis [forcing periods].
     says
         What the paper shows, in our words.
     chosen
@@ -47,7 +47,7 @@ class Case:
 
 AXIS_ILLEGIBLE = "The end of the time axis is not legible in the scan."
 NO_AMPLITUDE = (
-    "The amplitude of Fig. 13 is not printed; the text speaks of the same system as in Fig. 12, so "
+    "The amplitude of Fig. 13 is not printed; the text refers to the same system as in Fig. 12, so "
     "A = 2 is taken."
 )
 

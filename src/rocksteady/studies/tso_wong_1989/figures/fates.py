@@ -34,7 +34,7 @@ Floats = NDArray[np.float64]
 
 FALLING = 1000
 """Excitation periods for which a block may still go on after its last impact until it falls."""
-OVERTURNED_AFTER = Output(name="overturned_after", long_name="excitation periods until it falls")
+OVERTURNED_AFTER = Output(name="overturned_after", long_name="forcing periods until it falls")
 
 
 class Kind(StrEnum):
@@ -101,28 +101,28 @@ def settle(restitution: float, shaking: Harmonic, start: Rest | State | Steady) 
     Parameters
     ----------
     restitution
-        Of the block, in (0, 1].
+        Restitution of the block, in (0, 1].
     shaking
         The base motion; a `Steady` start decides on its phase.
     start
         Where the block begins.
     """
     block = DimensionlessBlock(restitution=restitution)
-    found = find_attractor(block, shaking, start=start)
-    orbit = found.orbit
+    attractor = find_attractor(block, shaking, start=start)
+    orbit = attractor.orbit
     if orbit is not None:
         return Fate(
-            kind=_kind(found.kind, orbit.period),
+            kind=_kind(attractor.kind, orbit.period),
             period=orbit.period,
             symmetric=orbit.symmetric,
             highest=orbit.highest,
             lowest=orbit.lowest,
             orbit=orbit,
         )
-    kind = _kind(found.kind, 0)
+    kind = _kind(attractor.kind, 0)
     if kind is not Kind.OVERTURNED:
         return Fate(kind=kind)
-    after = _falls_after(block, shaking, start, found.after + FALLING)
+    after = _falls_after(block, shaking, start, attractor.after + FALLING)
     return Fate(kind=kind, overturned_after=after)
 
 
@@ -131,8 +131,8 @@ def fates_over_kicks(
 ) -> list[Fate]:
     """Return what a block settles to for each distance at which it leaves a steady state."""
     block = DimensionlessBlock(restitution=restitution)
-    found = map_attractors(block, shaking, axes={"kick": kicks}, start=start)
-    attractors, kinds = _attractors_in(found), list(kinds_in(found))
+    dataset = map_attractors(block, shaking, axes={"kick": kicks}, start=start)
+    attractors, kinds = _attractors_in(dataset), list(kinds_in(dataset))
     fallen = np.array([kind is Kind.OVERTURNED for kind in kinds])
     after = np.full(len(kicks), math.nan)
     if fallen.any():
@@ -141,11 +141,11 @@ def fates_over_kicks(
             block=block,
             shaking=shaking,
             start=start,
-            cycles=int(found["after"].values[fallen].max()) + FALLING,
+            cycles=int(dataset["after"].values[fallen].max()) + FALLING,
         )
         grid = Grid(axes=(Axis(name="kick", values=kicks[fallen]),))
         after[fallen] = evaluate(times, grid, (OVERTURNED_AFTER,))["overturned_after"].values
-    columns = (found[name].values.tolist() for name in ("period", "highest", "lowest"))
+    columns = (dataset[name].values.tolist() for name in ("period", "highest", "lowest"))
     return [
         Fate(
             kind=kind,
@@ -161,17 +161,17 @@ def fates_over_kicks(
     ]
 
 
-def kinds_in(found: "xarray.Dataset") -> Iterator[Kind]:
+def kinds_in(dataset: "xarray.Dataset") -> Iterator[Kind]:
     """Yield what became of each cell of `rocksteady.map_attractors`, in C order."""
-    periods = found["period"].values.ravel().tolist()
-    for kind, period in zip(_attractors_in(found), periods, strict=True):
+    periods = dataset["period"].values.ravel().tolist()
+    for kind, period in zip(_attractors_in(dataset), periods, strict=True):
         yield _kind(kind, period)
 
 
-def _attractors_in(found: "xarray.Dataset") -> list[AttractorKind]:
+def _attractors_in(dataset: "xarray.Dataset") -> list[AttractorKind]:
     """Return to which attractor each cell of an attractor map settles, in C order."""
-    names = found["kind"].attrs["flag_meanings"].split()
-    return [AttractorKind(names[code]) for code in found["kind"].values.ravel().tolist()]
+    names = dataset["kind"].attrs["flag_meanings"].split()
+    return [AttractorKind(names[code]) for code in dataset["kind"].values.ravel().tolist()]
 
 
 def _kind(kind: AttractorKind, period: int) -> Kind:
@@ -193,7 +193,7 @@ def _falls_after(
     start: Rest | State | Steady,
     cycles: int,
 ) -> float:
-    """Return after how many excitation periods a block that overturns does so."""
+    """Return after how many forcing periods a block that overturns does so."""
     run = simulate(block, shaking, start=start, cycles=cycles)
     assert run.overturn_time_tau is not None
     return run.overturn_time_tau / (2.0 * math.pi)

@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ROWS_PER_PERIOD = 60
-"""Rows of data in an excitation period; impacts are rows too."""
+"""Rows of data in a forcing period; impacts are rows too."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -192,10 +192,10 @@ class History:
             if fate.period:
                 ends += f", θ/α between {signed(fate.lowest, '.5f')} and {fate.highest:.5f}"
             parts.append(f"Left on the {sign(side)} side: {ends}.")
-        for side, found in self.fates_over_kicks.items():
+        for side, kick_fates in self.fates_over_kicks.items():
             parts.append(
-                f"Of {len(found)} distances from {KICKS[0]:g} to {KICKS[-1]:g} on the "
-                f"{sign(side)} side: {counted(found)}."
+                f"Of {len(kick_fates)} distances from {KICKS[0]:g} to {KICKS[-1]:g} on the "
+                f"{sign(side)} side: {counted(kick_fates)}."
             )
         return " ".join(parts)
 

@@ -36,7 +36,7 @@ ALPHA = 0.2
 
 DRAWN_BY_STABILITY = (
     "Drawn solid where the motion is stable and dashed where it is unstable, which the paper does "
-    "not tell apart; left out where it passes through the floor."
+    "not distinguish; left out where it passes through the floor."
 )
 
 Quantity = Literal["amplitude", "p", "restitution"]
@@ -55,7 +55,7 @@ class Responses:
 
     @property
     def values(self) -> tuple[float, ...]:
-        """Values of the quantity, one a curve."""
+        """Values of the quantity, one per curve."""
         return {"amplitude": AMPLITUDES, "p": P_VALUES, "restitution": RESTITUTIONS}[self.quantity]
 
     @property
@@ -68,7 +68,7 @@ class Responses:
         """The curves, in the order of the values."""
         start, stop = self.ends
         frequencies = np.linspace(start, stop, round(100 * (stop - start)) + 1)
-        found = []
+        curves = []
         for value in self.values:
             if self.quantity == "amplitude":
                 block: Block | DimensionlessBlock = DimensionlessBlock(restitution=RESTITUTION)
@@ -85,8 +85,8 @@ class Responses:
                 curve = compute_response_curve(
                     block, AMPLITUDE, frequency_ratio=frequencies, order=self.order
                 )
-            found.append(curve)
-        return found
+            curves.append(curve)
+        return curves
 
     @property
     def labels(self) -> list[str]:
@@ -132,13 +132,13 @@ class Responses:
         for label, curve in zip(self.labels, curves, strict=True):
             x = curve.frequency_hz if self.hertz else curve.frequency_ratio
             assert x is not None
-            there = np.isfinite(curve.peak)
-            if not there.any():
+            finite = np.isfinite(curve.peak)
+            if not finite.any():
                 yield f"{label}: no such motion on this axis."
                 continue
             unit = " Hz" if self.hertz else ""
             name = "" if self.hertz else "Ω = "
-            end = float(x[there][-1])
+            end = float(x[finite][-1])
             reaches = "to the end of the axis" if end == x[-1] else f"to {name}{end:.2f}{unit}"
             neutral = curve.states.neutral[curve.branch - 1]
             if curve.stable.any():

@@ -51,7 +51,7 @@ def percent(share: float) -> str:
 
 
 def scientific(value: float) -> str:
-    """Return a number from 0 on with two figures, in powers of ten where it is small or large.
+    """Return a number, 0 or above, with two figures, in powers of ten where it is small or large.
 
     Examples
     --------
