@@ -27,6 +27,7 @@ from rocksteady import (
     evaluate,
     open_store,
 )
+from rocksteady.sweep.store import _writer
 from tests.sweep.indices import indexers
 
 Found = dict[str, NDArray[Any]]
@@ -310,7 +311,11 @@ def test_a_part_of_a_store_says_which_cells_it_has(
     assert np.isnan(found.value.values[6, 4]).all()
 
 
-def test_a_sweep_can_be_looked_at_while_it_runs(tmp_path: Path, reference: xarray.Dataset) -> None:
+def test_a_sweep_can_be_looked_at_while_it_runs(
+    tmp_path: Path, reference: xarray.Dataset, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # A slow disk is written to more seldom: here each chunk is written when it is full.
+    monkeypatch.setattr(_writer, "LATEST", 0.0)
     path = tmp_path / "map.zarr"
     there: list[int] = []
 
