@@ -13,6 +13,7 @@ from rocksteady.kernels.batch.attractors import fill_clocks, settle_cells, settl
 from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment, series_fates
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.batch.waiting import fill_hardest
 from rocksteady.kernels.core.clock import clock, segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.loops import (
@@ -113,6 +114,7 @@ _KERNELS: tuple[Any, ...] = (
     lane_attractors,
     fill_clocks,
     record_fates,
+    fill_hardest,
     pulse_fates,
     harmonic_segment,
     fill_oscillator,

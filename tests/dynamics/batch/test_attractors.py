@@ -6,6 +6,7 @@ rounding on the way.
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,6 +22,9 @@ from rocksteady.dynamics.batch.attractors import (
 )
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.kernels.batch.attractors import OUTCOME
+from rocksteady.kernels.core.queue import LEFT_OVER
+from rocksteady.kernels.machine_code.device import Form, on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import Cells, random_cells
 
@@ -74,6 +78,31 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
     kinds = {KINDS[code].value for code in found.kind}
     assert {"symmetric", "unsymmetric", "rest", "overturned"} <= kinds
     assert {0, 1} <= set((found.rests > 0).tolist())
+
+
+class Without:
+    """A device without room for any cell."""
+
+    def __init__(self) -> None:
+        self.ran: list[str] = []
+
+    def run(self, form: Form, arguments: tuple[Any, ...]) -> None:
+        self.ran.append(form.queued.__name__)
+        arguments[-2][:, OUTCOME] = LEFT_OVER
+
+
+@models
+def test_what_a_device_leaves_over_is_followed_on_the_host(model: Model) -> None:
+    cells, device = random_cells(7, model, 20), Without()
+    with on_device(device):
+        found = settled(cells)
+    wanted = settled(cells)
+    lanes, alone = "queued_lane_attractors", "queued_settle_cells"
+    linear = model == Linear()
+    assert device.ran == ([lanes, alone] if linear else ["queued_nonlinear_settle_cells"])
+    np.testing.assert_array_equal(found.kind, wanted.kind)
+    np.testing.assert_array_equal(found.after, wanted.after)
+    np.testing.assert_allclose(found.highest, wanted.highest, rtol=1e-9)
 
 
 @models

@@ -6,8 +6,10 @@ import pytest
 from rocksteady import Status, Trajectory, simulate
 from rocksteady.dynamics.batch import fates
 from rocksteady.dynamics.batch.fates import ENDS, Integers, batch_size, ends_of
+from rocksteady.kernels.machine_code.device import on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import Cells, random_cells
+from tests.kernels.queued import Workers
 
 CYCLES = 20
 models = pytest.mark.parametrize(("model", "count"), [(Linear(), 120), (Nonlinear(), 40)])
@@ -48,6 +50,18 @@ def test_each_motion_ends_as_its_time_history_does(model: Model, count: int) -> 
     # A time history shows impacts after rest is proved too: those one can see.
     assert (impacts <= shown).all()
     assert np.count_nonzero(~chatters & (shown > 0)) > count // 3
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of kernels that nothing compiles
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+def test_a_device_runs_the_kernels_of_the_model_and_gives_the_same_ends(model: Model) -> None:
+    cells, device = random_cells(3, model, 8), Workers(2)
+    with on_device(device):
+        found = ended(cells, 5)
+    for one, other in zip(found, ended(cells, 5), strict=True):
+        np.testing.assert_array_equal(one, other)
+    linear = ["lane_fates", "fates_of_sides"]
+    assert device.ran == (linear if model == Linear() else ["nonlinear_lane_fates"])
 
 
 def slow(run: Trajectory) -> bool:

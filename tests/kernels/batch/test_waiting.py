@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.batch._waiting import fill_hardest, waits_until
 from rocksteady.kernels.batch.records import FEW, record_fates
+from rocksteady.kernels.batch.waiting import fill_hardest, waits_until
 from rocksteady.kernels.core.tables import (
     ALIKE,
     ALPHA,

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.batch.fates import ends_of
 from rocksteady.kernels.batch._lossless_bound import largest_margin
 from rocksteady.kernels.batch._still_base import fate_on_still_base, over_the_top
-from rocksteady.kernels.batch._waiting import fill_hardest, waits_until
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import FEW, record_fates
+from rocksteady.kernels.batch.waiting import fill_hardest, waits_until
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import (
     AT_REST,

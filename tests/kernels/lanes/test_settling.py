@@ -26,8 +26,9 @@ from rocksteady.kernels.batch.attractors import (
     fill_clocks,
     settle_cells,
 )
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import RESTITUTION
-from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
+from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
 from rocksteady.kernels.orbits.settle import (

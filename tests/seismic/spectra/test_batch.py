@@ -2,6 +2,7 @@
 
 import math
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +10,9 @@ from numpy.typing import NDArray
 
 from rocksteady import Block, Record, Status, Trajectory, simulate
 from rocksteady.errors import InputError
+from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.queue import LEFT_OVER
+from rocksteady.kernels.machine_code.device import Form, on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.seismic.spectra.batch import (
@@ -127,6 +131,31 @@ def test_the_peak_velocity_is_that_of_the_sampled_time_history() -> None:
         top = max(sampled, float(before.max(initial=0.0)))
         assert top <= run.peak_velocity * (1.0 + 1e-12)
         assert math.isclose(top, run.peak_velocity, rel_tol=1e-3)
+
+
+class Every:
+    """A device that has room for every other block only."""
+
+    def __init__(self) -> None:
+        self.ran: list[str] = []
+
+    def run(self, form: Form, arguments: tuple[Any, ...]) -> None:
+        self.ran.append(form.queued.__name__)
+        record_fates(*arguments)
+        arguments[-3][::2] = LEFT_OVER
+        arguments[-1][::2] = np.nan
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+def test_what_a_device_leaves_over_is_followed_on_the_host(model: Model) -> None:
+    shaking, device = GroundShaking(record=ground(peak=9.0)), Every()
+    wanted = fared(shaking, BLOCKS, FACTORS, model)
+    with on_device(device):
+        found = fared(shaking, BLOCKS, FACTORS, model)
+    nonlinear = "nonlinear_" if model == Nonlinear() else ""
+    assert device.ran == [f"queued_{nonlinear}record_fates"]
+    for one, other in zip(found, wanted, strict=True):
+        np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize(

@@ -136,6 +136,7 @@ def record_records(
     after = np.full(count, AFTERWARDS)
     peaks = np.zeros((count, PEAK_COLUMNS))
     call("record_fates", segments, sides, after, 2000, status, impacts, peaks)
+    call("fill_hardest", segments, nonlinear, np.zeros(len(segments) - 1))
 
 
 def record_pulses(call: Recorder, name: str, count: int, *, nonlinear: bool) -> None:

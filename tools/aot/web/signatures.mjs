@@ -24,6 +24,7 @@ export const signatures = {
   lane_attractors: { takes: ['f1', 'f1', 'f1', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
   record_fates: { takes: ['f2', 'f3', 'f1', 'i', 'i1', 'i1', 'f2'], gives: null },
+  fill_hardest: { takes: ['f2', 'b', 'f1'], gives: null },
   pulse_fates: { takes: ['f2', 'f2', 'f1', 'f1', 'f', 'i', 'i1', 'i1', 'i1', 'i1', 'f1'], gives: null },
   harmonic_segment: { takes: ['f2', 'f', 'f', 'f'], gives: null },
   fill_oscillator: { takes: ['f1', 'f2', 'f2'], gives: null },

@@ -11,8 +11,10 @@ from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
-from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
+from rocksteady.kernels.devices import run_cells
+from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.fourier import shares_of
@@ -150,58 +152,34 @@ def settled_cells(
     # Lanes hold the linear model only; its side table has fewer columns.
     same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS) & (not harmonics))
     whole[:, column.OUTCOME] = LEFT_OVER
-    for in_lanes in (True, False):
-        left = same if in_lanes else np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
-        if cells and not len(left):  # without any cells at all both are to be loaded
+    for step in ("in lanes", "one by one", "on the host"):
+        left = same
+        if step != "in lanes":
+            left = np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
+        # Without any cells the kernels of the first two are to be loaded.
+        if not len(left) and (cells or step == "on the host"):
             continue
-        a, w, blocks, start = (
-            amplitude[left],
-            frequency_ratio[left],
-            tables[left],
-            begin.taken(left),
-        )
+        shaken, blocks = (amplitude[left], frequency_ratio[left]), tables[left]
+        start = begin.taken(left)
         parts = whole[left], real[left]
+        run: tuple[Any, ...] = (
+            start.side,
+            start.angle,
+            start.velocity,
+            start.half_cycles,
+            start.phase,
+            cycles,
+            *parts,
+        )
         if harmonics:
             total, shares = shares_of(harmonics)
-            column.settle_series_cells(
-                total * a,
-                w,
-                shares,
-                blocks,
-                start.side,
-                start.angle,
-                start.velocity,
-                start.half_cycles,
-                start.phase,
-                cycles,
-                *parts,
-            )
-        elif in_lanes:
-            lane_attractors(
-                a,
-                w,
-                blocks[:, 0, RESTITUTION].copy(),
-                start.side,
-                start.angle,
-                start.velocity,
-                start.half_cycles,
-                start.phase,
-                cycles,
-                *parts,
-            )
-        else:
-            column.settle_cells(
-                a,
-                w,
-                blocks,
-                start.side,
-                start.angle,
-                start.velocity,
-                start.half_cycles,
-                start.phase,
-                cycles,
-                *parts,
-            )
+            column.settle_series_cells(total * shaken[0], shaken[1], shares, blocks, *run)
+        elif step == "in lanes":
+            run_cells(lane_attractors, *shaken, blocks[:, 0, RESTITUTION].copy(), *run)
+        elif step == "one by one":
+            run_cells(column.settle_cells, *shaken, blocks, *run)
+        else:  # what a device has no room for
+            column.settle_cells(*shaken, blocks, *run)
         whole[left], real[left] = parts
     kind = kind_codes(
         whole[:, column.OUTCOME],

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.devices import run_cells
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Linear, Model
@@ -85,7 +86,8 @@ def ends_of(
         )
         return status, impacts
     if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
-        nonlinear_lane_fates(
+        run_cells(
+            nonlinear_lane_fates,
             # Kernels take no views.
             amplitude.copy(),
             frequency_ratio.copy(),
@@ -112,9 +114,11 @@ def ends_of(
         ends, counts = codes
         if in_lanes:
             ratio = sides[cells, 0, RESTITUTION]
-            lane_fates(*shaken, ratio, *begin, cycles, True, MOST_IMPACTS, ends, counts, final)
+            options = cycles, True, MOST_IMPACTS
+            run_cells(lane_fates, *shaken, ratio, *begin, *options, ends, counts, final)
         else:
-            fates_of_sides(*shaken, sides[cells], *begin, cycles, MOST_IMPACTS, ends, counts, final)
+            limits = cycles, MOST_IMPACTS
+            run_cells(fates_of_sides, *shaken, sides[cells], *begin, *limits, ends, counts, final)
         status[cells], impacts[cells] = codes
     return status, impacts
 

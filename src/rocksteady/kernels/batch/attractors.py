@@ -5,8 +5,10 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.queue import enter, queue_of, take
+from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, SIDE_COLUMNS, is_nonlinear
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
@@ -78,9 +80,153 @@ def settle_cells(
     whole, real
         Receive the columns above, shape (cells, WHOLE_COLUMNS) and (cells, REAL_COLUMNS).
     """
-    memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
-    for i in range(len(amplitude)):
-        system = make_system(amplitude[i], frequency_ratio[i], sides[i])
+    queue = queue_of(len(amplitude))
+    memories = np.empty((1, MEMORY, ORBIT_COLUMNS))
+    tables = np.empty((1, LONGEST_ORBIT, ORBIT_COLUMNS))
+    if len(sides) > 0 and is_nonlinear(sides[0]):
+        queued_nonlinear_settle_cells(
+            queue,
+            memories,
+            tables,
+            amplitude,
+            frequency_ratio,
+            sides,
+            side,
+            angle,
+            velocity,
+            half_cycles,
+            phase,
+            cycles,
+            whole,
+            real,
+        )
+    else:
+        queued_settle_cells(
+            queue,
+            memories,
+            tables,
+            amplitude,
+            frequency_ratio,
+            sides,
+            side,
+            angle,
+            velocity,
+            half_cycles,
+            phase,
+            cycles,
+            whole,
+            real,
+        )
+
+
+@allocating
+def queued_settle_cells(
+    queue: Integers1,
+    memories: Floats3,
+    tables: Floats3,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
+    cycles: int,
+    whole: Integers2,
+    real: Floats2,
+) -> None:
+    """Do what `settle_cells` does in the linear model, for the cells taken from a queue.
+
+    The room of a worker are rows of `memories` and `tables`, whose shapes are (workers, MEMORY,
+    5 or more) and (workers, MEMORY or more, ORBIT_COLUMNS).  A cell whose orbit may have more
+    passages than the table has rows is LEFT_OVER.
+    """
+    _settle_cells(
+        queue,
+        memories,
+        tables,
+        amplitude,
+        frequency_ratio,
+        sides,
+        side,
+        angle,
+        velocity,
+        half_cycles,
+        phase,
+        cycles,
+        whole,
+        real,
+        np.empty((2, SIDE_COLUMNS)),
+    )
+
+
+@allocating
+def queued_nonlinear_settle_cells(
+    queue: Integers1,
+    memories: Floats3,
+    tables: Floats3,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
+    cycles: int,
+    whole: Integers2,
+    real: Floats2,
+) -> None:
+    """Do what `queued_settle_cells` does in the nonlinear model."""
+    _settle_cells(
+        queue,
+        memories,
+        tables,
+        amplitude,
+        frequency_ratio,
+        sides,
+        side,
+        angle,
+        velocity,
+        half_cycles,
+        phase,
+        cycles,
+        whole,
+        real,
+        np.empty((2, NONLINEAR_SIDE_COLUMNS)),
+    )
+
+
+@inlined
+def _settle_cells(
+    queue: Integers1,
+    memories: Floats3,
+    tables: Floats3,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
+    cycles: int,
+    whole: Integers2,
+    real: Floats2,
+    block: Floats2,
+) -> None:
+    """Settle the cells of a queue; inlined once for each model: `block` has its columns."""
+    worker = enter(queue)
+    memory, table = memories[worker], tables[worker]
+    while True:
+        i = take(queue)
+        if i < 0:
+            return
+        for row in range(block.shape[0]):
+            for column in range(block.shape[1]):
+                block[row, column] = sides[i, row, column]
+        system = make_system(amplitude[i], frequency_ratio[i], block)
         found = settle(
             system,
             side[i],

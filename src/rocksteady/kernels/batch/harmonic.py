@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
@@ -18,12 +19,19 @@ from rocksteady.kernels.core.tables import (
     ORDERS,
     PHASE,
     ROW_COLUMNS,
+    SEGMENT_COLUMNS,
     SHARES,
     March,
+    is_nonlinear,
 )
-from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.core.typed import FALSE, TRUE
+from rocksteady.kernels.machine_code.compilation import (
+    allocating,
+    compiled,
+    inlined_allocating,
+)
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
-from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.march import linear_march, march, nonlinear_march
 
 
 @compiled
@@ -68,14 +76,144 @@ def fates_of_sides(
         Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
         velocity and phase.
     """
-    # On a base without vertical motion; the linear model does not look at its columns.
-    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    for i in range(len(amplitude)):
-        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
-        status[i], impacts[i] = fate_on(
-            segments, sides[i], angle[i], velocity[i], phase[i], cycles, most, rows, peaks, final[i]
+    queue = queue_of(len(amplitude))
+    if len(sides) > 0 and is_nonlinear(sides[0]):
+        queued_nonlinear_fates_of_sides(
+            queue,
+            amplitude,
+            frequency_ratio,
+            sides,
+            angle,
+            velocity,
+            phase,
+            cycles,
+            most,
+            status,
+            impacts,
+            final,
         )
+    else:
+        queued_fates_of_sides(
+            queue,
+            amplitude,
+            frequency_ratio,
+            sides,
+            angle,
+            velocity,
+            phase,
+            cycles,
+            most,
+            status,
+            impacts,
+            final,
+        )
+
+
+@allocating
+def queued_fates_of_sides(
+    queue: Integers1,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """Do what `fates_of_sides` does in the linear model, for the cells taken from a queue."""
+    _fates(
+        queue,
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        most,
+        status,
+        impacts,
+        final,
+        np.zeros((1, SEGMENT_COLUMNS)),
+        FALSE,
+    )
+
+
+@allocating
+def queued_nonlinear_fates_of_sides(
+    queue: Integers1,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """Do what `fates_of_sides` does in the nonlinear model, for the cells taken from a queue."""
+    # On a base without vertical motion.
+    _fates(
+        queue,
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        most,
+        status,
+        impacts,
+        final,
+        np.zeros((1, NONLINEAR_SEGMENT_COLUMNS)),
+        TRUE,
+    )
+
+
+@inlined_allocating
+def _fates(
+    queue: Integers1,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+    segments: Floats2,
+    nonlinear: bool,
+) -> None:
+    """Fill the fates of the cells of a queue; inlined once for each model."""
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    while True:
+        i = take(queue)
+        if i < 0:
+            return
+        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
+        start = start_of(angle[i], velocity[i], phase[i])
+        end_half, stop = start.half_cycles + 2 * cycles, start.phase
+        if nonlinear:
+            status[i], end = nonlinear_march(
+                segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
+            )
+        else:
+            status[i], end = linear_march(
+                segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
+            )
+        impacts[i] = end.impacts
+        final[i, 0], final[i, 1], final[i, 2] = end.angle, end.velocity, end.phase
 
 
 @allocating
@@ -104,42 +242,22 @@ def series_fates(
         segments[0, ORDERS] = len(shares) // 2
         for k in range(len(shares)):
             segments[0, SHARES + k] = shares[k]
-        status[i], impacts[i] = fate_on(
-            segments, sides[i], angle[i], velocity[i], phase[i], cycles, most, rows, peaks, final[i]
+        start = start_of(angle[i], velocity[i], phase[i])
+        end_half, stop = start.half_cycles + 2 * cycles, start.phase
+        status[i], end = march(
+            segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
         )
+        impacts[i] = end.impacts
+        final[i, 0], final[i, 1], final[i, 2] = end.angle, end.velocity, end.phase
 
 
-@allocating
-def fate_on(
-    segments: Floats2,
-    sides: Floats2,
-    angle: float,
-    velocity: float,
-    phase: float,
-    cycles: int,
-    most: int,
-    rows: Floats2,
-    peaks: Floats1,
-    final: Floats1,
-) -> tuple[int, int]:
-    """Return how one motion ends on one endless segment, and its impacts."""
+@compiled
+def start_of(angle: float, velocity: float, phase: float) -> March:
+    """Return the state of the march at an angle, a velocity and a phase of the shaking."""
     half, start_phase = clock(phase)
     side = 1
     if angle < 0.0 or (angle == 0.0 and velocity < 0.0):
         side = -1
     elif angle == 0.0 and velocity == 0.0:
         side = 0
-    start = March(side, angle, velocity, 0, half, start_phase, 0, 0)
-    status, end = march(
-        segments,
-        sides,
-        start,
-        half + 2 * cycles,
-        start_phase,
-        math.inf,
-        most,
-        rows,
-        peaks,
-    )
-    final[0], final[1], final[2] = end.angle, end.velocity, end.phase
-    return status, end.impacts
+    return March(side, angle, velocity, 0, half, start_phase, 0, 0)

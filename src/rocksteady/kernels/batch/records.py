@@ -13,7 +13,8 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.batch._waiting import fill_hardest, waits_until
+from rocksteady.kernels.batch.waiting import fill_hardest, waits_until
+from rocksteady.kernels.core.queue import LEFT_OVER, queue_of, take
 from rocksteady.kernels.core.tables import (
     BEFORE_ANGLE,
     BEFORE_SPEED,
@@ -29,11 +30,15 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
     kept_passage,
 )
-from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.machine_code.compilation import allocating
+from rocksteady.kernels.core.typed import FALSE, ONE, TRUE, ZERO
+from rocksteady.kernels.machine_code.compilation import (
+    allocating,
+    inlined,
+    inlined_allocating,
+)
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
-from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.replay import peaks_until_overturning
+from rocksteady.kernels.march.march import linear_march, nonlinear_march
+from rocksteady.kernels.march.replay import peaks_without_series
 
 FEW = 2
 """Blocks that wait at rest step by step: for so few it takes no longer than to make a table."""
@@ -73,31 +78,169 @@ def record_fates(
         positive side's alpha and p, until the end or overturning.  In shape (blocks, 0) there are
         none, and the march is faster.
     """
+    queue = queue_of(len(sides))
+    hardest = np.empty(len(segments) - 1)
+    nonlinear = len(sides) > 0 and is_nonlinear(sides[0])
+    if len(sides) > FEW:
+        fill_hardest(segments, nonlinear, hardest)
+    if nonlinear:
+        _record_fates(
+            queue,
+            hardest,
+            segments,
+            sides,
+            afterwards,
+            limit,
+            status,
+            impacts,
+            peaks,
+            TRUE,
+            TRUE,
+        )
+    else:
+        _record_fates(
+            queue,
+            hardest,
+            segments,
+            sides,
+            afterwards,
+            limit,
+            status,
+            impacts,
+            peaks,
+            FALSE,
+            TRUE,
+        )
+
+
+@allocating
+def queued_record_fates(
+    queue: Integers1,
+    hardest: Floats1,
+    segments: Floats2,
+    sides: Floats3,
+    afterwards: Floats1,
+    limit: int,
+    status: Integers1,
+    impacts: Integers1,
+    peaks: Floats2,
+) -> None:
+    """Do what `record_fates` does in the linear model, for the blocks taken from a queue.
+
+    `hardest` is what `rocksteady.kernels.batch.waiting.fill_hardest` fills.  A block that falls
+    after it has turned back above its slenderness is LEFT_OVER where peaks are wanted: to find
+    them takes a table as long as its motion.
+    """
+    _record_fates(
+        queue,
+        hardest,
+        segments,
+        sides,
+        afterwards,
+        limit,
+        status,
+        impacts,
+        peaks,
+        FALSE,
+        FALSE,
+    )
+
+
+@allocating
+def queued_nonlinear_record_fates(
+    queue: Integers1,
+    hardest: Floats1,
+    segments: Floats2,
+    sides: Floats3,
+    afterwards: Floats1,
+    limit: int,
+    status: Integers1,
+    impacts: Integers1,
+    peaks: Floats2,
+) -> None:
+    """Do what `queued_record_fates` does in the nonlinear model."""
+    _record_fates(
+        queue,
+        hardest,
+        segments,
+        sides,
+        afterwards,
+        limit,
+        status,
+        impacts,
+        peaks,
+        TRUE,
+        FALSE,
+    )
+
+
+@inlined_allocating
+def _record_fates(
+    queue: Integers1,
+    hardest: Floats1,
+    segments: Floats2,
+    sides: Floats3,
+    afterwards: Floats1,
+    limit: int,
+    status: Integers1,
+    impacts: Integers1,
+    peaks: Floats2,
+    nonlinear: bool,
+    whole: bool,
+) -> None:
+    """Fill the fates of the blocks of a queue; inlined once for each model.
+
+    `whole` is whether to go through a whole motion again where its last passage is not enough.
+    """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     watch = peaks.shape[1] > 0
-    peak = np.zeros(PASSAGE_COLUMNS if watch else 0)
-    hardest = np.empty(len(segments) - 1)
-    if len(sides) > FEW:
-        fill_hardest(segments, is_nonlinear(sides[0]), hardest)
-    for i in range(len(sides)):
+    kept = np.zeros(PASSAGE_COLUMNS)
+    peak = kept[: PASSAGE_COLUMNS if watch else 0]
+    while True:
+        i = take(queue)
+        if i < 0:
+            return
         own = sides[i]
         waits = waits_until(hardest, own) if len(sides) > FEW else ZERO
         unit = own[0, LEAN] * own[0, RATE]
         stop = afterwards[i] / own[0, RATE]
         peak[:] = 0.0
         start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
-        status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
+        status[i], end = _march_through(segments, own, start, stop, limit, none, peak, nonlinear)
         impacts[i] = end.impacts
         if not watch:
             continue
         if status[i] == OVERTURNED:
-            again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
             if peak[PASSING_AGAIN] == 0.0:
-                again, most = kept_passage(peak), 1
-            rows = np.zeros((most, ROW_COLUMNS))
-            march(segments, own, again, ZERO, stop, math.inf, most, rows, nothing)
-            positive, negative, speed = peaks_until_overturning(segments, own, rows)
+                row, again = np.zeros((1, ROW_COLUMNS)), kept_passage(peak)
+                _march_through(segments, own, again, stop, ONE, row, nothing, nonlinear)
+                positive, negative, speed = peaks_without_series(segments, own, row)
+            elif whole:
+                again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
+                rows = np.zeros((most, ROW_COLUMNS))
+                _march_through(segments, own, again, stop, most, rows, nothing, nonlinear)
+                positive, negative, speed = peaks_without_series(segments, own, rows)
+            else:
+                status[i] = LEFT_OVER
+                continue
             peak[PEAK_ANGLE] = max(peak[BEFORE_ANGLE], positive, negative)
             peak[PEAK_SPEED] = max(peak[BEFORE_SPEED], speed)
         peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
         peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit
+
+
+@inlined
+def _march_through(
+    segments: Floats2,
+    sides: Floats2,
+    start: March,
+    stop: float,
+    limit: int,
+    rows: Floats2,
+    peaks: Floats1,
+    nonlinear: bool,
+) -> tuple[int, March]:
+    """March to the end of a motion in one of the models."""
+    if nonlinear:
+        return nonlinear_march(segments, sides, start, ZERO, stop, math.inf, limit, rows, peaks)
+    return linear_march(segments, sides, start, ZERO, stop, math.inf, limit, rows, peaks)

@@ -9,8 +9,8 @@ never depends on the lanes beside it, so neither does the result, to the last bi
 The parts: `_fields` the fields and stages of a lane, `_exp_sincos` exponential and sine, `_newton`
 steps towards an impact, `_launching` what a flight begins with, `_nodes` whether a piece has an
 impact, `_passes` the order of these loops, `_periods` motions that have become periodic, `_law` how
-these are known early, `driver` the loop that drives them; `_arrival` and `settling` motions that
-are followed to their orbits.
+these are known early, `driver` the loop that drives them; `_arrival`, `_recurrence` and `settling`
+motions that are followed to their orbits.
 
 **No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on

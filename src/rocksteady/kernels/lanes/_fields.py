@@ -1,9 +1,10 @@
 """Fields of a lane's state, and the codes of its stages."""
 
 from rocksteady.kernels.machine_code.compilation import inlined
+from rocksteady.kernels.machine_code.width import side_by_side
 
 # 16 or fewer lanes would be unrolled and stay scalar; more than 64 leave the first cache.
-LANES = 48
+LANES = side_by_side(48)
 
 # Stages of a lane, in the order in which the loops tell them apart.
 EMPTY = 0.0

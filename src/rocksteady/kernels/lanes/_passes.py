@@ -2,6 +2,7 @@
 
 import math
 
+from rocksteady.kernels.core.queue import together
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.lanes._fields import (
@@ -78,10 +79,10 @@ def step(lanes: Floats, numbers: int, bounces: int) -> int:
 @compiled
 def begin(lanes: Floats, delays: int) -> tuple[int, int]:
     """Begin flights from the floor; return the census and passes since one at special flights."""
-    numbers = launch(lanes)
+    numbers = together(launch(lanes))
     specials = numbers >> SPECIALS_BITS
     delays += 1
     if specials > 0 and (specials >= SPECIALS or specials >= numbers & MANY or delays >= PATIENCE):
         begin_special(lanes)
-        return census(lanes), 0
+        return together(census(lanes)), 0
     return numbers, delays

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.queue import queue_of, take, together
 from rocksteady.kernels.core.returns import LEAPT
 from rocksteady.kernels.core.tables import (
     LEAN,
@@ -20,7 +21,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
-from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes._fields import (
     CELL,
     DOWN,
@@ -52,7 +53,7 @@ from rocksteady.kernels.lanes._passes import (
 from rocksteady.kernels.lanes._periods import compare, leap
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.march import linear_march
 from rocksteady.kernels.march.rest import STILL
 
 Integers = NDArray[np.int64]
@@ -95,29 +96,63 @@ def lane_fates(
         Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
         velocity and phase.
     """
+    queued_lane_fates(
+        queue_of(len(amplitude)),
+        amplitude,
+        frequency_ratio,
+        restitution,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        leaping,
+        most,
+        status,
+        impacts,
+        final,
+    )
+
+
+@allocating
+def queued_lane_fates(
+    queue: Integers1,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    restitution: Floats1,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    leaping: bool,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """Do what `lane_fates` does, for the cells that this worker takes from a queue."""
     segments = np.zeros((1, SEGMENT_COLUMNS))
     sides = np.zeros((2, 3))
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
-    count = len(amplitude)
-    fresh = ZERO  # the next cell
+    fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
     bounces = 0  # passes since the last look at short bounces ...
     delays = 0  # ... and at special flights
     rounds = 0
-    numbers = census(lanes)
+    numbers = together(census(lanes))
     while True:
         waiting = (numbers >> WAITING_BITS) & MANY
-        if fresh < count:
-            waiting += LANES - busy
         rounds += 1
         if rounds % ROUNDS == 0:
+            lost = 0
             for j in range(LANES):
                 if exhausted(lanes, j, most):
                     lanes[STAGE + j] = LEAVE
-                    waiting = WAITING
+                    lost += 1
+            if together(lost) > 0:
+                waiting = WAITING
         if waiting >= WAITING or not in_flight(numbers):
             for j in range(LANES):
                 if LEAVE <= lanes[STAGE + j] < DOWN:
@@ -136,9 +171,11 @@ def lane_fates(
                         note(status, impacts, final, cell, code, state)
                         lanes[STAGE + j] = EMPTY
                         busy -= 1
-                while lanes[STAGE + j] == EMPTY and fresh < count:
-                    cell = fresh
-                    fresh += 1
+                while lanes[STAGE + j] == EMPTY and fresh:
+                    cell = take(queue)
+                    if cell < 0:
+                        fresh = False
+                        break
                     half, start_phase = clock(phase[cell])
                     end_half = half + 2 * cycles
                     side = 1
@@ -167,11 +204,11 @@ def lane_fates(
                     )
                     put_lane(lanes, j, state, end_half)
                     busy += 1
-            if busy == 0:
+            if together(busy) == 0:
                 return
         elif at_nodes(numbers):
             node_state(lanes)
-            numbers = node_decision(lanes)
+            numbers = together(node_decision(lanes))
             continue
         else:
             bounces = step(lanes, numbers, bounces)
@@ -210,7 +247,7 @@ def launched(
     code, state = UNDECIDED, start
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     while code == UNDECIDED and (state.side == 0 or state.angle != 0.0):
-        code, state = march(
+        code, state = linear_march(
             segments, sides, state, end_half, end_phase, math.inf, state.flights + 1, rows, peaks
         )
     return code, state
@@ -231,7 +268,7 @@ def settled(
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     stop = lanes[STOP + j]
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    code, state = march(segments, sides, state, end_half, stop, math.inf, ONE, rows, peaks)
+    code, state = linear_march(segments, sides, state, end_half, stop, math.inf, ONE, rows, peaks)
     if code != UNDECIDED:
         return code, state
     if stage != RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:

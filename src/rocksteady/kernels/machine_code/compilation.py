@@ -118,6 +118,11 @@ def inlined(function: FunctionT) -> FunctionT:
     return _kernel(function, forceinline=True)
 
 
+def inlined_allocating(function: FunctionT) -> FunctionT:
+    """Make a kernel of a function that makes arrays, compiled into each of its callers."""
+    return _kernel(function, forceinline=True, allocates=True)
+
+
 class Kernel:
     """A function that is compiled: the library's, or numba's from its first call on.
 

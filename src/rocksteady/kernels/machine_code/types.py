@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 Floats1 = Annotated[NDArray[np.float64], 1]
 Floats2 = Annotated[NDArray[np.float64], 2]
 Floats3 = Annotated[NDArray[np.float64], 3]
+Floats4 = Annotated[NDArray[np.float64], 4]
 Integers1 = Annotated[NDArray[np.int64], 1]
 Integers2 = Annotated[NDArray[np.int64], 2]
 Booleans2 = Annotated[NDArray[np.bool_], 2]

@@ -11,70 +11,19 @@ flight, the proof that chatter dies out and the proof that a block overturns are
 both models, so that rest and uplift are one.
 """
 
-import math
-
 import numpy as np
 
-from rocksteady.kernels.core.clock import (
-    elapsed_time,
-    later_clock,
-    segment_end,
-    segment_start,
-    side_clock,
-    side_phase,
-    uplift_clock,
-)
-from rocksteady.kernels.core.forcing import side_forcing
-from rocksteady.kernels.core.harmonics import fill_lifts, level_of
-from rocksteady.kernels.core.scatter import is_scattered, largest_restitution, restitution_of
 from rocksteady.kernels.core.tables import (
-    ALIKE,
-    AT_REST,
-    CEILING,
-    DURATION,
-    ENDED_BY_SPAN,
-    ENDED_BY_UPLIFT,
-    FOUND,
-    FREQUENCY,
-    JUMP,
-    LEAN,
-    LOST_CONTACT,
-    NO_RETURN,
     ORDERS,
-    OVERTURNED,
-    PASSAGE_COLUMNS,
-    PEAK_ANGLE,
-    PEAK_SPEED,
-    RATE,
-    RESTITUTION,
-    ROCKING,
     SHARES,
-    SLOPE,
-    STALLED,
-    UNDECIDED,
-    Floats,
     March,
-    end_of_run,
-    free_side,
     is_nonlinear,
-    is_series,
-    keep_passage,
-    left_out_of,
-    write_row,
 )
-from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
-from rocksteady.kernels.elementary.circular import sincos_near
-from rocksteady.kernels.linear.extrema import keep_peaks
-from rocksteady.kernels.linear.flight import make_flight
-from rocksteady.kernels.linear.zeros import next_zero
-from rocksteady.kernels.machine_code.compilation import allocating, inlined
+from rocksteady.kernels.core.typed import FALSE, TRUE
+from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
-from rocksteady.kernels.march._runs import fly_on, rest_on
-from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift, series_uplift
-from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
-from rocksteady.kernels.nonlinear.flight import fly
-from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, load_shares
+from rocksteady.kernels.march._flights import march_in_model
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
 
 @allocating
@@ -124,7 +73,7 @@ def march(
     """
     if segments.shape[1] > ORDERS:
         orders = (segments.shape[1] - SHARES) // 2
-        return _march(
+        return march_in_model(
             segments,
             sides,
             start,
@@ -140,22 +89,28 @@ def march(
             TRUE,
         )
     if is_nonlinear(sides):
-        return _march(
-            segments,
-            sides,
-            start,
-            stop_half_cycles,
-            stop_phase,
-            rest_velocity,
-            limit,
-            rows,
-            peaks,
-            np.empty((WORK_ROWS, TERMS)),
-            np.empty((2, 0)),
-            TRUE,
-            FALSE,
+        return nonlinear_march(
+            segments, sides, start, stop_half_cycles, stop_phase, rest_velocity, limit, rows, peaks
         )
-    return _march(
+    return linear_march(
+        segments, sides, start, stop_half_cycles, stop_phase, rest_velocity, limit, rows, peaks
+    )
+
+
+@allocating
+def linear_march(
+    segments: Floats2,
+    sides: Floats2,
+    start: March,
+    stop_half_cycles: int,
+    stop_phase: float,
+    rest_velocity: float,
+    limit: int,
+    rows: Floats2,
+    peaks: Floats1,
+) -> tuple[int, March]:
+    """March as `march` does in the linear model, on segments without a Fourier series."""
+    return march_in_model(
         segments,
         sides,
         start,
@@ -172,322 +127,31 @@ def march(
     )
 
 
-@inlined
-def _march(
-    segments: Floats,
-    sides: Floats,
+@allocating
+def nonlinear_march(
+    segments: Floats2,
+    sides: Floats2,
     start: March,
     stop_half_cycles: int,
     stop_phase: float,
     rest_velocity: float,
     limit: int,
-    rows: Floats,
-    peaks: Floats,
-    work: Floats,
-    lifts: Floats,
-    nonlinear: bool,
-    periodic: bool,
+    rows: Floats2,
+    peaks: Floats1,
 ) -> tuple[int, March]:
-    """March; inlined once for each model, so that each loop holds the branches of its own alone.
-
-    A third one is `periodic`: it holds those of both models, and of a Fourier series.
-    """
-    side, angle, velocity = start.side, start.angle, start.velocity
-    segment, half, phase = start.segment, start.half_cycles, start.phase
-    impacts, flights = start.impacts, start.flights
-    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
-    scattered, free = is_scattered(sides), free_side(sides)
-    last = len(segments) - 1
-    since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
-
-    loaded = -1  # the segment that the following belong to
-    positive = negative = side_forcing(segments, segment, sides, ONE, 0.0)
-    frequency, sloped, endless = 0.0, False, False
-    first_half, first_phase, end_half, end_phase = ZERO, 0.0, ZERO, 0.0
-    sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
-    guess = -1.0
-    rest_velocity = max(rest_velocity, STILL)
-    series = False  # the segment is one: flights are steps, and the phase is that of the base
-    bounced = False  # off an impact so slow that the block may be coming to rest
-
-    while True:
-        if flights >= limit:
-            return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
-        if segment != loaded:
-            if segments[segment, ALIKE] > 0.0 and phase == 0.0:
-                # Into the first sample that needs what follows: an impact, an uplift, a doubt.
-                behind = end_of_run(segments, segment)
-                if side == 0:
-                    segment, flights = rest_on(
-                        segments, sides, segment, flights, limit, rows, nonlinear
-                    )
-                else:
-                    segment, angle, velocity, flights, fallen = fly_on(
-                        segments,
-                        sides,
-                        March(side, angle, velocity, segment, half, phase, impacts, flights),
-                        limit,
-                        rows,
-                        peaks,
-                        work,
-                        nonlinear,
-                    )
-                    if fallen:
-                        return OVERTURNED, March(
-                            side, angle, velocity, segment, half, phase, impacts, flights
-                        )
-                if segment == behind:
-                    half, phase = segment_start(segments, segment)
-                    continue
-                if flights >= limit:
-                    continue
-            loaded = segment
-            frequency = segments[segment, FREQUENCY]
-            sloped = segments[segment, SLOPE] != 0.0
-            contact_lost = loss_of_contact(segments, segment) if nonlinear else math.inf
-            endless = segments[segment, DURATION] == math.inf
-            first_half, first_phase = segment_start(segments, segment)
-            end_half, end_phase = stop_half_cycles, stop_phase
-            if not endless:
-                end_half, end_phase = segment_end(segments, segment)
-            # Not 0 where the march begins within a segment.
-            since = elapsed_time(half, phase, first_half, first_phase, frequency)
-            if not nonlinear:
-                positive = side_forcing(segments, segment, sides, ONE, since)
-                negative = side_forcing(segments, segment, sides, MINUS_ONE, since)
-            if periodic:
-                series = is_series(segments, segment)
-                if series:
-                    if nonlinear:
-                        positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
-                        negative = foot_forcing(
-                            side_drive(segments, segment, sides, MINUS_ONE, since)
-                        )
-                    load_shares(segments[segment, SHARES:], work)
-                    fill_lifts(segments[segment, SHARES:], 1.0, level_of(positive), lifts[0])
-                    fill_lifts(segments[segment, SHARES:], -1.0, level_of(negative), lifts[1])
-        elif sloped or nonlinear:
-            since = elapsed_time(half, phase, first_half, first_phase, frequency)
-            if not nonlinear:  # a slope is counted from the start of the flight
-                positive = side_forcing(segments, segment, sides, ONE, since)
-                negative = side_forcing(segments, segment, sides, MINUS_ONE, since)
-        span = elapsed_time(end_half, end_phase, half, phase, frequency)
-        leaving = nonlinear and contact_lost - since < span
-        if leaving:
-            span = max(contact_lost - since, 0.0)
-
-        # 1. At rest: wait for uplift, for the next segment, or for the end of the run.
-        if side == 0:
-            lifted_half, lifted_phase = half, phase
-            if series:
-                side, wait, lifted_half, lifted_phase = series_uplift(
-                    positive, negative, free, segments[segment, SHARES:], lifts, half, phase
-                )
-                wait /= frequency
-                if wait >= span:
-                    side, wait = 0, span
-            else:
-                if nonlinear:
-                    positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
-                    negative = foot_forcing(side_drive(segments, segment, sides, MINUS_ONE, since))
-                side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
-            if side != 0 and wait == 0.0:
-                continue  # into flight, with angle and velocity 0
-            if record:
-                event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
-                write_row(rows, flights, segment, half, phase, ZERO, 0.0, 0.0, wait, event)
-            flights += 1
-            if side != 0 and series:
-                half, phase = lifted_half, lifted_phase
-                continue
-            if side != 0:
-                half, phase = uplift_clock(
-                    half, phase, frequency, wait, side, positive if side > 0 else negative
-                )
-                continue
-            if leaving:
-                half, phase = later_clock(half, phase, frequency, wait)
-                return LOST_CONTACT, March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
-            half, phase = end_half, end_phase
-            if segment == last:
-                return AT_REST, March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
-            segment += 1
-            half, phase = segment_start(segments, segment)
-            velocity = segments[segment, JUMP]
-            if velocity * free < 0.0:  # an impulse into the wall, as any push, moves nothing
-                velocity = 0.0
-            if velocity != 0.0:
-                side = 1 if velocity > 0.0 else -1
-                rate = sides[0 if side > 0 else 1, RATE]
-                velocity *= rate * rate
-                if nonlinear:
-                    velocity *= jump_share(sides, side, 0.0)
-            continue
-
-        # 2. A flight, in the units of its side.
-        row = 0 if side > 0 else 1
-        next_side = -side if free == 0 else side  # after an impact
-        next_row = 0 if next_side > 0 else 1
-        lean, rate = sides[row, LEAN], sides[row, RATE]
-        forcing = positive if side > 0 else negative
-        stepped = nonlinear or series
-        seen_phase, seen_half = side_phase(half, phase, ONE if series else side, frequency)
-        if not turned_side:
-            sine, cosine = 0.0, 1.0
-            if frequency != 0.0:
-                sine, cosine = sincos_near(seen_phase)
-        turned_side = False
-        if bounced:
-            bounced = False
-            if stepped:
-                there_phase, _ = side_phase(half, phase, ONE if series else next_side, frequency)
-                dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
-                    segments,
-                    segment,
-                    sides,
-                    side,
-                    since,
-                    abs(velocity),
-                    seen_phase,
-                    there_phase,
-                    span,
-                    segments[segment, SHARES:],
-                )
-            else:
-                dies_out = chatter_ends(
-                    largest_restitution(sides),
-                    abs(velocity) / (lean * rate),
-                    abs(velocity) / (sides[next_row, LEAN] * sides[next_row, RATE]),
-                    rate,
-                    sides[next_row, RATE],
-                    span,
-                    forcing,
-                    positive if next_side > 0 else negative,
-                    seen_phase,
-                    sine,
-                    next_side != side,
-                )
-            if dies_out:
-                velocity = 0.0
-                side = 0
-                continue
-        top_angle = top_speed = 0.0
-        if keeps:
-            top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
-        lifting = angle == 0.0 and velocity == 0.0
-        if stepped:
-            # What is still to come bounds the linear motion on segments that end, too.
-            lasting = endless or (series and not nonlinear)
-            zero = fly(
-                side_drive(segments, segment, sides, side, since),
-                side * angle / lean,
-                side * velocity / (lean * rate),
-                seen_phase,
-                span * rate,
-                lasting,
-                point_of_no_return(segments, segment, sides, side) if lasting else math.inf,
-                lifting,
-                left_out_of(sides),
-                peaks,
-                lean,
-                rate,
-                work,
-                work[:0],
-            )
-            duration = zero.time / rate
-            if zero.event == STALLED:
-                return UNDECIDED, March(
-                    side, angle, velocity, segment, half, phase, impacts, flights
-                )
-        else:
-            flight = make_flight(
-                forcing,
-                side * angle / lean,
-                side * velocity / (lean * rate),
-                seen_phase,
-                sine,
-                cosine,
-            )
-            zero = next_zero(flight, forcing, span * rate, endless, lifting, guess)
-            duration = math.inf if zero.event == NO_RETURN else zero.time / rate
-            if watch:
-                keep_peaks(flight, forcing, zero, lean, rate, peaks)
-        if record:
-            write_row(
-                rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
-            )
-        flights += 1
-        if keeps and zero.event != FOUND:
-            lost = zero.event == NO_RETURN
-            keep_passage(
-                peaks,
-                March(side, angle, velocity, segment, half, phase, impacts, flights),
-                top_angle,
-                top_speed,
-                side * angle / lean,
-                side * velocity,
-                math.inf if lost else zero.angle,
-                math.inf if lost else zero.velocity,
-            )
-        if zero.event == NO_RETURN:
-            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
-
-        if zero.event == FOUND:
-            # 3. Impact: the velocity is multiplied by the restitution (eq 9), the pivot changes.
-            # A wall's restitution is negative: the block turns back about the pivot that it has.
-            impacts += 1
-            guess = zero.time
-            if frequency == 0.0:
-                phase += zero.time / rate
-            else:
-                turned, phase = side_clock(zero.phase, seen_half)
-                half += turned - seen_half + 2 * zero.cycle
-                sine, cosine, turned_side = zero.sine, zero.cosine, True
-                if free == 0:
-                    sine, cosine = -sine, -cosine
-            restitution = sides[row, RESTITUTION]
-            if scattered:
-                restitution = restitution_of(sides, row, impacts)
-            velocity = restitution * side * zero.velocity * lean * rate
-            angle = 0.0
-            side = next_side
-            bounced = abs(velocity) <= rest_velocity
-            continue
-
-        # 4. The segment or the run ended in mid flight.
-        angle = side * zero.angle * lean
-        velocity = side * zero.velocity * lean * rate
-        if zero.angle <= 0.0:  # it has only just lifted off, and rounding put it into the floor
-            angle, velocity = 0.0, side * max(zero.velocity, 0.0) * lean * rate
-        if leaving:
-            half, phase = later_clock(half, phase, frequency, span)
-            return LOST_CONTACT, March(
-                side, angle, velocity, segment, half, phase, impacts, flights
-            )
-        half, phase = end_half, end_phase
-        if segment == last:
-            return ROCKING, March(side, angle, velocity, segment, half, phase, impacts, flights)
-        segment += 1
-        half, phase = segment_start(segments, segment)
-        # An impulse of the base turns each side by its own p^2, as any acceleration does.
-        jump = segments[segment, JUMP] * (rate * rate)
-        beyond = lean + segments[segment, CEILING]
-        if nonlinear:
-            if jump != 0.0:
-                jump *= jump_share(sides, side, side * angle / lean)
-            if abs(angle) > lean:  # nearer than the point of balance it is not lost
-                beyond = lean * point_of_no_return(segments, segment, sides, side)
-        velocity += jump
-        if angle == 0.0:  # the velocity alone says where it goes
-            side = int(np.sign(velocity))
-            if side * free < 0:  # into the wall
-                impacts += 1
-                turned_back = sides[row, RESTITUTION]
-                if scattered:
-                    turned_back = restitution_of(sides, row, impacts)
-                velocity *= turned_back
-                side = free if velocity != 0.0 else 0
-        if abs(angle) > beyond and velocity * side >= 0.0:
-            # Nothing that is still to come can bring it back.
-            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
-        guess = -1.0
+    """March as `march` does in the nonlinear model, on segments without a Fourier series."""
+    return march_in_model(
+        segments,
+        sides,
+        start,
+        stop_half_cycles,
+        stop_phase,
+        rest_velocity,
+        limit,
+        rows,
+        peaks,
+        np.empty((WORK_ROWS, TERMS)),
+        np.empty((2, 0)),
+        TRUE,
+        FALSE,
+    )

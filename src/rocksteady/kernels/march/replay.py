@@ -34,7 +34,7 @@ from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
-from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive, swing_at
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at
@@ -206,6 +206,14 @@ def last_crossing(
     The level is in units of the side's own slenderness.  A flight that starts above it and never
     crosses it has been above since its start.
     """
+    return last_crossing_in(segments, sides, rows, level, segments[0])
+
+
+@inlined
+def last_crossing_in(
+    segments: Floats, sides: Floats, rows: Floats, level: float, series: Floats | None
+) -> tuple[int, float]:
+    """Do what `last_crossing` does; `series` as for `shares_in`."""
     index = len(rows) - 1
     while True:
         segment = int(rows[index, ROW_SEGMENT])
@@ -214,7 +222,7 @@ def last_crossing(
             span = rows[index, ROW_DURATION] * rate
             side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
             lost = point_of_no_return(segments, segment, sides, side)
-            shares = segments[segment, SHARES:]
+            shares = shares_in(segments, segment, series)
             time = last_rise_of(drive, seen, y, v, span, left_out_of(sides), level, lost, shares)
         else:
             flight, forcing, _, rate = row_flight(segments, sides, rows, index)
@@ -238,6 +246,14 @@ def recorded_peaks(
     Each side counts in its own alpha; the velocity is in reference units.  `last_duration` replaces
     the duration of the last row, which is infinite where the block falls.
     """
+    return recorded_peaks_in(segments, sides, rows, last_duration, segments[0])
+
+
+@inlined
+def recorded_peaks_in(
+    segments: Floats, sides: Floats, rows: Floats, last_duration: float, series: Floats | None
+) -> tuple[float, float, float]:
+    """Do what `recorded_peaks` does; `series` as for `shares_in`."""
     positive = negative = speed = 0.0
     for index in range(len(rows)):
         if rows[index, ROW_SIDE] == 0.0:
@@ -259,7 +275,7 @@ def recorded_peaks(
                     left_out_of(sides),
                     angle,
                     fast,
-                    segments[segment, SHARES:],
+                    shares_in(segments, segment, series),
                 )
         else:
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
@@ -284,8 +300,36 @@ def peaks_until_overturning(
 
     When the fall is proved depends on the proof; when it passes alpha, on the motion alone.
     """
-    row, since = last_crossing(segments, sides, rows, 1.0)
-    positive, negative, speed = recorded_peaks(segments, sides, rows[: row + 1], since)
+    return peaks_until_overturning_in(segments, sides, rows, segments[0])
+
+
+@inlined
+def peaks_until_overturning_in(
+    segments: Floats, sides: Floats, rows: Floats, series: Floats | None
+) -> tuple[float, float, float]:
+    """Do what `peaks_until_overturning` does; `series` as for `shares_in`."""
+    row, since = last_crossing_in(segments, sides, rows, 1.0, series)
+    positive, negative, speed = recorded_peaks_in(segments, sides, rows[: row + 1], since, series)
     if rows[row, ROW_SIDE] > 0.0:  # it passes 1, to rounding
         return max(positive, 1.0), negative, speed
     return positive, max(negative, 1.0), speed
+
+
+@inlined
+def shares_in(segments: Floats, index: int, series: Floats | None) -> Floats | None:
+    """Return the shares of a segment's Fourier series; None where `series` is None.
+
+    `series` tells the compiler, by its type, whether any segment of a motion may have one: without,
+    no working space has a size that is known only as it runs.
+    """
+    if series is None:
+        return None
+    return segments[index, SHARES:]
+
+
+@compiled
+def peaks_without_series(
+    segments: Floats2, sides: Floats2, rows: Floats2
+) -> tuple[float, float, float]:
+    """Do what `peaks_until_overturning` does, where no segment has a Fourier series."""
+    return peaks_until_overturning_in(segments, sides, rows, None)

@@ -50,7 +50,7 @@ def fly_to_landing(
     The derivative is that of y and y' at the time at which it ends.
     """
     linear = drive.alpha == 0.0
-    course = np.empty((0 if linear else ROWS, COLUMNS))
+    course = np.empty((ROWS, COLUMNS))[: 0 if linear else ROWS]
     zero = fly(
         drive,
         angle,

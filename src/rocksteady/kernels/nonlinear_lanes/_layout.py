@@ -1,7 +1,9 @@
 """Fields and Taylor rows of the lanes, as offsets into one flat array, and the stages of a lane."""
 
+from rocksteady.kernels.machine_code.width import side_by_side
+
 # 16 or fewer lanes would be unrolled and stay scalar; more than 32 leave the first cache.
-LANES = 32
+LANES = side_by_side(32)
 
 HIGHEST = 23
 """Degree of a step's polynomial."""

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
+from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.tables import (
     FREQUENCY,
     LEAN,
@@ -23,7 +24,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
-from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.march import nonlinear_march
 from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear.proofs import bounces_end
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
@@ -52,6 +53,8 @@ Integers = NDArray[np.int64]
 FASTEST = 1e6
 """Frequency ratio up to which no Taylor coefficient can leave the range of numbers."""
 CACHE_LINE = 64
+ALIGNMENT = CACHE_LINE if LANES > 1 else 8
+"""Bytes of which the address of the lanes is a multiple: one lane has no vectors to be aligned."""
 
 
 @allocating
@@ -90,19 +93,52 @@ def nonlinear_lane_fates(
         Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
         velocity and phase.
     """
+    queued_nonlinear_lane_fates(
+        queue_of(len(amplitude)),
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        leaping,
+        most,
+        status,
+        impacts,
+        final,
+    )
+
+
+@allocating
+def queued_nonlinear_lane_fates(
+    queue: Integers1,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    leaping: bool,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """Do what `nonlinear_lane_fates` does, for the cells that this worker takes from a queue."""
     segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
-    room = np.zeros(SIZE + CACHE_LINE // 8)
-    ahead = (-room.ctypes.data % CACHE_LINE) // 8
+    room = np.zeros(SIZE + ALIGNMENT // 8)
+    ahead = (-room.ctypes.data % ALIGNMENT) // 8
     lanes = room[ahead : ahead + SIZE]
-    count = len(amplitude)
-    if count == 0:
+    if len(amplitude) == 0:
         return
     for k in range(LANES):  # empty ones fly too, and come to no harm
         load(lanes, k, ZERO, 1.0, 1.0, sides[0], 0.0)
         put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
         lanes[STAGE + k] = EMPTY
     two_sided = False  # whether any lane has had an unlike block
-    fresh = ZERO  # the next cell
+    fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
     waiting = LANES
     while True:
@@ -121,9 +157,11 @@ def nonlinear_lane_fates(
                         note(status, impacts, final, cell, code, state, most)
                         lanes[STAGE + k] = EMPTY
                         busy -= 1
-                while lanes[STAGE + k] == EMPTY and fresh < count:
-                    cell = fresh
-                    fresh += 1
+                while lanes[STAGE + k] == EMPTY and fresh:
+                    cell = take(queue)
+                    if cell < 0:
+                        fresh = False
+                        break
                     half, start_phase = clock(phase[cell])
                     end_half = half + 2 * cycles
                     side = 1
@@ -186,7 +224,7 @@ def nonlinear_lane_fates(
         waiting = finish(lanes, most)
         if two_sided:
             change_sides(lanes)
-        if fresh == count:
+        if not fresh:
             waiting -= LANES - busy
 
 
@@ -256,7 +294,9 @@ def onwards(
             break
         limit = state.flights + max(flights, 1)
         before = state
-        code, state = march(segments, sides, before, end_half, stop, math.inf, limit, rows, peaks)
+        code, state = nonlinear_march(
+            segments, sides, before, end_half, stop, math.inf, limit, rows, peaks
+        )
         if code != UNDECIDED:
             return code, state
         if state.flights < limit:  # a flight that comes to no end, so that no lane may take it up

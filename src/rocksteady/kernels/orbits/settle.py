@@ -11,6 +11,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO, whole
 from rocksteady.kernels.elementary.lengths import hypot
@@ -139,7 +140,8 @@ def settle(
     memory
         Room for the last states, shape (MEMORY, 5 or more).
     table
-        Receives the orbit, shape (LONGEST_ORBIT, ORBIT_COLUMNS).
+        Receives the orbit, shape (LONGEST_ORBIT, ORBIT_COLUMNS); with fewer rows, MEMORY or more,
+        the outcome is LEFT_OVER where they may not be enough.
     """
     step = first_passage(system, side, half_cycles, phase, angle, velocity)
     count, look, forgotten = 0, FIRST_LOOK, ZERO  # passages so far; before which they are forgotten
@@ -177,6 +179,8 @@ def settle(
                         passed,
                         growth,
                     )
+                if passages > len(table):
+                    return unsettled(LEFT_OVER, state, math.nan, math.nan, passed, growth)
                 fixed = polish(system, state, passages, periods, table)
                 if fixed.found:
                     return Settled(

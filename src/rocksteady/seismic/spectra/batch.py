@@ -19,6 +19,7 @@ from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
 from rocksteady.errors import InputError
 from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.scatter import LARGEST_DEVIATION, LARGEST_KEY
 from rocksteady.kernels.core.tables import (
     ALPHA,
@@ -34,6 +35,7 @@ from rocksteady.kernels.core.tables import (
     SCATTERED_SIDE_COLUMNS,
     is_nonlinear,
 )
+from rocksteady.kernels.devices import run_cells
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.blocks.sides import Restitution, Side, housner_ratio, wall_ratio
@@ -141,10 +143,18 @@ def shaken_fates(
             table[:, LIFT:] *= scale[cells[0]]
         fates = np.empty(len(cells), dtype=np.int64), np.empty(len(cells), dtype=np.int64)
         highest = np.empty((len(cells), PEAK_COLUMNS if peaks else 0))
-        record_fates(table, side_rows[cells], afterwards[cells], FLIGHT_LIMIT, *fates, highest)
+        blocks = side_rows[cells], afterwards[cells]
+        run_cells(record_fates, table, *blocks, FLIGHT_LIMIT, *fates, highest)
         status[cells], impacts[cells] = fates
         if peaks:
             tops[cells] = highest
+        left = cells[fates[0] == LEFT_OVER]
+        if len(left):  # what a device has no room for
+            fates = np.empty(len(left), dtype=np.int64), np.empty(len(left), dtype=np.int64)
+            highest = np.empty((len(left), PEAK_COLUMNS))
+            blocks = side_rows[left], afterwards[left]
+            record_fates(table, *blocks, FLIGHT_LIMIT, *fates, highest)
+            (status[left], impacts[left]), tops[left] = fates, highest
     return Fared(status, impacts, tops[:, PEAK_ANGLE], tops[:, PEAK_SPEED])
 
 

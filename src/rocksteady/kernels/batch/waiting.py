@@ -22,12 +22,13 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.nonlinear.drive import WEIGHTLESS
 from rocksteady.kernels.nonlinear.samples import uplift_at
 
 
 @compiled
-def fill_hardest(segments: Floats, nonlinear: bool, hardest: Floats) -> None:
+def fill_hardest(segments: Floats2, nonlinear: bool, hardest: Floats1) -> None:
     """Fill the largest |a|/(1 + l) up to the end of each segment but the endless one.
 
     It is infinite from where a sinusoid, an impulse, or a base that falls away needs a march.
