@@ -162,6 +162,8 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
     own = {
         Path("tools"),
         Path("tools/aot"),
+        Path("tools/aot/device"),
+        Path("tools/aot/device/ptx"),
         Path("public"),
         Path("manual"),
         Path("explorer/browser"),

@@ -14,7 +14,9 @@ HELD = {"pyparsing": "3.2.5"}
 """Of what the dependencies need, releases before those that deprecate what a floor calls: the
 warning is an error in the tests, and users never see it. pyparsing 3.3: Matplotlib 3.10.0."""
 ROOT = Path(__file__).parents[1]
-BOUND = re.compile(r"([A-Za-z0-9._-]+) >= ([0-9][0-9.]*)")
+BOUND = re.compile(
+    r"([A-Za-z0-9._-]+) >= ([0-9][0-9.]*)(?:, < [0-9][0-9.]*)?(?:; sys_platform != '[a-z0-9]+')?"
+)
 
 
 def floor(project: dict[str, Any]) -> dict[str, str]:
@@ -28,7 +30,7 @@ def floor(project: dict[str, Any]) -> dict[str, str]:
     Raises
     ------
     SystemExit
-        If a requirement is no plain lower bound, or two of one package differ.
+        If a requirement has no lower bound, or two of one package differ.
     """
     lists = [
         project["build-system"]["requires"],

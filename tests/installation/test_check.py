@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,8 @@ from rocksteady.kernels.machine_code.compilation import LIBRARY, runner
 from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
 from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
 from rocksteady.outcomes import Status
+from tests.kernels.machine_code.in_memory.driver import DriverInMemory
+from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 from tests.strategies import PLAIN
 
 CALLS = loaded(RECORDED.read_bytes())
@@ -119,3 +122,24 @@ def test_with_a_library_numba_is_not_imported() -> None:
     code = "import rocksteady, sys; rocksteady.check_installation(); print('numba' in sys.modules)"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout == "False\n"
+
+
+def test_a_gpu_that_can_run_is_named(tmp_path: Path) -> None:
+    with gpu_in_memory(tmp_path):
+        found = rs.check_installation(repeat_calls=False)
+    assert (found.gpu, found.no_gpu) == ("NVIDIA Imaginary, compute capability 9.0", None)
+    old = DriverInMemory(name="Tesla T4", capability=(7, 5))
+    with gpu_in_memory(tmp_path, old):
+        found = rs.check_installation(repeat_calls=False)
+    assert found.gpu is None
+    assert found.no_gpu is not None
+    assert found.no_gpu.startswith("Tesla T4 has compute capability 7.5, and ")
+
+
+def test_without_programs_of_the_kernels_a_gpu_cannot_run(tmp_path: Path) -> None:
+    with gpu_in_memory(tmp_path):
+        for file in tmp_path.glob("*queued_record_fates.ptx"):
+            file.unlink()
+        found = rs.check_installation(repeat_calls=False)
+    assert found.no_gpu is not None
+    assert found.no_gpu.startswith("the GPU program of queued_")

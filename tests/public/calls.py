@@ -193,6 +193,8 @@ def calls() -> dict[str, Call]:
             sources="0",
             versions={"rocksteady": "1", "python": "3", "numpy": "2", "numba": None},
             checks=(),
+            gpu=None,
+            no_gpu="cuda-python is not installed",
         ).describe: {},
         t["windows"].at: {"index": 0},
         t["scales"].at: {"index": 0},

@@ -13,8 +13,8 @@ from rocksteady.sweep.store.store import Store
 @pytest.mark.parametrize(
     ("arguments", "valid"),
     [
-        ({"executor": "cloud"}, "one of threads, dask, serial"),
-        ({"executor": None}, "one of threads, dask, serial"),
+        ({"executor": "cloud"}, "one of threads, gpu, dask, serial"),
+        ({"executor": None}, "one of threads, gpu, dask, serial"),
         ({"executor": "tcp://nowhere"}, "executor = 'tcp://nowhere' is not valid"),
         ({"workers": 0}, "from 1 to 1024"),
         ({"workers": 2.0}, "from 1 to 1024"),

@@ -43,11 +43,16 @@ def test_each_dependency_is_held_at_its_bound_and_the_rest_at_or_below_its_pin()
 
 @pytest.mark.parametrize(
     "requirement",
-    ["numpy", "numpy == 2.0", "numpy >= 2.0, < 3", "numpy >= 2.0; python_version < '3.12'"],
+    ["numpy", "numpy == 2.0", "numpy < 3", "numpy >= 2.0; python_version < '3.12'"],
 )
 def test_a_requirement_that_is_no_lower_bound_is_refused(requirement: str) -> None:
     with pytest.raises(SystemExit, match=re.escape(f"'{requirement}' is no lower bound")):
         lines(EXAMPLE.replace("numpy >= 2.0", requirement), "")
+
+
+def test_an_upper_bound_and_a_system_without_the_package_change_no_floor() -> None:
+    bounded = EXAMPLE.replace("numpy >= 2.0", "numpy >= 2.0, < 3; sys_platform != 'darwin'")
+    assert lines(bounded, "") == lines(EXAMPLE, "")
 
 
 def test_two_bounds_of_one_package_are_refused() -> None:

@@ -83,6 +83,10 @@ class Installation(Result):
         Of rocksteady, Python, NumPy and numba; None for what is not installed.
     checks
         Replay of each kernel.
+    gpu
+        Name and compute capability of the GPU that ``executor="gpu"`` uses; None where it cannot.
+    no_gpu
+        Why it cannot; None where it can.
     """
 
     system: str
@@ -94,6 +98,8 @@ class Installation(Result):
     sources: str
     versions: dict[str, str | None]
     checks: tuple[KernelCheck, ...]
+    gpu: str | None
+    no_gpu: str | None
 
     @property
     def equal(self) -> bool:
@@ -147,6 +153,8 @@ class Installation(Result):
             Fact("target", self.target, "target" if library else ""),
             Fact("library", library, "library" if library else ""),
             Fact("cache", cache, "cache" if cache else ""),
+            Fact("gpu", self.gpu, "GPU", self.gpu or f"none: {self.no_gpu}"),
+            Fact("no_gpu", self.no_gpu),
             Fact("calls", self.calls),
             Fact("values", self.values, "repeated", repeated),
             Fact("differing", self.differing),
@@ -258,6 +266,7 @@ def _environment() -> dict[str, Any]:
     kernels = runner()
     used = library() if kernels == LIBRARY else None
     fastest = next(iter(targets()), None)
+    device, reason = _gpu()
     return {
         "system": f"{platform.system()} {platform.machine()}",
         "cpu_level": None if fastest is None else fastest.partition("-")[2],
@@ -273,7 +282,23 @@ def _environment() -> dict[str, Any]:
             "numpy": np.__version__,
             "numba": _version_of("numba"),
         },
+        "gpu": device,
+        "no_gpu": reason,
     }
+
+
+def _gpu() -> tuple[str | None, str | None]:
+    """Return the GPU that can run the kernels, or why there is none."""
+    from rocksteady.kernels.devices import FORMS
+    from rocksteady.kernels.machine_code.gpu import gpu
+    from rocksteady.kernels.machine_code.programs import check_programs
+
+    try:
+        device = gpu()
+        check_programs(FORMS.values(), device.capability)
+    except InputError as error:
+        return None, error.valid
+    return str(device), None
 
 
 def _version_of(package: str) -> str | None:

@@ -25,11 +25,13 @@ class Run:
     Parameters
     ----------
     executor
-        "threads" (default), "serial", "dask" for a cluster of processes on this machine, or the
-        address of a dask scheduler, as "tcp://10.0.0.1:8786".
+        "threads" (default), "serial", "gpu" for an NVIDIA GPU, "dask" for a cluster of processes on
+        this machine, or the address of a dask scheduler, as "tcp://10.0.0.1:8786".  A GPU computes
+        fates and attractors under harmonic shaking and runs of blocks on records, and leaves to the
+        processor only the few cells that need more memory than a thread of the GPU has.
     workers
         Number of threads or processes; by default as many as this process may use cores, or as a
-        cluster has.
+        cluster has.  With "gpu" the number of launches in flight, by default 3.
     store
         Folder on disk that keeps the results, chunk by chunk: a path for a new one, or a `Store`,
         which has more options.  Without one they are kept in memory.

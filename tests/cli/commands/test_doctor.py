@@ -28,6 +28,8 @@ HEALTHY = Installation(
     sources="0123456789abcdef",
     versions={"rocksteady": "1.2", "python": "3.12.1", "numpy": "2.1.0", "numba": None},
     checks=(GOOD, replace(BAD, differing=0, first_difference=None)),
+    gpu="NVIDIA H100, compute capability 9.0",
+    no_gpu=None,
 )
 ILL = replace(
     HEALTHY,
@@ -37,6 +39,8 @@ ILL = replace(
     cache=Path("/home/user/.cache/rocksteady"),
     versions={**HEALTHY.versions, "numba": "0.61.2"},
     checks=(GOOD, BAD),
+    gpu=None,
+    no_gpu="cuda-python is not installed",
 )
 
 
@@ -71,6 +75,7 @@ def test_the_screen_of_a_healthy_installation() -> None:
         "sources     0123456789abcdef\n"
         "target      linux-x86-64-v4\n"
         "library     /usr/lib/rocksteady-linux-x86-64-v4.so\n"
+        "GPU         NVIDIA H100, compute capability 9.0\n"
         "repeated    22 recorded calls of 2 kernels, 8,392 values\n"
     )
 
@@ -82,6 +87,7 @@ def test_the_screen_of_an_ill_one_names_each_kernel_that_differs() -> None:
     assert ran.out.startswith("2 values of 1 kernel differ; the other 1 kernel equal\n")
     assert "kernels     compiled by numba on this machine\n" in ran.out
     assert "cache       /home/user/.cache/rocksteady\n" in ran.out
+    assert "GPU         none: cuda-python is not installed\n" in ran.out
     assert ran.out.endswith(
         "repeated    22 recorded calls of 2 kernels, 8,392 values\n"
         "settle_cells: 2 of 1,230 values differ; the first in\n"
@@ -116,6 +122,7 @@ def test_the_json_keeps_the_contract() -> None:
     assert values["kernels"] == "library"
     assert values["library"] == "/usr/lib/rocksteady-linux-x86-64-v4.so"
     assert values["versions"]["numba"] is None
+    assert (values["gpu"], values["no_gpu"]) == ("NVIDIA H100, compute capability 9.0", None)
     assert [entry["kernel"] for entry in values["checks"]] == ["march", "settle_cells"]
 
 

@@ -12,8 +12,9 @@ from rocksteady.results.rendering import print_description
 HELP = (
     "Check this installation: repeat recorded calls of every kernel, and compare all bits.\n\n"
     "Prints what runs the kernels (a library compiled ahead of time, or numba), for which "
-    "processor, the versions, and for each kernel that differs how many values do. The results "
-    "are the same to the last bit on every processor and system."
+    "processor, the versions, the GPU of --executor gpu or why there is none, and for each kernel "
+    "that differs how many values do. The results are the same to the last bit on every processor "
+    "and system."
 )
 EXAMPLES = "Examples:\n\nrocksteady doctor\n\nrocksteady doctor --check --json"
 DIFFERENT = 1

@@ -49,8 +49,9 @@ Executor = Annotated[
     typer.Option(
         "--executor",
         metavar="NAME",
-        help="threads (default), dask for a cluster of processes on this machine, the address of a "
-        "dask scheduler as tcp://host:8786, or serial. All give the same bytes.",
+        help="threads (default), gpu for an NVIDIA GPU, dask for a cluster of processes on this "
+        "machine, the address of a dask scheduler as tcp://host:8786, or serial. All give the same "
+        "bytes.",
         rich_help_panel=SWEEP,
     ),
 ]
@@ -59,7 +60,8 @@ Workers = Annotated[
     typer.Option(
         "--workers",
         metavar="N",
-        help="Threads or processes; by default as many as there are cores, or as a cluster has.",
+        help="Threads or processes; by default as many as there are cores, or as a cluster has. "
+        "With gpu: launches in flight, 3 by default.",
         rich_help_panel=SWEEP,
     ),
 ]

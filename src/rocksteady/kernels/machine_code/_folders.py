@@ -26,7 +26,7 @@ IN_USE = 24 * 3600.0
 VERSION = re.compile(r"[0-9a-f]{16}")
 """Name of the folder of a version."""
 MACHINE_CODE = re.compile(
-    r".+\.nb[ic](\.tmp\.[0-9a-f]+)?|rocksteady-.+\.(so|dylib|dll)(\.sha256)?(\.\d+\.tmp)?"
+    r".+\.nb[ic](\.tmp\.[0-9a-f]+)?|rocksteady-.+\.(so|dylib|dll|ptx)(\.sha256)?(\.\d+\.tmp)?"
 )
 """Name of a file of machine code, or of one that was left half written."""
 

@@ -131,26 +131,31 @@ def file_name(target: str) -> str:
 
 
 def checksum_file(path: Path) -> Path:
-    """Return the file beside a library that begins with its checksum."""
+    """Return the file beside a library or a program that begins with its checksum."""
     return path.with_name(path.name + ".sha256")
 
 
 def _candidates(folder: Path) -> Iterator[tuple[str, Path]]:
     """Yield targets and files of libraries that may be loaded, the fastest first."""
-    built = folder == built_folder()
     for target in targets():
         path = folder / file_name(target)
-        if not path.is_file():
-            continue
-        # Loading runs what stands there: a folder that others may write to is not trusted, and
-        # half a file would end the process.
-        if built and (weakness(folder) is not None or not _is_whole(path)):
-            continue
-        yield target, path
+        if may_be_loaded(path):
+            yield target, path
+
+
+def may_be_loaded(path: Path) -> bool:
+    """Return whether a file of machine code is there, and whole if it was built here.
+
+    Loading runs what stands there: a folder that others may write to is not trusted, and half a
+    file would end the process.
+    """
+    if not path.is_file():
+        return False
+    return path.parent != built_folder() or (weakness(path.parent) is None and _is_whole(path))
 
 
 def _is_whole(path: Path) -> bool:
-    """Return whether a library is what was written."""
+    """Return whether a file of machine code is what was written."""
     try:
         expected = checksum_file(path).read_text("ascii").split()[:1]
         return [hashlib.sha256(path.read_bytes()).hexdigest()] == expected
@@ -186,13 +191,13 @@ class _Script:
         self._leaves = iter(taken)
         self.space: dict[str, Any] = {
             "Room": ctypes.c_int64 * cells,
-            "pack": _cells_of(taken).pack_into,
-            "unpack": _cells_of(returned).unpack_from,
+            "pack": cells_of(taken).pack_into,
+            "unpack": cells_of(returned).unpack_from,
             "new": tuple.__new__,
             "ndarray": np.ndarray,
             "addressof": ctypes.addressof,
             "first_byte": ctypes.c_char.from_buffer,
-            "refuse": _refuse,
+            "refuse": refuse_array,
             "fail": _fail,
         }
         self.arguments = [next(self._names) for _ in signature.arguments]
@@ -262,13 +267,13 @@ class _Script:
         return f"new({hint.__name__}, ({made}))"  # sooner than by the name of the class
 
 
-def _cells_of(leaves: tuple[Leaf, ...]) -> Struct:
-    """Return how `struct` packs leaves into cells."""
+def cells_of(leaves: tuple[Leaf, ...]) -> Struct:
+    """Return how `struct` packs leaves into cells: of an array its address and its lengths."""
     formats = ("q" * leaf.cells if leaf.dimensions else _FORMATS[leaf.kind] for leaf in leaves)
     return Struct("=" + "".join(formats))
 
 
-def _refuse(given: object, dtype: np.dtype[Any], dimensions: int, name: str) -> None:
+def refuse_array(given: object, dtype: np.dtype[Any], dimensions: int, name: str) -> None:
     """Raise the error of an argument that is not the array that a kernel takes."""
     kind = f"{type(given).__name__} of {given.dtype}" if isinstance(given, np.ndarray) else given
     raise TypeError(

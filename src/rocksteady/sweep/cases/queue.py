@@ -41,12 +41,19 @@ class Queue:
         self.many = 1
         self.left = sum(stop - first for first, stop in ranges)
 
-    def next(self) -> CellRange | None:
-        """Return the next job; None if the queue is empty."""
+    def next(self, cells: int | None = None) -> CellRange | None:
+        """Return the next job; None if the queue is empty.
+
+        Parameters
+        ----------
+        cells
+            Largest number of cells of the job; by default a share of the cells that are left.
+        """
         if not self._ranges:
             return None
         first, stop = self._ranges.popleft()
-        cells = max(self._batch, -(-self.left // self._most_jobs))
+        if cells is None:
+            cells = max(self._batch, -(-self.left // self._most_jobs))
         if stop - first > cells:
             self._ranges.appendleft((first + cells, stop))
             stop = first + cells

@@ -1,7 +1,7 @@
 """A task: everything that a worker needs to compute any cells of a sweep."""
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,6 +20,8 @@ LONG_ENOUGH = 0.01
 """Seconds of a call beside which what it costs to make one does not count."""
 GROWTH = 8
 """How many times as many cells the next call takes where even that will be short."""
+NAMED = 3
+"""Ranges of cells that the note of an error names."""
 
 
 class Answer(NamedTuple):
@@ -71,7 +73,7 @@ class Task:
         while here < stop and (not results or time.monotonic() - began < seconds):
             called = time.monotonic()
             last = min(here + count, stop)
-            results.append(self._call(here, last))
+            results.append(self._call([(here, last)]))
             here = last
             took = time.monotonic() - called
             if took < LONG_ENOUGH:
@@ -82,16 +84,28 @@ class Task:
         joined = {name: np.concatenate([part[name] for part in results]) for name in names}
         return Answer(job, here, joined, max(count // GROWTH, 1))
 
-    def _call(self, first: int, stop: int) -> dict[str, Array]:
-        """Return what the case function finds in some cells."""
-        cells = self.grid.cells(first, stop)
+    def together(self, jobs: Sequence[CellRange]) -> list[Answer]:
+        """Compute all cells of some jobs, one or more, in one call."""
+        values = self._call(jobs)
+        ends = np.cumsum([stop - first for first, stop in jobs])[:-1]
+        parts = {name: np.split(array, ends) for name, array in values.items()}
+        return [
+            Answer(job, job[1], {name: arrays[place] for name, arrays in parts.items()})
+            for place, job in enumerate(jobs)
+        ]
+
+    def _call(self, ranges: Sequence[CellRange]) -> dict[str, Array]:
+        """Return what the case function finds in the cells of some ranges."""
+        numbers = np.concatenate([np.arange(*cells, dtype=np.int64) for cells in ranges])
+        cells = self.grid.at(numbers)
         if self.numbered is not None:
-            cells[self.numbered] = np.arange(first, stop, dtype=np.int64)
+            cells[self.numbered] = numbers
         try:
             values = self.cases(**cells)
-            return {output.name: _checked(output, values, stop - first) for output in self.outputs}
+            return {output.name: _checked(output, values, len(numbers)) for output in self.outputs}
         except Exception as error:
-            error.add_note(f"in {self.words_for((first, stop))}")
+            places = "; ".join(map(self.words_for, ranges[:NAMED]))
+            error.add_note(f"in {places}{' and more' * (len(ranges) > NAMED)}")
             raise
 
     def words_for(self, cells: CellRange) -> str:

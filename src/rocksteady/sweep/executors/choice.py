@@ -24,7 +24,8 @@ def pool_for(task: Task, executor: str, workers: int | None) -> AbstractContextM
     executor
         From `validated_executor`.
     workers
-        Number of workers; None for the cores that this process may use, or all of a cluster.
+        Number of workers; None for the cores that this process may use, all of a cluster, or three
+        on a GPU.
     """
     if executor in EXECUTORS:
         return EXECUTORS[executor](task, workers)
@@ -40,8 +41,16 @@ def _dask_pool(
     return cluster_pool(task, address, workers)
 
 
+def _gpu_pool(task: Task, workers: int | None) -> AbstractContextManager[Pool]:
+    """Return the workers that share the GPU of this machine."""
+    from rocksteady.sweep.executors._gpu import gpu_pool
+
+    return gpu_pool(task, workers)
+
+
 EXECUTORS: dict[str, Callable[[Task, int | None], AbstractContextManager[Pool]]] = {
     "threads": thread_pool,
+    "gpu": _gpu_pool,
     "dask": _dask_pool,
     "serial": serial_pool,
 }

@@ -1,0 +1,158 @@
+"""Calls of the driver, and what a user reads where there is none."""
+
+import importlib.util
+import inspect
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.machine_code import _cuda as module
+from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
+from tests.kernels.machine_code.in_memory.driver import FUNCTIONS, CUresult, DriverInMemory
+
+INSTALLED = importlib.util.find_spec("cuda") is not None
+
+
+def with_bindings(functions: Any, patch: pytest.MonkeyPatch) -> None:
+    patch.setattr(module, "_bindings", lambda: functions)
+
+
+def failing(code: CUresult) -> DriverInMemory:
+    memory = DriverInMemory()
+    memory.fail["cuInit"] = code
+    return memory
+
+
+def test_a_call_returns_its_result() -> None:
+    driver = Driver(DriverInMemory(gpus=3))
+    assert driver.call("cuDeviceGetCount") == 3
+    assert driver.call("cuInit", 0) is None
+    assert driver.CUstream_flags.CU_STREAM_NON_BLOCKING == 1
+
+
+def test_an_error_has_its_name_and_the_words_of_the_driver() -> None:
+    with pytest.raises(DriverError) as raised:
+        Driver(failing(CUresult.CUDA_ERROR_NOT_FOUND)).call("cuInit", 0)
+    assert raised.value.code == "CUDA_ERROR_NOT_FOUND"
+    assert str(raised.value) == "CUDA_ERROR_NOT_FOUND (not found)"
+
+
+class Unnamed(DriverInMemory):
+    """A driver that returns an error which cuda-python does not know."""
+
+    def cuInit(self, Flags: int) -> Any:
+        return (999 + Flags,)
+
+    def cuGetErrorString(self, error: CUresult) -> Any:
+        return CUresult.CUDA_ERROR_INVALID_VALUE, error
+
+
+def test_an_error_that_nobody_knows_has_a_number() -> None:
+    with pytest.raises(DriverError, match=r"^error 999$"):
+        Driver(Unnamed()).call("cuInit", 0)
+
+
+NO_GPU = (
+    "executor = 'gpu' is not valid: the CUDA driver shows no GPU; check nvidia-smi and "
+    "CUDA_VISIBLE_DEVICES, or leave the executor out for threads"
+)
+NO_DRIVER = (
+    "executor = 'gpu' is not valid: there is no CUDA driver on this machine (libcuda is a stub of "
+    "the toolkit); install the driver of an NVIDIA GPU, or leave the executor out for threads"
+)
+MISMATCH = (
+    "executor = 'gpu' is not valid: the CUDA driver does not start: "
+    "CUDA_ERROR_SYSTEM_DRIVER_MISMATCH (system driver mismatch); check it with nvidia-smi, or "
+    "leave the executor out for threads"
+)
+LINES = {
+    "no GPU": (DriverInMemory(gpus=0), NO_GPU),
+    "no device": (failing(CUresult.CUDA_ERROR_NO_DEVICE), NO_GPU),
+    "a stub": (failing(CUresult.CUDA_ERROR_STUB_LIBRARY), NO_DRIVER),
+    "a mismatch": (failing(CUresult.CUDA_ERROR_SYSTEM_DRIVER_MISMATCH), MISMATCH),
+}
+
+
+@pytest.mark.parametrize("case", LINES)
+def test_a_driver_without_a_gpu_is_refused_in_one_line(
+    case: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    functions, line = LINES[case]
+    with_bindings(functions, monkeypatch)
+    with pytest.raises(InputError) as raised:
+        loaded_driver()
+    assert str(raised.value) == line
+
+
+def test_without_cuda_python_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "cuda.bindings.driver", None)
+    with pytest.raises(InputError) as raised:
+        loaded_driver()
+    assert str(raised.value) == (
+        "executor = 'gpu' is not valid: cuda-python is not installed; install 'rocksteady[gpu]', "
+        "or leave the executor out for threads"
+    )
+
+
+# The real package, without a driver.
+
+
+def has_driver() -> bool:
+    try:
+        loaded_driver()
+    except InputError as error:
+        return "libcuda" not in str(error)
+    return True
+
+
+@pytest.mark.skipif(not INSTALLED or has_driver(), reason="cuda-python is not here, or a driver is")
+def test_without_a_driver_its_library_is_named() -> None:
+    with pytest.raises(InputError) as raised:
+        loaded_driver()
+    assert str(raised.value) == (
+        "executor = 'gpu' is not valid: there is no CUDA driver on this machine (libcuda is not "
+        "found); install the driver of an NVIDIA GPU, or leave the executor out for threads"
+    )
+
+
+@pytest.mark.skipif(not INSTALLED, reason="cuda-python is not installed")
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_function_in_memory_takes_what_the_real_one_takes(name: str) -> None:
+    driver = importlib.import_module("cuda.bindings.driver")
+    first_line = (getattr(driver, name).__doc__ or "").partition("\n")[0]
+    inside = re.fullmatch(rf"{name}\((.*)\)", first_line)
+    assert inside is not None, first_line
+    # As in "hStream, unsigned int Flags, error: CUresult, char *name, kernelParams".
+    names = [
+        part.partition(":")[0].split()[-1].lstrip("*") for part in inside[1].split(", ") if part
+    ]
+    function: Callable[..., Any] = vars(DriverInMemory)[name]
+    assert list(inspect.signature(function).parameters)[1:] == names
+
+
+@pytest.mark.skipif(not INSTALLED, reason="cuda-python is not installed")
+def test_errors_and_constants_in_memory_have_the_real_numbers() -> None:
+    driver = importlib.import_module("cuda.bindings.driver")
+    assert {code.name: int(code) for code in CUresult} == {
+        code.name: int(getattr(driver.CUresult, code.name)) for code in CUresult
+    }
+    for kind in ("CUdevice_attribute", "CUstream_flags", "CUctx_flags"):
+        for name, value in vars(getattr(DriverInMemory, kind)).items():
+            assert int(getattr(getattr(driver, kind), name)) == value
+
+
+def test_the_package_is_imported_without_cuda() -> None:
+    script = (
+        "import sys, rocksteady; from rocksteady import Run, map_fates, evaluate;"
+        "import rocksteady.sweep.executors.choice; Run(executor='gpu');"
+        "print([name for name in sys.modules if name.startswith('cuda.')])"
+    )
+    printed = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    assert printed.stdout == "[]\n"
