@@ -108,6 +108,7 @@ def _obstacle(names: Sequence[str]) -> str | None:
 
 def _lower(file: Path) -> int:
     """Lower the kernels into a file."""
+    from rocksteady.kernels.entries import ENTRIES
     from tools.aot.lower import lower, write
 
     began = time.perf_counter()
@@ -120,7 +121,7 @@ def _lower(file: Path) -> int:
             print(f"\r  kernel {seen}", end="", flush=True)
 
     scratch = file.with_name(f"{file.name}.{os.getpid()}.tmp")
-    write(lower(progress), scratch)
+    write(lower(ENTRIES, progress), scratch)
     scratch.replace(file)
     took = time.perf_counter() - began
     print(f"{chr(13) * sys.stdout.isatty()}  {seen} kernels lowered, {took:.0f} s", flush=True)

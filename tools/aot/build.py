@@ -55,37 +55,61 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
             if not unchanged():
                 raise ChangedError("the kernels were changed while they were compiled: build again")
             made.append(folder / target.file)
-            checksum = f"{hashlib.sha256(content).hexdigest()} {tools_hash()}\n"
-            _publish(checksum_file(made[-1]), checksum.encode())
-            _publish(made[-1], content)
+            publish(made[-1], content)
         took = time.perf_counter() - start
         size = f"{len(content) / 1e3:.0f} kB"
         print(f"  {target.file}: {size}, linked by {linker}, {took:.0f} s", flush=True)
     return made
 
 
-def tools_hash() -> str:
-    """Return a hash of what builds libraries: this folder, and the version of numba."""
+def tools_hash(folder: Path = Path(__file__).parent) -> str:
+    """Return a hash of what builds libraries: a folder of tools, and the version of numba."""
     digest = hashlib.sha256(version("numba").encode())
-    for source in sorted(Path(__file__).parent.glob("*.[pc]*")):
+    for source in sorted(folder.glob("*.[pc]*")):
         if source.is_file():
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]
 
 
-def lowered() -> bytes:
-    """Return the lowered kernels; lower them first, in another process, if that is to be done."""
-    kept = LOWERED / f"{sources_hash()}-{tools_hash()}.bc"
+def lowered(
+    command: Sequence[str] = ("tools.aot", "lower"), kind: str = "bc", tools: str | None = None
+) -> bytes:
+    """Return lowered kernels; lower them first, in another process, if that is to be done.
+
+    Parameters
+    ----------
+    command
+        Module and arguments that write them, before the name of the file.
+    kind
+        Ending of the file in which they are kept.
+    tools
+        Hash of what lowers them; by default `tools_hash()`.
+    """
+    kept = LOWERED / f"{sources_hash()}-{tools or tools_hash()}.{kind}"
     if not kept.is_file():
         kept.parent.mkdir(parents=True, exist_ok=True)
-        for old in kept.parent.glob("*.bc*"):
+        for old in kept.parent.glob(f"*.{kind}*"):
             old.unlink(missing_ok=True)
-        subprocess.run([sys.executable, "-m", "tools.aot", "lower", str(kept)], check=True)
+        subprocess.run([sys.executable, "-m", *command, str(kept)], check=True)
     return kept.read_bytes()
 
 
-def _publish(file: Path, content: bytes) -> None:
-    """Write a file that is whole as soon as it is there."""
+def publish(file: Path, content: bytes, tools: str | None = None) -> None:
+    """Write a file and its checksum; each is whole as soon as it is there.
+
+    Parameters
+    ----------
+    file, content
+        The file.
+    tools
+        Hash of what made it, which is written beside the checksum; by default `tools_hash()`.
+    """
+    checksum = f"{hashlib.sha256(content).hexdigest()} {tools or tools_hash()}\n"
+    _write(checksum_file(file), checksum.encode())
+    _write(file, content)
+
+
+def _write(file: Path, content: bytes) -> None:
     scratch = file.with_name(f"{file.name}.{os.getpid()}.tmp")
     scratch.write_bytes(content)
     scratch.replace(file)

@@ -5,6 +5,7 @@ plain pipeline makes code that takes two to three times as long.
 """
 
 import re
+from collections.abc import Collection
 from typing import Any
 
 from llvmlite import binding
@@ -42,11 +43,11 @@ def emit(bitcode: bytes, target: Target) -> bytes:
         reloc="static" if target.static else "pic",
         codemodel="default",
     )
-    module = binding.parse_assembly(_retargeted(str(binding.parse_bitcode(bitcode))))
+    module = binding.parse_assembly(retargeted(str(binding.parse_bitcode(bitcode))))
     module.triple = target.triple
     module.data_layout = str(machine.target_data)
-    _hide(module)
-    _optimise(module, machine, unrolled=not target.static)
+    hide(module)
+    optimise(module, machine, unrolled=not target.static)
     missing = set(externals(module)) - RUNTIME
     if missing:
         raise ValueError(f"{target.name}: kernels call {', '.join(sorted(missing))}, of no library")
@@ -54,7 +55,7 @@ def emit(bitcode: bytes, target: Target) -> bytes:
     return found
 
 
-def _retargeted(text: str) -> str:
+def retargeted(text: str) -> str:
     """Return a module's text without the machine that numba ran on."""
     text = re.sub(r'^target (datalayout|triple) = ".*"\n', "", text, flags=re.MULTILINE)
     for name, intrinsic in INTRINSICS.items():
@@ -65,17 +66,18 @@ def _retargeted(text: str) -> str:
     return text.replace("common global", "internal global")
 
 
-def _hide(module: binding.ModuleRef) -> None:
-    """Make all but the entries internal, so that what is inlined or unused goes away."""
+def hide(module: binding.ModuleRef, keep: Collection[str] = ()) -> None:
+    """Make all but the entries internal, or all but those to keep: what nobody calls goes away."""
     for function in module.functions:
-        if not function.is_declaration and not function.name.startswith("rs_"):
+        name = function.name
+        if not function.is_declaration and not (name in keep if keep else name.startswith("rs_")):
             function.linkage = "internal"
     for variable in module.global_variables:
         if not variable.is_declaration:
             variable.linkage = "internal"
 
 
-def _optimise(module: binding.ModuleRef, machine: Any, *, unrolled: bool) -> None:
+def optimise(module: binding.ModuleRef, machine: Any, *, unrolled: bool) -> None:
     """Run numba's passes over a module; loops stay as they are where size counts."""
 
     def builder(level: int) -> Any:

@@ -1,4 +1,4 @@
-"""Lower every entry, with all that it calls, to one module of LLVM's intermediate language.
+"""Lower entries, with all that they call, to one module of LLVM's intermediate language.
 
 numba links and optimises each function for the machine that it runs on as soon as it is lowered.
 Here it does neither: inside this process each function leaves its raw module, and they are linked
@@ -7,7 +7,7 @@ once, so that every function is there once, for any target.  Beside them stands 
 cells.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,6 @@ from numba.core.registry import cpu_target
 from numba.core.runtime.nrt import rtsys
 from numba.np.arrayobj import make_array, populate_array
 
-from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code import compilation
 
 BYTE = ir.IntType(8)
@@ -25,13 +24,15 @@ CELL = ir.IntType(64)
 STATUS = ir.IntType(32)
 
 
-def lower(progress: Any) -> binding.ModuleRef:
-    """Return all entries and what they call as one module, neither optimised nor for a target.
+def lower(kernels: Mapping[str, Any], progress: Any) -> binding.ModuleRef:
+    """Return kernels and what they call as one module, neither optimised nor for a target.
 
     Must run in a process of its own: numba compiles nothing for this machine any more.
 
     Parameters
     ----------
+    kernels
+        The entries, by name.
     progress
         Called with the name of each entry before it is lowered.
     """
@@ -40,7 +41,7 @@ def lower(progress: Any) -> binding.ModuleRef:
     modules = _keep_raw_modules()
     compilation.EXTRA_OPTIONS.update(no_cpython_wrapper=True, no_cfunc_wrapper=True)
     lowered = {}
-    for name, kernel in ENTRIES.items():
+    for name, kernel in kernels.items():
         progress(name)
         lowered[name] = kernel.compile()
     whole = binding.parse_assembly("")

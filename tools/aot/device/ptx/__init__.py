@@ -1,0 +1,1 @@
+"""Reading PTX, and writing each of its instructions in C."""
