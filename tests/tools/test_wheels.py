@@ -55,6 +55,8 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
     (folder / program.NAME).write_bytes(b"start();")
+    for file in PURE.programs(folder):
+        file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:
         for file in platform.libraries(folder):
             library(file, TRIPLES[platform.tag])
@@ -72,6 +74,11 @@ def content(wheel: Path) -> dict[str, bytes]:
         return {name: archive.read(name) for name in archive.namelist()}
 
 
+def beside(platform: Platform, folder: Path) -> list[Path]:
+    """What a wheel has beside its libraries."""
+    return [*(folder / name for name in BESIDE), *platform.programs(folder)]
+
+
 def described(wheel: Path, name: str) -> bytes:
     """A file of the folder that describes a wheel."""
     (found,) = [what for file, what in content(wheel).items() if file.endswith(f"info/{name}")]
@@ -87,9 +94,9 @@ def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_p
 ) -> None:
     found, plain = content(wheels[platform]), content(wheels[PURE])
     inside = {name: found.pop(name) for name in list(found) if name.startswith(INSIDE)}
-    for name in BESIDE:
-        del plain[f"{INSIDE}/{name}"]
-    files = [*platform.libraries(libraries), *(libraries / name for name in BESIDE)]
+    for file in beside(PURE, libraries):
+        del plain[f"{INSIDE}/{file.name}"]
+    files = [*platform.libraries(libraries), *beside(platform, libraries)]
     assert inside == {f"{INSIDE}/{file.name}": file.read_bytes() for file in files}
     assert set(found) == set(plain)
     differ = {name.rpartition("/")[2] for name in found if found[name] != plain[name]}
@@ -141,13 +148,13 @@ def test_the_metadata_are_valid_and_ask_for_no_compiler(wheels: dict[Platform, P
 
 
 def test_what_pip_builds_of_the_sources_is_the_wheel_without_what_is_compiled(
-    wheels: dict[Platform, Path], tmp_path: Path
+    libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
     assert Path(built).name == wheels[PURE].name
     ours, theirs = content(Path(built)), content(wheels[PURE])
-    for name in BESIDE:
-        del theirs[f"{INSIDE}/{name}"]
+    for file in beside(PURE, libraries):
+        del theirs[f"{INSIDE}/{file.name}"]
     assert ours.keys() == theirs.keys()
     assert {name.rpartition("/")[2] for name in ours if ours[name] != theirs[name]} == {"RECORD"}
 
@@ -156,7 +163,7 @@ def test_the_same_libraries_give_the_same_bytes(
     libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     platform = PLATFORMS[0]
-    for file in (*platform.libraries(libraries), *(libraries / name for name in BESIDE)):
+    for file in (*platform.libraries(libraries), *beside(platform, libraries)):
         shutil.copy(file, tmp_path)  # which gives it another time stamp
     again = build(platform, tmp_path, tmp_path)
     assert again.read_bytes() == wheels[platform].read_bytes()
@@ -191,6 +198,26 @@ def test_no_wheel_is_built_without_a_module_of_these_sources(
         build(PURE, tmp_path, tmp_path)
     assert f"{program.NAME} is missing" in str(refusal.value)
     assert list(tmp_path.glob("*.whl")) == []
+
+
+def test_no_wheel_is_built_without_the_programs_of_these_sources(
+    libraries: Path, tmp_path: Path
+) -> None:
+    first, second, *others = PURE.programs(tmp_path)
+    for file in (*(libraries / name for name in BESIDE), *PURE.programs(libraries)):
+        shutil.copy(file, tmp_path)
+    first.write_text("// rocksteady kernels 0123456789abcdef\n", "ascii")
+    second.unlink()
+    with pytest.raises(SystemExit, match=f"{second.name} is missing") as refusal:
+        build(PURE, tmp_path, tmp_path)
+    assert f"{first.name} was made from other sources" in str(refusal.value)
+    assert len(others) >= 7
+    assert list(tmp_path.glob("*.whl")) == []
+
+
+def test_a_mac_has_no_gpu_that_runs_the_kernels(tmp_path: Path) -> None:
+    without = [platform.tag for platform in PLATFORMS if not platform.programs(tmp_path)]
+    assert without == ["macosx_11_0_arm64"]
 
 
 def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:

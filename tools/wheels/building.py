@@ -1,4 +1,4 @@
-"""Wheels of the package, each with the libraries of its platform and the explorer's module."""
+"""Wheels of the package: libraries of the platform, programs of GPUs, the explorer's module."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,14 +8,16 @@ from hatchling.builders.wheel import WheelBuilder
 
 from rocksteady.explorer import _program as program
 from rocksteady.explorer import module
+from rocksteady.kernels.machine_code.programs import sources_of
+from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.wheels.needs import faults
 from tools.wheels.platforms import Platform
 
 ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
 """Folder of the libraries and of the module in a wheel."""
-LARGEST = 3_000_000
-"""Bytes of a wheel."""
+LARGEST = 5_000_000
+"""Bytes of a wheel, of which libraries take some 0.9 MB and programs for GPUs 1.1 MB."""
 
 
 class _Builder(WheelBuilder):
@@ -43,7 +45,8 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     platform
         The platform.
     libraries
-        Folder that ``python -m tools.aot build`` wrote its libraries to.
+        Folder that ``python -m tools.aot build`` wrote its libraries to, and
+        ``python -m tools.aot.device`` its programs.
     out
         Folder for the wheel.
 
@@ -55,15 +58,21 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     Raises
     ------
     SystemExit
-        If a library or the module is missing, if the module was made from other sources, if systems
-        to which the tag belongs could not load a library, or if the wheel is too large.
+        If a library, a program or the module is missing, if a program or the module was made from
+        other sources, if systems to which the tag belongs could not load a library, or if the wheel
+        is too large.
     """
     page, script = libraries / module.NAME, libraries / program.NAME
-    files = [*platform.libraries(libraries), page, script]
+    compiled, programs = platform.libraries(libraries), platform.programs(libraries)
+    files = [*compiled, page, script, *programs]
     wrong = list(filter(None, [module.fault(page)]))
-    if not script.is_file():
-        wrong.append(f"{script} is missing")
-    for file in files[:-2]:
+    wrong += [f"{file} is missing" for file in (script, *programs) if not file.is_file()]
+    wrong += [
+        f"{file} was made from other sources"
+        for file in programs
+        if file.is_file() and sources_of(file) != sources_hash()
+    ]
+    for file in compiled:
         found = faults(file, platform.tag) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
     if wrong:
