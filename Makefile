@@ -9,9 +9,9 @@ BIN := .venv/bin
 STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
-EXTRAS := bench,build,cluster,dev,docs,jit,records
+EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
 PEERS := heyoka mujoco
-CHECKS := lint types layers docs tests tests-python
+CHECKS := lint types layers docs tests tests-python ptx
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -75,12 +75,16 @@ layers: .venv ## import-linter: who may import whom
 	$(BIN)/lint-imports --no-logo
 
 .PHONY: tests
-tests: .venv library ## pytest, kernels from the library (MARKS= runs the slow ones too)
+tests: .venv library gpu ## pytest, kernels from the library (MARKS= runs the slow ones too)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "$(MARKS)"
 
 .PHONY: tests-python
 tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
+
+.PHONY: ptx
+ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed
+	$(BIN)/python -m tools.aot.device check --architectures sm_90
 
 .PHONY: docs
 docs: .venv library ## build the manual into out/manual; its tutorials and gallery are computed
@@ -106,6 +110,10 @@ tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, 
 library: .venv ## compile the kernels into a library for this machine, unless that is done
 	@$(BIN)/python -m tools.aot host
 	@$(BIN)/python -m tools.aot.web.program
+
+.PHONY: gpu
+gpu: .venv ## compile the kernels for GPUs, for the executor "gpu"
+	@$(BIN)/python -m tools.aot.device build
 
 .PHONY: .venv
 .venv: $(STAMP) ## create the environment and install the package; again only where pins changed
@@ -145,8 +153,18 @@ wheels: .venv ## build a wheel for each platform into dist/, and check the one o
 	@rm -f dist/rocksteady-*.whl
 	$(BIN)/python -m tools.aot build --out build/libraries
 	$(BIN)/python -m tools.aot.web.program build/libraries
+	$(BIN)/python -m tools.aot.device build --out build/libraries --architectures sm_80
 	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
 	$(BIN)/python -m tools.wheels check --wheels dist
+
+.PHONY: bench-gpu
+bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; writes its part of docs/benchmarks.md
+	@mkdir -p out docs
+	$(BIN)/python -m bench.gpu
+
+.PHONY: resources
+resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; writes its part of docs/benchmarks.md
+	$(BIN)/python -m bench.gpu.estimate
 
 .PHONY: architecture
 architecture: .venv ## draw docs/images/architecture.png and its table from the imports
@@ -187,6 +205,13 @@ $(STAMP): pyproject.toml constraints.txt
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt hatchling editables
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
 	@echo "$(CURDIR)" > $@
+
+# The assembler of PTX: without what its wheel depends on, a compiler of C++. Where it cannot be
+# installed, what needs it says so and goes on.
+.venv/.ptxas: tools/aot/device/constraints.txt | .venv
+	@$(BIN)/python -m pip install --quiet --no-deps --only-binary :all: --requirement $< || \
+		echo "ptxas cannot be installed here" >&2
+	@touch $@
 
 ifneq ($(shell test -x $(FLOOR)/bin/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
 .PHONY: $(FLOOR_STAMP)

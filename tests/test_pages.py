@@ -290,6 +290,14 @@ def run_line(line: str) -> None:
             assert Path(file).exists(), file
 
 
+def run_on_gpu(line: str) -> None:
+    """Run a command line that needs a GPU; without one it must say so, in one line."""
+    ran = rocksteady("", *shlex.split(line))
+    if ran.code:
+        assert ran.code == 2
+        assert re.search(r"^rocksteady: --executor = 'gpu' is not valid: .+$", ran.err), ran.err
+
+
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("line", [line for line in TYPED if not LONG.search(line)])
 def test_a_command_line_runs_with_a_few_values_on_its_axes(
@@ -320,6 +328,8 @@ def test_a_command_line_runs_as_it_stands(line: str) -> None:
 def test_a_long_command_line_runs(line: str) -> None:
     from distributed import LocalCluster
 
+    if "--executor gpu" in line:
+        return run_on_gpu(shortened(line))
     if "tcp:" not in line:
         return run_line(shortened(line))
     with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
