@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from rocksteady.kernels.core import queue as kernels_queue
 from rocksteady.kernels.machine_code._launch import ALIGNED, STEPS, Launch, longest_first, queue_of
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 
@@ -166,3 +167,10 @@ def test_long_cells_are_taken_first(lengths: list[float]) -> None:
 def test_cells_of_one_length_stay_in_order() -> None:
     assert longest_first(np.array([2.0, 5.0, 2.0, 5.0, 2.0])).tolist() == [1, 3, 0, 2, 4]
     assert longest_first(np.full(300, 4.0)).tolist() == list(range(300))
+
+
+def test_a_queue_is_laid_out_as_kernels_read_it() -> None:
+    plain = Form(queued=queued_mixed, results=1)
+    made = queue_of(plain, (np.zeros(CELLS),))
+    assert np.array_equal(made, kernels_queue.queue_of(CELLS))
+    assert len(made) == kernels_queue.HEAD + CELLS

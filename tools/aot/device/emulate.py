@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady.kernels.devices import Form
+from rocksteady.kernels.machine_code._launch import queue_of
 from rocksteady.kernels.machine_code.library import caller, targets
 from tools.aot.device.emit import optimised
 from tools.aot.device.program import ENTRY, parsed
@@ -74,10 +75,7 @@ class Emulated:
 
     def run(self, form: Form, arguments: Sequence[Any]) -> None:
         """Launch a kernel over the cells of its arguments, and wait for it."""
-        cells = len(arguments[-1])
-        queue = np.zeros(2 + cells, dtype=np.int64)
-        length = None if form.length is None else form.length(*arguments)
-        queue[2:] = np.arange(cells) if length is None else np.argsort(-length, kind="stable")
+        queue = queue_of(form, tuple(arguments))
         room = [np.empty((self._workers, *shape)) for shape in form.room]
         shared = () if form.shared is None else form.shared(*arguments)
         call = self._caller(form)

@@ -17,7 +17,7 @@ ALIGNED = 256
 BEGUN = 2
 """Numbers in a queue before those of the cells: cells taken, and workers that have begun."""
 STEPS = 65_535
-"""Expected lengths are told apart in so many steps."""
+"""Number of classes by which cells are sorted: a short integer holds one."""
 
 
 class Launch:
@@ -133,7 +133,7 @@ def queue_of(form: Form, arguments: tuple[Any, ...]) -> NDArray[np.int64]:
 
 
 def longest_first(lengths: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return the numbers of cells, those of the largest lengths first, in `STEPS` steps.
+    """Return the numbers of cells, those of the largest lengths first, in `STEPS` classes.
 
     A length that is no number counts as the largest.  Of short integers NumPy's stable sort is one
     by digits, which takes some milliseconds for a million.
