@@ -14,7 +14,6 @@ from rocksteady.dynamics.history.simulate import (
     ELASTIC_TIME,
     FLIGHT_LIMIT,
     LONGEST_REST,
-    SMALLEST_BOUNCE,
 )
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.errors import InputError
@@ -81,7 +80,7 @@ def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> F
     start = columns.March(side, angle, later, 0, half, phase, 0, 0)
     elastic = bool((np.abs(sides[:, columns.RESTITUTION]) == 1.0).all())
     most = ELASTIC_TIME if elastic else LONGEST_REST
-    how = (0, most, SMALLEST_BOUNCE)
+    how = (0, most, columns.COUNTED)
     peaks = np.zeros(columns.PASSAGE_COLUMNS)
     rows = np.zeros((0, columns.ROW_COLUMNS))
     status, end = march(segments, sides, start, *how, FLIGHT_LIMIT, rows, peaks)

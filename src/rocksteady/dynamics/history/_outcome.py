@@ -15,7 +15,6 @@ from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.history.samples import Impacts
     from rocksteady.model.equations import Model
 
 DECIDED_BY_ROUNDING = 1e12
@@ -36,7 +35,7 @@ class Described(Physical, Result):
         def side_peaks(self) -> tuple[float, float]: ...
 
         @property
-        def impacts(self) -> Impacts: ...
+        def impact_count(self) -> int: ...
 
         @property
         def growth(self) -> float: ...
@@ -52,7 +51,7 @@ def description_of(run: Described) -> Description:
         Fact("model", run.model.name),
         Fact("status", run.status.label, "status"),
         *_peaks(run),
-        Fact("impacts", len(run.impacts), "impacts"),
+        Fact("impacts", run.impact_count, "impacts"),
         Fact("flights", len(run.rows)),
         *_restitutions(run),
         *_times(run),

@@ -86,7 +86,10 @@ class Flights:
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Impacts:
-    """All impacts in order, as arrays of shape (impacts,).
+    """Impacts in order, as arrays of shape (impacts,).
+
+    Those of a `Trajectory` leave with 1e-6 or more in du/d(pt): chatter, which brings a block to
+    rest, has no end of slower ones.
 
     Attributes
     ----------

@@ -1,6 +1,7 @@
 """Time history of one block, computed from its base motion and initial state."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -38,7 +39,7 @@ LONGEST_RUN = 1.0e15
 """Most forcing periods of a run; their half periods are still counted exactly."""
 
 FLIGHT_LIMIT = 4_000_000
-"""Flights after which a run gives up as undecided; they would fill 256 MB."""
+"""Flights after which a run ends; they would fill 256 MB."""
 
 MOST_FLIGHTS = 100_000_000
 """The highest such limit."""
@@ -79,7 +80,9 @@ def simulate(
         `Linear()`, for slender blocks, or `Nonlinear()`, the full equations, which need a `Block`.
         By default nonlinear where a `Block` meets another motion than a `Harmonic`.
     max_flights
-        Flights after which the run ends as undecided; up to a hundred million, which fill 6.4 GB.
+        Flights after which the run ends: at rest where it is on a still base, the bounces to come
+        are proved to die out, and the impacts among them are counted; else as undecided.  Up to a
+        hundred million, which fill 6.4 GB.
 
     Returns
     -------
@@ -152,7 +155,7 @@ def simulate(
     _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     status, _ = march(*arguments, rows, np.zeros(0))
-    return Trajectory(
+    run = Trajectory(
         block=block,
         motion=shaken,
         vertical=vertical,
@@ -163,3 +166,6 @@ def simulate(
         sides=sides,
         rows=rows,
     )
+    if run.status is Status.AT_REST and end.flights == limit:
+        return replace(run, impacts_left_out=end.impacts - len(run.impacts))
+    return run

@@ -71,6 +71,9 @@ class Trajectory(Described):
         Which equations of motion held: `Linear` or `Nonlinear`.
     start
         Where the block began, as it was given.
+    impacts_left_out
+        Impacts after the last flight: those on a still base of a run that came to its limit of
+        flights, whose number and end in rest are known without flights.
     """
 
     block: Block | DimensionlessBlock
@@ -82,6 +85,7 @@ class Trajectory(Described):
     vertical: Motion | Record | None = None
     model: Model = field(default_factory=Linear)
     start: Start = field(default_factory=Rest)
+    impacts_left_out: int = 0
 
     @cached_property
     def flights(self) -> Flights:
@@ -136,10 +140,11 @@ class Trajectory(Described):
     def rest_time_pt(self) -> float | None:
         """Pivot time at which the block came to rest where it stayed; None if it did not.
 
-        The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
-        Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
+        The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha, or
+        at the limit of flights.  Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
         after the last recorded impact and the base acceleration a towards the side of the next
-        bounce; what this leaves out is of the order of v times that.  For a block whose sides
+        bounce; what this leaves out is of the order of v times that on a moving base, of v^2 times
+        that on a still one.  For a block whose sides
         differ 1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.
         In the nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in
         the vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side,
@@ -152,7 +157,7 @@ class Trajectory(Described):
         start = float(self.flights.pt[first])
         if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
             return start
-        velocity = abs(float(self.impacts.velocity_after[-1]))
+        velocity = abs(float(self._landings.velocity_after[-1]))
         towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
         if self.block.one_sided:
             lost = 1.0 - self.block.restitution
@@ -255,7 +260,18 @@ class Trajectory(Described):
 
     @cached_property
     def impacts(self) -> Impacts:
-        """All impacts."""
+        """Impacts that leave with 1e-6 or more in du/d(pt)."""
+        kept = np.abs(self._landings.velocity_after) >= columns.COUNTED
+        return Impacts(**{name: part[kept] for name, part in vars(self._landings).items()})
+
+    @property
+    def impact_count(self) -> int:
+        """Number of impacts that leave with 1e-6 or more in du/d(pt), as batches count them."""
+        return len(self.impacts) + self.impacts_left_out
+
+    @cached_property
+    def _landings(self) -> Impacts:
+        """All impacts, however slow."""
         index = np.flatnonzero(self.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
         side = self.flights.side[index]
         landing = np.empty((3, len(index)))
@@ -287,7 +303,7 @@ class Trajectory(Described):
         durations = self.rows[:, columns.ROW_DURATION].copy()
         durations[-1] = self._last_duration
         course = Course(self.rows, self.segments, self.sides, durations, self.flights.pt)
-        return growth_of(course, self.impacts)
+        return growth_of(course, self._landings)
 
     @cached_property
     def shown_to_pt(self) -> float:
@@ -400,7 +416,7 @@ class Trajectory(Described):
         per_unit
             As for `times`.
         """
-        motion, impacts = self(self.times(per_unit)), self.impacts
+        motion, impacts = self(self.times(per_unit)), self._landings
         kept = impacts.pt <= motion.pt[-1]
         before = np.searchsorted(motion.pt, impacts.pt[kept], side="left")
         angle = np.insert(motion.angle, before, 0.0)

@@ -110,7 +110,7 @@ def pulse_fates(
             segments,
             own,
             start,
-            rest_velocity * lean * rate,
+            rest_velocity,
             limit,
             peaks,
         )
@@ -150,8 +150,7 @@ def pulse_fates(
                 # The peak is in the alpha of its side, and which that was only rows tell.
                 rows = np.zeros((end.flights, ROW_COLUMNS))
                 flights = len(segments) + limit
-                rest = rest_velocity * lean * rate
-                march(segments, own, start, ZERO, 0.0, rest, flights, rows, nobody)
+                march(segments, own, start, ZERO, 0.0, rest_velocity, flights, rows, nobody)
                 last = rows[len(rows) - 1, ROW_DURATION]
                 positive, negative, _ = recorded_peaks(segments, own, rows, last)
                 turned = max(sides[0, ALPHA] * positive, sides[1, ALPHA] * negative)

@@ -1,15 +1,14 @@
 """Peaks and fates of many blocks under one record: a loop of the march.
 
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
-comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.
+comes to rest as soon as that is proved and none of its impacts and tops counts, or on the still
+base, where its impacts are known, none of its tops.
 
 The peaks of a block that falls are those until it passes its slenderness for good, and only the
 proof of its fall says which passage was the last.  So the march keeps its last passage, and that
 flight alone is marched once more, with its row; all flights are where the block has turned back
 since, above its slenderness or just below it.
 """
-
-import math
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from rocksteady.kernels.core.queue import LEFT_OVER, queue_of, take
 from rocksteady.kernels.core.tables import (
     BEFORE_ANGLE,
     BEFORE_SPEED,
+    COUNTED,
     LEAN,
     OVERTURNED,
     PASSAGE_COLUMNS,
@@ -242,5 +242,5 @@ def _march_through(
 ) -> tuple[int, March]:
     """March to the end of a motion in one of the models."""
     if nonlinear:
-        return nonlinear_march(segments, sides, start, ZERO, stop, math.inf, limit, rows, peaks)
-    return linear_march(segments, sides, start, ZERO, stop, math.inf, limit, rows, peaks)
+        return nonlinear_march(segments, sides, start, ZERO, stop, COUNTED, limit, rows, peaks)
+    return linear_march(segments, sides, start, ZERO, stop, COUNTED, limit, rows, peaks)

@@ -41,6 +41,9 @@ NONLINEAR_SEGMENT_COLUMNS = 12
 ORDERS = 12  # highest order of the series; 0 of any other segment
 SHARES = 13  # and from here on its shares (`kernels.core.harmonics`), two of each order
 
+COUNTED = 1e-6
+"""Least |du/d(pt)| with which a block leaves an impact that counts: chatter has no end of slower
+ones."""
 SAFELY = 1.0 - 1e-9
 """Part of its uplift value up to which no sample lifts a block, rounding included."""
 
@@ -97,7 +100,7 @@ PASSING_VELOCITY = 6
 PASSING_SEGMENT = 7
 PASSING_HALF_CYCLES = 8
 PASSING_PHASE = 9
-PASSING_AGAIN = 10  # 1 where the block has turned back above the slenderness since, or below it
+PASSING_AGAIN = 10  # 1 where the block may have turned back since, above the slenderness or below
 PASSAGE_COLUMNS = 11
 
 ROCKING = int(Status.ROCKING)
@@ -138,11 +141,14 @@ def keep_passage(
     angle: float,
     velocity: float,
     later_angle: float,
-    later_velocity: float,
+    span: float,
+    ceiling: float,
 ) -> None:
     """Keep a flight that rises above its slenderness, and the peaks before it.
 
-    Angle and velocity at its start and its end are in units of the side.
+    Angle and velocity at its start, its angle at the end, its duration and the largest |a| of the
+    base while it lasts are in units of the side.  Above the slenderness y'' >= -|a| in either
+    model, so that a flight which begins there with at least |a| times its duration does not turn.
     """
     if later_angle <= 1.0:
         return
@@ -153,7 +159,7 @@ def keep_passage(
         peaks[PASSING_SEGMENT] = state.segment
         peaks[PASSING_HALF_CYCLES], peaks[PASSING_PHASE] = state.half_cycles, state.phase
         peaks[PASSING_AGAIN] = 0.0
-    elif velocity < 0.0 and later_velocity >= 0.0:
+    elif velocity < 0.0 or (ceiling > 0.0 and velocity < ceiling * span):
         peaks[PASSING_AGAIN] = 1.0
 
 

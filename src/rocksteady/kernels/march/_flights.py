@@ -20,6 +20,7 @@ from rocksteady.kernels.core.tables import (
     ALIKE,
     AT_REST,
     CEILING,
+    COUNTED,
     DURATION,
     ENDED_BY_SPAN,
     ENDED_BY_UPLIFT,
@@ -27,6 +28,8 @@ from rocksteady.kernels.core.tables import (
     FREQUENCY,
     JUMP,
     LEAN,
+    LIFT,
+    LIFT_CEILING,
     LOST_CONTACT,
     NO_RETURN,
     OVERTURNED,
@@ -56,7 +59,13 @@ from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.march._runs import fly_on, rest_on
-from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift, series_uplift
+from rocksteady.kernels.march.rest import (
+    STILL,
+    chatter_ends,
+    impacts_on_still_base,
+    next_uplift,
+    series_uplift,
+)
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
@@ -89,6 +98,10 @@ def march_in_model(
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     scattered, free = is_scattered(sides), free_side(sides)
     last = len(segments) - 1
+    counted = COUNTED * (sides[0, LEAN] * sides[0, RATE])
+    summed = rest_velocity >= COUNTED  # impacts on a still base are, and need no flights
+    rest_velocity = max(rest_velocity * (sides[0, LEAN] * sides[0, RATE]), STILL)
+    still = False  # the base, for ever
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
     loaded = -1  # the segment that the following belong to
@@ -97,7 +110,6 @@ def march_in_model(
     first_half, first_phase, end_half, end_phase = ZERO, 0.0, ZERO, 0.0
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
     guess = -1.0
-    rest_velocity = max(rest_velocity, STILL)
     series = False  # the segment is one: flights are steps, and the phase is that of the base
     bounced = False  # off an impact so slow that the block may be coming to rest
 
@@ -137,6 +149,9 @@ def march_in_model(
             sloped = segments[segment, SLOPE] != 0.0
             contact_lost = loss_of_contact(segments, segment) if nonlinear else math.inf
             endless = segments[segment, DURATION] == math.inf
+            still = endless and segments[segment, CEILING] == 0.0
+            if nonlinear:
+                still &= segments[segment, LIFT] == 0.0 and segments[segment, LIFT_CEILING] == 0.0
             first_half, first_phase = segment_start(segments, segment)
             end_half, end_phase = stop_half_cycles, stop_phase
             if not endless:
@@ -230,6 +245,7 @@ def march_in_model(
         turned_side = False
         if bounced:
             bounced = False
+            highest = peaks[PEAK_ANGLE] if watch else math.inf
             if stepped:
                 there_phase, _ = side_phase(half, phase, ONE if series else next_side, frequency)
                 dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
@@ -242,6 +258,7 @@ def march_in_model(
                     seen_phase,
                     there_phase,
                     span,
+                    highest,
                     segments[segment, SHARES:],
                 )
             else:
@@ -257,8 +274,13 @@ def march_in_model(
                     seen_phase,
                     sine,
                     next_side != side,
+                    highest,
                 )
             if dies_out:
+                if still:
+                    impacts = impacts_on_still_base(
+                        sides, side, abs(velocity), counted, impacts, limit - flights
+                    )
                 velocity = 0.0
                 side = 0
                 continue
@@ -318,7 +340,8 @@ def march_in_model(
                 side * angle / lean,
                 side * velocity,
                 math.inf if lost else zero.angle,
-                math.inf if lost else zero.velocity,
+                span * rate,
+                segments[segment, CEILING] / lean,
             )
         if zero.event == NO_RETURN:
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
@@ -326,7 +349,6 @@ def march_in_model(
         if zero.event == FOUND:
             # 3. Impact: the velocity is multiplied by the restitution (eq 9), the pivot changes.
             # A wall's restitution is negative: the block turns back about the pivot that it has.
-            impacts += 1
             guess = zero.time
             if frequency == 0.0:
                 phase += zero.time / rate
@@ -338,11 +360,15 @@ def march_in_model(
                     sine, cosine = -sine, -cosine
             restitution = sides[row, RESTITUTION]
             if scattered:
-                restitution = restitution_of(sides, row, impacts)
+                restitution = restitution_of(sides, row, impacts + 1)
             velocity = restitution * side * zero.velocity * lean * rate
+            if abs(velocity) >= counted:
+                impacts += 1
             angle = 0.0
             side = next_side
             bounced = abs(velocity) <= rest_velocity
+            if still and (summed or flights + 1 >= limit):
+                bounced = True
             continue
 
         # 4. The segment or the run ended in mid flight.
@@ -372,11 +398,12 @@ def march_in_model(
         if angle == 0.0:  # the velocity alone says where it goes
             side = int(np.sign(velocity))
             if side * free < 0:  # into the wall
-                impacts += 1
                 turned_back = sides[row, RESTITUTION]
                 if scattered:
-                    turned_back = restitution_of(sides, row, impacts)
+                    turned_back = restitution_of(sides, row, impacts + 1)
                 velocity *= turned_back
+                if abs(velocity) >= counted:
+                    impacts += 1
                 side = free if velocity != 0.0 else 0
         if abs(angle) > beyond and velocity * side >= 0.0:
             # Nothing that is still to come can bring it back.

@@ -153,7 +153,8 @@ def fly_through(
                 y,
                 v,
                 later_y,
-                later_v,
+                h,
+                segments[segment, CEILING] / lean,
             )
         if watch:
             here, there = y + start, later_y + (start + change)

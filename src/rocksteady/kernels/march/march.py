@@ -52,11 +52,14 @@ def march(
     stop_half_cycles, stop_phase
         The clock reading on the last segment at which the run ends, where that is endless.
     rest_velocity
-        Chatter slower than this comes to rest as soon as the bound of
-        `rocksteady.kernels.march.rest` proves that it will.
+        Chatter slower than this, as |du/d(pt)| in the alpha and p of the positive side, comes to
+        rest as soon as the bound of `rocksteady.kernels.march.rest` proves that it will.  From
+        COUNTED on, impacts on a still base are counted without flights; those left out on a moving
+        base are not.
     limit
         Flights and rests after which the march gives up as UNDECIDED, as it does before a
-        nonlinear flight whose steps come to nothing (`kernels.nonlinear.flight.is_stuck`).
+        nonlinear flight whose steps come to nothing (`kernels.nonlinear.flight.is_stuck`).  A still
+        base on which the bounces before are proved to die out decides.
     rows
         Array of shape (flights, 8) that receives the flights, as many as a first march without
         rows (0, 8) has counted: a march does not depend on whether it is recorded.
@@ -69,7 +72,8 @@ def march(
     Returns
     -------
     tuple
-        Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state.
+        Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state, whose
+        impacts are those that leave with COUNTED or more.
     """
     if segments.shape[1] > ORDERS:
         orders = (segments.shape[1] - SHARES) // 2

@@ -14,6 +14,14 @@ most ``1 + 4 L v / (c sqrt(c^2 - v^2))`` times v^2, since ``Y <= v^2/c``.  With
 within ``2 v / (sqrt(c^2 - v^2) (1 - kappa))``.  If that is less than T, no uplift can come first (c
 is positive throughout T), and the block is at rest at the end of it.  This is a bound, not an
 estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gives kappa >= 1.
+
+A bounce that is left out has a top and a landing.  The landings are slower than the one before the
+first bounce, since kappa < 1, and the tops lie below Y of the first bounce to either side.  So
+chatter ends only where Y is no higher than the highest angle so far, if the peaks of a march count.
+
+**Impacts** count that leave with `kernels.core.tables.COUNTED` or more; a march whose chatter ends
+above that has others to come.  On a base that stands still a block lands as fast as it left, so
+that their number is known: velocities are those of a geometric series (`impacts_on_still_base`).
 """
 
 import math
@@ -32,8 +40,10 @@ from rocksteady.kernels.core.forcing import (
     steepest_forcing,
 )
 from rocksteady.kernels.core.harmonics import level_of, lifts_at, next_lift
-from rocksteady.kernels.core.tables import RATE, Floats, free_side
+from rocksteady.kernels.core.scatter import is_scattered, restitution_of
+from rocksteady.kernels.core.tables import RATE, RESTITUTION, Floats, free_side
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
+from rocksteady.kernels.elementary.logarithm import log
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
 
@@ -141,11 +151,13 @@ def chatter_ends(
     seen_phase: float,
     sine: float,
     crosses: bool,
+    highest: float,
 ) -> bool:
     """Return whether the bounces that start now are proved to die out within `span`.
 
     `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
-    Where an impact does not change the side, `crosses` is false and `there` is `here`.
+    Where an impact does not change the side, `crosses` is false and `there` is `here`.  No bounce
+    may rise above `highest`.
     """
     if speed_here < STILL:
         return True
@@ -178,6 +190,7 @@ def chatter_ends(
         phase_there,
         speed_there,
         rate_there,
+        highest,
     )
 
 
@@ -193,12 +206,14 @@ def settles(
     phase_there: float,
     velocity_there: float,
     rate_there: float,
+    highest: float,
 ) -> bool:
     """Return whether the coming bounces are proved to end before an uplift and within `span`.
 
     `here` is the side of the first bounce.  Forcings and velocities are in the units of their own
     side (one velocity of the base seen in both), `span` in reference time, in which a side's clock
-    runs `rate` times as fast; `restitution` is the larger of the two sides'.
+    runs `rate` times as fast; `restitution` is the larger of the two sides'.  Nor may they rise
+    above an angle of `highest`, which is infinite where no peak counts.
     """
     if restitution >= 1.0:
         return False
@@ -213,24 +228,73 @@ def settles(
     )
     if window > span:
         return False
-    growth_here, duration_here = bounce_bounds(
+    growth_here, duration_here, top_here = bounce_bounds(
         here, phase_here, velocity_here, rate_here, window * rate_here
     )
-    growth_there, duration_there = bounce_bounds(
+    growth_there, duration_there, top_there = bounce_bounds(
         there, phase_there, velocity_there, rate_there, window * rate_there
     )
     kappa = restitution * math.sqrt(max(growth_here, growth_there))
-    return kappa < 1.0 and max(duration_here, duration_there) <= (1.0 - kappa) * window
+    return (
+        kappa < 1.0
+        and max(duration_here, duration_there) <= (1.0 - kappa) * window
+        and max(top_here, top_there) <= highest
+    )
 
 
 @compiled
 def bounce_bounds(
     forcing: Forcing, phase: float, velocity: float, rate: float, window: float
-) -> tuple[float, float]:
-    """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
+) -> tuple[float, float, float]:
+    """Return upper bounds of a bounce's growth of velocity squared, its duration and its top."""
     pull = -largest_forcing(forcing, phase, window)
     if pull <= velocity:
-        return math.inf, math.inf
+        return math.inf, math.inf, math.inf
     root = math.sqrt((pull - velocity) * (pull + velocity))
     growth = 1.0 + 4.0 * steepest_forcing(forcing) * velocity / (pull * root)
-    return growth, 2.0 * velocity / (root * rate)
+    return growth, 2.0 * velocity / (root * rate), velocity * velocity / (pull + root)
+
+
+@compiled
+def impacts_on_still_base(
+    sides: Floats, side: int, speed: float, slowest: float, impacts: int, most: int
+) -> int:
+    """Return the impacts of chatter on a still base, those before it included.
+
+    Parameters
+    ----------
+    sides
+        Table of the block's sides.
+    side, speed
+        With which the next bounce begins.
+    slowest
+        Speed after an impact that counts, in the same units.
+    impacts
+        Impacts that have counted before.
+    most
+        Impacts after which it ends, where restitution scatters and each is drawn.
+    """
+    walled = free_side(sides) != 0
+    row = 0 if side > 0 else 1
+    if is_scattered(sides):
+        for _ in range(most):
+            speed *= abs(restitution_of(sides, row, impacts + 1))
+            if speed < slowest:
+                break
+            impacts += 1
+            if not walled:
+                row = 1 - row
+        return impacts
+    first = abs(sides[row, RESTITUTION])
+    both = first * first if walled else first * abs(sides[1 - row, RESTITUTION])
+    return impacts + terms(speed * first, both, slowest) + terms(speed * both, both, slowest)
+
+
+@compiled
+def terms(first: float, ratio: float, least: float) -> int:
+    """Return how many terms of a falling geometric series reach a value."""
+    if first < least:
+        return 0
+    if ratio == 0.0:
+        return 1
+    return 1 + int(log(first / least) / -log(ratio))

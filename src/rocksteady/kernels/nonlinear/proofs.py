@@ -13,8 +13,8 @@ towards that position passes it, and one beyond that is slower does not come bac
 
 **Rest.**  The argument is that of `kernels.march.rest`.  With c > 0 the least of -r and K the
 largest of ``max(1, k + c alpha^2/2)`` over the window, ``y'' <= -c + K y`` while 0 <= y <= 1, since
-``cos x >= 1 - x^2/2`` and ``sin x <= x``.  So a bounce with velocity v rises to ``Y <= v^2/c`` at
-most, which has to be below 1, and lasts no longer than ``2 v/sqrt(c^2 - K v^2)``; the square of its
+``cos x >= 1 - x^2/2`` and ``sin x <= x``.  So a bounce with velocity v rises to ``Y = v^2/(c +
+sqrt(c^2 - K v^2))`` at most, for which v^2/c has to be below 1, and lasts no longer than ``2 v/sqrt(c^2 - K v^2)``; the square of its
 landing velocity exceeds v^2 by twice the integral of ``r' sin(alpha y)/alpha + k' (1 - cos(alpha
 y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration.
 """
@@ -84,6 +84,7 @@ def bounces_end(
     phase_here: float,
     phase_there: float,
     span: float,
+    highest: float,
     shares: Floats | None = None,
 ) -> bool:
     """Return whether the bounces that start now are proved to die out within `span`.
@@ -102,6 +103,8 @@ def bounces_end(
         Phase of the sinusoid seen from the side of the first bounce, and from that of the second.
     span
         Time in which they have to end.
+    highest
+        Angle above which none of them may rise.
     shares
         Of a Fourier series, whose phase is the same from either side.
     """
@@ -118,6 +121,7 @@ def bounces_end(
         phase_there,
         speed / (sides[there, LEAN] * sides[there, RATE]),
         sides[there, RATE],
+        highest,
         shares,
     )
 
@@ -134,6 +138,7 @@ def bounces_settle(
     phase_there: float,
     speed_there: float,
     rate_there: float,
+    highest: float,
     shares: Floats | None = None,
 ) -> bool:
     """Return whether the coming bounces are proved to end before an uplift and within `span`.
@@ -156,14 +161,18 @@ def bounces_settle(
     )
     if window > span:
         return False
-    growth_here, lasts_here = bounce_bounds(
+    growth_here, lasts_here, top_here = bounce_bounds(
         here, phase_here, speed_here, rate_here, window * rate_here, shares
     )
-    growth_there, lasts_there = bounce_bounds(
+    growth_there, lasts_there, top_there = bounce_bounds(
         there, phase_there, speed_there, rate_there, window * rate_there, shares
     )
     kappa: float = restitution * math.sqrt(max(growth_here, growth_there))
-    return kappa < 1.0 and max(lasts_here, lasts_there) <= (1.0 - kappa) * window
+    return (
+        kappa < 1.0
+        and max(lasts_here, lasts_there) <= (1.0 - kappa) * window
+        and max(top_here, top_there) <= highest
+    )
 
 
 @compiled
@@ -174,8 +183,8 @@ def bounce_bounds(
     rate: float,
     window: float,
     shares: Floats | None = None,
-) -> tuple[float, float]:
-    """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
+) -> tuple[float, float, float]:
+    """Return upper bounds of a bounce's growth of velocity squared, its duration and its top."""
     forcing = foot_forcing(drive)
     pull, steepest = shaking_bounds(drive, forcing, phase, window, shares)
     alpha = drive.alpha
@@ -187,7 +196,7 @@ def bounce_bounds(
     stiffness = max(1.0, weight * cosine + alpha * sine * shaking + 0.5 * pull * alpha * alpha)
     faster = math.sqrt(stiffness) * velocity
     if pull <= faster or velocity * velocity >= pull:
-        return math.inf, math.inf
+        return math.inf, math.inf, math.inf
     root = math.sqrt((pull - faster) * (pull + faster))
     drift = (
         abs(forcing.slope)
@@ -195,7 +204,8 @@ def bounce_bounds(
         + abs(drive.lift_slope) * (cosine + sine / alpha)
         + alpha * sine * (abs(drive.slope) + drive.amplitude * steepest)
     )
-    return 1.0 + 4.0 * drift * velocity / (pull * root), 2.0 * velocity / (root * rate)
+    growth = 1.0 + 4.0 * drift * velocity / (pull * root)
+    return growth, 2.0 * velocity / (root * rate), velocity * velocity / (pull + root)
 
 
 @compiled
@@ -215,9 +225,10 @@ def shaking_bounds(
 @compiled
 def linear_bounds(
     pull: float, steepest: float, velocity: float, rate: float
-) -> tuple[float, float]:
+) -> tuple[float, float, float]:
     """Return what `bounce_bounds` does in the linear model, for bounds of -r and of |r'|."""
     if pull <= velocity:
-        return math.inf, math.inf
+        return math.inf, math.inf, math.inf
     root = math.sqrt((pull - velocity) * (pull + velocity))
-    return 1.0 + 4.0 * steepest * velocity / (pull * root), 2.0 * velocity / (root * rate)
+    growth = 1.0 + 4.0 * steepest * velocity / (pull * root)
+    return growth, 2.0 * velocity / (root * rate), velocity * velocity / (pull + root)

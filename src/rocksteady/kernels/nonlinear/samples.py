@@ -136,7 +136,8 @@ def fly_through(
                 y,
                 v,
                 later_y,
-                later_v,
+                h,
+                segments[segment, CEILING] / lean,
             )
         if watch and (fastest > top_speed or highest > top_angle):
             if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):

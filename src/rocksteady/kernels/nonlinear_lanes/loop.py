@@ -321,7 +321,9 @@ def comes_to_rest(
     here, _ = side_phase(half, phase, side, frequency)
     there, _ = side_phase(half, phase, -side, frequency)
     span = elapsed_time(end_half, stop, half, phase, frequency)
-    return bounces_end(segments, ZERO, sides, side, 0.0, abs(state.velocity), here, there, span)
+    return bounces_end(
+        segments, ZERO, sides, side, 0.0, abs(state.velocity), here, there, span, math.inf
+    )
 
 
 @compiled

@@ -275,6 +275,7 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
             across,
             state.speed / (system.lean[other] * system.rate[other]),
             system.rate[other],
+            math.inf,
             system.shares,
         )
     return chatter_ends(
@@ -289,6 +290,7 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
         seen,
         sine,
         across_side != state.side,
+        math.inf,
     )
 
 
