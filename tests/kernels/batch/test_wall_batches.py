@@ -18,11 +18,13 @@ from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import (
     AT_REST,
     CONSTANT,
+    ENDED_BY_IMPACT,
     LEAN,
     OVERTURNED,
     RATE,
     ROCKING,
     ROW_COLUMNS,
+    ROW_EVENT,
     ROW_SIDE,
     SAFELY,
     SLOPE,
@@ -149,7 +151,7 @@ def test_under_a_record_peaks_are_those_of_the_rows_and_of_the_mirror_image(alph
         hardest = np.empty(len(wide) - 1)
         fill_hardest(wide, alpha > 0.0, hardest)
         for i in range(count):
-            ran = run(wide, sides[i], until=25.0 + 60.0 / 1.2)
+            ran = run(wide, sides[i], until=25.0 + 60.0 / 1.2, rest_velocity=1e-12)
             assert np.all(ran.rows[:, ROW_SIDE] >= 0.0)
             assert (ran.status == OVERTURNED) == (status[i] == OVERTURNED)
             assert ran.end.impacts == impacts[i]
@@ -181,12 +183,13 @@ def test_restitution_that_scatters_is_drawn_for_each_impact_on_the_wall(
     segments, sides = in_model(harmonic(1.2, 7.0), against_wall(mean), alpha)
     ran = run(segments, scattered(sides, deviation, key), rest_velocity=0.0, limit=limit)
     drawn = draws(mean, deviation, key, np.arange(1, limit + 1))
-    assert ran.end.impacts > 10
+    assert np.count_nonzero(ran.rows[:, ROW_EVENT] == ENDED_BY_IMPACT) > 10
     state = None
     for row in ran.rows:
         if state is not None and state.velocity > 1e-80:
             np.testing.assert_allclose((state.side, state.velocity), row[[3, 5]], rtol=1e-12)
         impacts = 0 if state is None else state.impacts
+        # Those too slow to count share the draw of the next that counts.
         fixed = sides.copy()
         fixed[0, 0] = -drawn[impacts]
         begin = March(int(row[3]), row[4], row[5], int(row[0]), int(row[1]), row[2], impacts, 0)

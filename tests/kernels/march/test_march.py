@@ -6,7 +6,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from rocksteady.kernels.core.tables import ENDED_BY_UPLIFT, ROCKING, ROW_EVENT, ROW_SIDE
+from rocksteady.kernels.core.tables import (
+    COUNTED,
+    ENDED_BY_IMPACT,
+    ENDED_BY_UPLIFT,
+    ROCKING,
+    ROW_EVENT,
+    ROW_SIDE,
+)
 from tests.kernels.tables import (
     Piece,
     Run,
@@ -177,10 +184,14 @@ def test_a_random_list_of_segments_follows_fifty_digits() -> None:
             side=side,
             velocity=velocity,
             restitution=(mp.mpf(restitution),) * 2,
-            most_impacts=ran.end.impacts,
+            most_impacts=len(ran.impacts()) + 1,
         )
         assert signs_hold(ran.rows)
         found = ran.impacts()
+        counted = sum(abs(after) >= COUNTED for _, _, after in found)
+        if ran.rows[-1, ROW_EVENT] == ENDED_BY_IMPACT:
+            counted += abs(ran.end.velocity) >= COUNTED
+        assert ran.end.impacts == counted
         assert len(exact.impacts) >= len(found)
         for (time, at, after), truth in zip(found, exact.impacts, strict=False):
             assert at == truth.side

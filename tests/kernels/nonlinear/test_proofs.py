@@ -253,8 +253,8 @@ def as_base(drive: Drive, phase: float) -> Base:
 
 def drawn_bounces(
     seed: int, count: int
-) -> Iterator[tuple[Drive, float, float, tuple[float, float, float]]]:
-    """Yield drives with the phase, the velocity of a bounce and its bounds, where these exist."""
+) -> Iterator[tuple[Drive, float, float, tuple[float, float, float], float]]:
+    """Yield drives with phase, velocity of a bounce, bounds and window, where bounds exist."""
     rng = np.random.default_rng(seed)
     for _ in range(count):
         alpha = logarithmic(rng, 1e-3, 1.5)
@@ -275,9 +275,9 @@ def drawn_bounces(
             continue
         velocity = pull * float(rng.choice([logarithmic(rng, 1e-6, 1.0), rng.uniform(0.0, 1.0)]))
         window = 2.5 * velocity / pull
-        growth, lasts = bounce_bounds(drive, phase, velocity, 1.0, window)
-        if lasts <= window:
-            yield drive, phase, velocity, (growth, lasts, window)
+        bounds = bounce_bounds(drive, phase, velocity, 1.0, window)
+        if bounds[1] <= window:
+            yield drive, phase, velocity, bounds, window
 
 
 def largest(values: list[Ball]) -> Ball:
@@ -304,32 +304,35 @@ def extremes(base: Base, span: Ball) -> tuple[Ball, Ball, Ball, Ball]:
 
 
 @cache
-def flights() -> list[tuple[Base, Ball, tuple[float, float], Bounce]]:
+def flights() -> list[tuple[Base, Ball, tuple[float, float, float], Bounce]]:
     """Return bounces whose bounds are finite: base, velocity, bounds and what they do."""
     found = []
     with flint.ctx.workprec(BITS):
-        for drive, phase, velocity, (growth, lasts, window) in drawn_bounces(24, 280):
+        for drive, phase, velocity, bounds, window in drawn_bounces(24, 280):
             base = as_base(drive, phase)
             made = bounce(base, arb(velocity), arb(window))
             assert made is not None, "where the bounds are finite it ends in the window"
-            found.append((base, arb(velocity), (growth, lasts), made))
+            found.append((base, arb(velocity), bounds, made))
     return found
 
 
 def test_a_bounce_lasts_no_longer_and_lands_no_faster_than_its_bounds() -> None:
-    closeness, shares = [], []
-    for _, velocity, (growth, lasts), made in flights():
+    closeness, shares, heights = [], [], []
+    for _, velocity, (growth, lasts, top), made in flights():
         grown = (made.landing / velocity) ** 2
         # Where r and k are constant the growth is 1 and so is its bound.
         assert grown < arb(growth) * (1 + 4 * EPSILON)
         assert made.duration < arb(lasts) * (1 + 4 * EPSILON)
+        assert made.height < arb(top) * (1 + 4 * EPSILON)
         closeness.append(float(made.duration) / lasts)
+        heights.append(float(made.height) / top)
         if growth > 1.0:
             shares.append((float(grown) - 1.0) / (growth - 1.0))
     assert len(closeness) > 100
     # The bounds are none too wide: half of the durations come within a part in a hundred; of the
     # growth nearly a third is reached, as of the area under a parabola twice as high as the bounce.
     assert np.median(closeness) > 0.99
+    assert np.median(heights) > 0.99
     assert 0.3 < max(shares) < 1.0
 
 
@@ -394,7 +397,16 @@ class Chatter(NamedTuple):
             *(0.0, base.lift, base.lift_slope),
         ]
         return bounces_end(
-            segments, 0, self.sides, self.side, 0.0, speed, self.phase_here, self.phase_there, span
+            segments,
+            0,
+            self.sides,
+            self.side,
+            0.0,
+            speed,
+            self.phase_here,
+            self.phase_there,
+            span,
+            math.inf,
         )
 
     def fastest(self) -> float:

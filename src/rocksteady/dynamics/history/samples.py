@@ -88,8 +88,8 @@ class Flights:
 class Impacts:
     """Impacts in order, as arrays of shape (impacts,).
 
-    Those of a `Trajectory` leave with 1e-6 or more in du/d(pt): chatter, which brings a block to
-    rest, has no end of slower ones.
+    Those of a `Trajectory` leave with 1e-6 or more in du/d(pt), in the alpha and p of the side that
+    they leave to: chatter, which brings a block to rest, has no end of slower ones.
 
     Attributes
     ----------

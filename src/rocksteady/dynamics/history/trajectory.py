@@ -260,8 +260,11 @@ class Trajectory(Described):
 
     @cached_property
     def impacts(self) -> Impacts:
-        """Impacts that leave with 1e-6 or more in du/d(pt)."""
-        kept = np.abs(self._landings.velocity_after) >= columns.COUNTED
+        """Impacts that leave with 1e-6 or more in du/d(pt), in the side's alpha and p."""
+        velocity = self._landings.velocity_after
+        side = self.sides[np.where(velocity > 0.0, 0, 1)]
+        units = side[:, columns.LEAN] * side[:, columns.RATE]
+        kept = np.abs(velocity) >= columns.COUNTED * units
         return Impacts(**{name: part[kept] for name, part in vars(self._landings).items()})
 
     @property

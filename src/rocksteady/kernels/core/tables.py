@@ -42,8 +42,8 @@ ORDERS = 12  # highest order of the series; 0 of any other segment
 SHARES = 13  # and from here on its shares (`kernels.core.harmonics`), two of each order
 
 COUNTED = 1e-6
-"""Least |du/d(pt)| with which a block leaves an impact that counts: chatter has no end of slower
-ones."""
+"""Least |du/d(pt)| with which a block leaves an impact that counts, in the alpha and p of the side
+that it leaves to: chatter has no end of slower ones."""
 SAFELY = 1.0 - 1e-9
 """Part of its uplift value up to which no sample lifts a block, rounding included."""
 

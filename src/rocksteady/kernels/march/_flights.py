@@ -98,9 +98,8 @@ def march_in_model(
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     scattered, free = is_scattered(sides), free_side(sides)
     last = len(segments) - 1
-    counted = COUNTED * (sides[0, LEAN] * sides[0, RATE])
     summed = rest_velocity >= COUNTED  # impacts on a still base are, and need no flights
-    rest_velocity = max(rest_velocity * (sides[0, LEAN] * sides[0, RATE]), STILL)
+    rest_velocity = max(rest_velocity, STILL)
     still = False  # the base, for ever
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
@@ -279,7 +278,7 @@ def march_in_model(
             if dies_out:
                 if still:
                     impacts = impacts_on_still_base(
-                        sides, side, abs(velocity), counted, impacts, limit - flights
+                        sides, side, abs(velocity), impacts, limit - flights
                     )
                 velocity = 0.0
                 side = 0
@@ -362,11 +361,13 @@ def march_in_model(
             if scattered:
                 restitution = restitution_of(sides, row, impacts + 1)
             velocity = restitution * side * zero.velocity * lean * rate
-            if abs(velocity) >= counted:
+            there = sides[next_row, LEAN] * sides[next_row, RATE]
+            if abs(velocity) >= COUNTED * there:
                 impacts += 1
             angle = 0.0
             side = next_side
-            bounced = abs(velocity) <= rest_velocity
+            # Slow for the impacts to come too, on either side.
+            bounced = abs(velocity) <= rest_velocity * min(there, lean * rate)
             if still and (summed or flights + 1 >= limit):
                 bounced = True
             continue
@@ -402,7 +403,7 @@ def march_in_model(
                 if scattered:
                     turned_back = restitution_of(sides, row, impacts + 1)
                 velocity *= turned_back
-                if abs(velocity) >= counted:
+                if abs(velocity) >= COUNTED * (lean * rate):
                     impacts += 1
                 side = free if velocity != 0.0 else 0
         if abs(angle) > beyond and velocity * side >= 0.0:

@@ -52,10 +52,10 @@ def march(
     stop_half_cycles, stop_phase
         The clock reading on the last segment at which the run ends, where that is endless.
     rest_velocity
-        Chatter slower than this, as |du/d(pt)| in the alpha and p of the positive side, comes to
-        rest as soon as the bound of `rocksteady.kernels.march.rest` proves that it will.  From
-        COUNTED on, impacts on a still base are counted without flights; those left out on a moving
-        base are not.
+        Chatter slower than this, in du/d(pt) with the alpha and p of either side, ends in rest as
+        soon as the bound of `rocksteady.kernels.march.rest` proves that it does.  From COUNTED on,
+        impacts on a still base are counted without flights; those left out on a moving base are
+        not.
     limit
         Flights and rests after which the march gives up as UNDECIDED, as it does before a
         nonlinear flight whose steps come to nothing (`kernels.nonlinear.flight.is_stuck`).  A still

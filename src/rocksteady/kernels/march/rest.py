@@ -41,7 +41,7 @@ from rocksteady.kernels.core.forcing import (
 )
 from rocksteady.kernels.core.harmonics import level_of, lifts_at, next_lift
 from rocksteady.kernels.core.scatter import is_scattered, restitution_of
-from rocksteady.kernels.core.tables import RATE, RESTITUTION, Floats, free_side
+from rocksteady.kernels.core.tables import COUNTED, LEAN, RATE, RESTITUTION, Floats, free_side
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
 from rocksteady.kernels.elementary.logarithm import log
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
@@ -257,7 +257,7 @@ def bounce_bounds(
 
 @compiled
 def impacts_on_still_base(
-    sides: Floats, side: int, speed: float, slowest: float, impacts: int, most: int
+    sides: Floats, side: int, speed: float, impacts: int, most: int
 ) -> int:
     """Return the impacts of chatter on a still base, those before it included.
 
@@ -267,27 +267,27 @@ def impacts_on_still_base(
         Table of the block's sides.
     side, speed
         With which the next bounce begins.
-    slowest
-        Speed after an impact that counts, in the same units.
     impacts
         Impacts that have counted before.
     most
         Impacts after which it ends, where restitution scatters and each is drawn.
     """
-    walled = free_side(sides) != 0
     row = 0 if side > 0 else 1
+    there = row if free_side(sides) != 0 else 1 - row
+    least_there = COUNTED * (sides[there, LEAN] * sides[there, RATE])
+    least_here = COUNTED * (sides[row, LEAN] * sides[row, RATE])
     if is_scattered(sides):
         for _ in range(most):
-            speed *= abs(restitution_of(sides, row, impacts + 1))
-            if speed < slowest:
+            if speed < min(least_here, least_there):
                 break
-            impacts += 1
-            if not walled:
-                row = 1 - row
+            speed *= abs(restitution_of(sides, row, impacts + 1))
+            impacts += 1 if speed >= least_there else 0
+            row, there = there, row
+            least_here, least_there = least_there, least_here
         return impacts
     first = abs(sides[row, RESTITUTION])
-    both = first * first if walled else first * abs(sides[1 - row, RESTITUTION])
-    return impacts + terms(speed * first, both, slowest) + terms(speed * both, both, slowest)
+    both = first * abs(sides[there, RESTITUTION])
+    return impacts + terms(speed * first, both, least_there) + terms(speed * both, both, least_here)
 
 
 @compiled

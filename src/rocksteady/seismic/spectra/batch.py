@@ -51,6 +51,9 @@ Integers = NDArray[np.int64]
 SpectrumRestitution = Restitution | tuple[Literal["wall"], Restitution]
 """Restitution of free blocks, or as ("wall", 0.5) that of a wall that they stand against."""
 
+PEAKS_AGREE_TO = 1e-12
+"""Part to which the peaks of a cell are those of its single run, whose table is in units of the
+block: times one and the run's growth (`rocksteady.Trajectory.growth`)."""
 DIGITS = 53
 """Binary digits of a uniform number, and of the key that is made of it."""
 
