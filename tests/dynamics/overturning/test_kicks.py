@@ -10,22 +10,30 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
+    Impulses,
     InputError,
     Linear,
     Nonlinear,
     Piecewise,
     Pulse,
+    Rest,
     Run,
     Segment,
     State,
     Status,
+    add_motions,
+    cut_motion,
+    delay_motion,
     find_fatal_kick,
+    join_motions,
     overturning_impulse,
+    scale_motion,
     simulate,
 )
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from tests.seismic.grounds import ground
+from tests.strategies import sample_size
 
 BLOCK = Block.rectangle(width=0.4, height=1.6, restitution=0.85)
 LEANING = Block.asymmetric(left=0.25, right=0.35, height=1.6, restitution=(0.9, 0.8))
@@ -119,6 +127,76 @@ def test_kicks_during_a_record_agree_with_time_histories() -> None:
                 assert (run.status is Status.OVERTURNED) is inside
                 checked += 1
     assert checked >= 80
+
+
+def test_kicks_among_impulses_are_impulses_more_of_time_histories() -> None:
+    draw = np.random.default_rng(27)
+    bodies = (BLOCK, LEANING, BLOCK.against_wall(0.8), DimensionlessBlock(restitution=0.95))
+    checked = fatal = 0
+    for case in range(sample_size(15, 2)):
+        body = bodies[case % len(bodies)]
+        model = Nonlinear() if isinstance(body, Block) and case % 3 else Linear()
+        count = int(draw.integers(1, 4))
+        struck = np.cumsum(draw.uniform(0.2, 1.5, count))
+        struck[0] *= float(case % 3 > 0)
+        train = dict(zip(struck.tolist(), draw.uniform(-0.8, 0.8, count).tolist(), strict=True))
+        motion = Impulses(velocities=tuple(train.values()), times=tuple(train))
+        begun = State(angle=float(draw.uniform(0.0, 0.3)), velocity=float(draw.uniform(0.0, 0.2)))
+        start = begun if case % 4 == 3 else Rest()
+        fallen = simulate(body, motion, start=start, model=model)
+        if fallen.status is Status.OVERTURNED:
+            continue
+        # Before, with, between and after the impulses.
+        last = float(struck[-1])
+        when = (0.0, last, 0.5 * float(struck[0]), float(struck[0]) + 0.07, last + 2.0)[case % 5]
+        kicks = find_fatal_kick(body, start=start, motion=motion, times_pt=when, model=model)
+        for row, sign in enumerate((1.0, -1.0)):
+            ends = np.array(kicks.intervals(row)).ravel()
+            sizes = [*(ends * (1.0 - 1e-6)), *(ends * (1.0 + 1e-6)), *draw.uniform(0.01, 3.9, 9)]
+            for size in sizes:
+                if size > kicks.within[1]:
+                    continue
+                kicked = {**train, when: train.get(when, 0.0) + sign * size}
+                order = tuple(sorted(kicked))
+                shaken = Impulses(velocities=tuple(kicked[t] for t in order), times=order)
+                run = simulate(body, shaken, start=start, model=model)
+                inside = any(low <= size <= high for low, high in kicks.intervals(row))
+                assert (run.status is Status.OVERTURNED) is inside, (case, row, size)
+                checked += 1
+                fatal += inside
+    assert fatal > checked / 5
+
+
+def test_every_last_segment_with_an_impulse_counts() -> None:
+    # Each way of making one: the motion itself, its parts, sums, delays and cuts.
+    struck = Impulses(velocities=(0.3, 0.671), times=(0.4, 1.324))
+    pulse = Pulse(shape="half-sine", amplitude=1.1, frequency_ratio=4.0)
+    turned = Piecewise(pieces=(Segment(duration=1.324), Segment(duration=math.inf, jump=0.671)))
+    motions = (
+        turned,
+        struck,
+        delay_motion(struck, 0.3),
+        cut_motion(struck, 5.0),
+        scale_motion(struck, -1.0),
+        join_motions(pulse, struck),
+        add_motions(pulse, struck),
+        BaseMotion(add_motions(pulse, struck), Piecewise(pieces=(Segment(duration=2.0),))),
+    )
+    for motion in motions:
+        at = find_fatal_kick(LEANING, motion=motion, times_pt=1.0, model=Nonlinear())
+        across = motion.horizontal if isinstance(motion, BaseMotion) else motion
+        for kick in at.signed[0].tolist():
+            for factor in (1.0 - 1e-7, 1.0 + 1e-7):
+                kicked = delay_motion(Impulses(velocities=(factor * kick,)), 1.0)
+                run = simulate(LEANING, add_motions(across, kicked), model=Nonlinear())
+                assert (run.status is Status.OVERTURNED) is (factor > 1.0)
+
+
+def test_a_kick_after_the_fall_is_refused() -> None:
+    push = Impulses(velocities=(1.5,))
+    assert find_fatal_kick(BARE, motion=push).first[0] == 0.0
+    with pytest.raises(InputError, match=r"without a kick the run ends at .* overturned"):
+        find_fatal_kick(BARE, motion=push, times_pt=[0.0, 50.0])
 
 
 def test_after_the_motion_a_block_at_rest_needs_the_impulse() -> None:

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.base_motion import motion_after
-from rocksteady.dynamics.history.lowering import ceilings, samples_alike, segment_table
+from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, refuse_vertical
 from rocksteady.dynamics.history.simulate import (
     ELASTIC_TIME,
@@ -16,7 +16,6 @@ from rocksteady.dynamics.history.simulate import (
     LONGEST_REST,
 )
 from rocksteady.dynamics.history.start import set_going
-from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, sincos
@@ -147,24 +146,10 @@ def finite_table(
     else:
         refuse_vertical(base.vertical)
         table = segment_table(base.horizontal, block)
-    if table[-1, columns.CONSTANT : columns.CEILING].any():
-        raise InputError(
-            "motion",
-            motion,
-            "it must come to an end",
-            "give a Record or a Pulse, or end it: cut_motion(motion, at=...)",
-        )
+    refuse_endless(table, motion)
     hint = "give the pivot time p t of the states, 0 for the start of the motion"
     moment = in_range("time_pt", time_pt, 0.0, LONGEST_DURATION, "[]", hint=hint)
-    if moment == 0.0:
-        return table
-    left, still = motion_after(table, moment, struck=True), table[-1:].copy()
-    if moment > float(table[:-1, columns.DURATION].sum()):
-        still[:, columns.JUMP] = 0.0
-    later = np.concatenate([left, still])
-    later[:, columns.CEILING] = ceilings(later)
-    later[:, columns.ALIKE] = samples_alike(later)
-    return later
+    return motion_after(table, moment)
 
 
 def thrust(table: Floats, rate: float) -> float:

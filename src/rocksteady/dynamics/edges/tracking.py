@@ -19,15 +19,12 @@ from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._outcomes import Outcome, Outcomes
 from rocksteady.dynamics.edges.edge_state import EdgeState
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle, find_hilltop_saddles
-from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.dynamics.history.start import Rest, Start, State, initial_march
+from rocksteady.dynamics.history.start import Rest, Start, State, initial_march, set_going
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot, log
-from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.model.blocks.block import Block
@@ -406,19 +403,7 @@ def _second(other: State | Rest, block: DimensionlessBlock) -> Point:
 
 def _kicked(sides: Floats, point: Point, kick: float) -> Point:
     """Return a state after a sudden change of the base velocity, in units of alpha g/p."""
-    angle, velocity = point
-    walled = only_side(sides) > 0
-    leaning = angle or velocity + kick
-    row = 0 if leaning > 0.0 or walled else 1
-    lean, rate = float(sides[row, columns.LEAN]), float(sides[row, columns.RATE])
-    turned = kick * rate * rate
-    if columns.is_nonlinear(sides):
-        turned *= jump_share(sides, 1 if row == 0 else -1, abs(angle) / lean)
-    after = velocity + turned
-    if walled and angle == 0.0 and after < 0.0:
-        # Into the wall: it holds a block at rest, and turns one back that leaves it.
-        after *= float(sides[0, columns.RESTITUTION]) if velocity > 0.0 else 0.0
-    return angle, after + 0.0  # no -0
+    return point[0], set_going(*point, kick, sides)[1]
 
 
 def _fatal(

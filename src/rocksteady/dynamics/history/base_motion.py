@@ -11,11 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.lowering import ceilings, samples_alike
+from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import acos, sin, sincos
 
 Floats = NDArray[np.float64]
 
+SAME_TIME = 1e-12
+"""Part of a time by which it may miss a segment's start and still be there."""
 CELLS = 64
 """Parts of the shortest wave of a series in which its crests are looked for."""
 
@@ -25,28 +28,49 @@ def segment_starts(segments: Floats) -> Floats:
     return np.concatenate([[0.0], np.cumsum(segments[:-1, columns.DURATION])])
 
 
-def motion_after(table: Floats, time: float, *, struck: bool = False) -> Floats:
-    """Return the segments of a motion from a pivot time on, without the still base after it.
+def refuse_endless(table: Floats, motion: object) -> None:
+    """Refuse a base motion that has no end.
+
+    Raises
+    ------
+    InputError
+        If the base still moves in the last segment of its table.
+    """
+    if table[-1, columns.CONSTANT : columns.CEILING].any():
+        raise InputError(
+            "motion",
+            motion,
+            "it must come to an end",
+            "give a Record or a Pulse, or end it: cut_motion(motion, at=...)",
+        )
+
+
+def at_segment_starts(table: Floats, times: ArrayLike) -> Floats:
+    """Return pivot times, each moved to a segment's start from which rounding alone tells it."""
+    given = np.asarray(times, dtype=np.float64)
+    starts = segment_starts(table)
+    start = starts[np.searchsorted(starts, given * (1.0 + SAME_TIME), side="right") - 1]
+    return np.where(np.abs(given - start) <= SAME_TIME * start, start, given)
+
+
+def motion_after(table: Floats, time: float) -> Floats:
+    """Return the segments of a motion from a pivot time on, with the still base after it.
 
     Parameters
     ----------
     table
-        The motion, with the still base after it.
+        The motion, with the still base after it, which may carry an impulse too.
     time
-        From 0 on; no row is left where the motion has ended.
-    struck
-        Whether an impulse of the motion at that very time is still to come; by default the block
-        has felt it.
+        From 0 on; an impulse of the motion at that very time is still to come.
     """
     starts = segment_starts(table)
+    time = float(at_segment_starts(table, time))
     index = int(np.searchsorted(starts, time, side="right")) - 1
-    rest = table[index:-1].copy()
-    if not len(rest):
-        return rest
-    since = max(time - float(starts[index]), 0.0)
+    rest = table[index:].copy()
+    since = time - float(starts[index])
     first = rest[0]
     first[columns.DURATION] -= since
-    if since > 0.0 or not struck:
+    if since > 0.0:
         first[columns.JUMP] = 0.0
     first[columns.CONSTANT] += first[columns.SLOPE] * since
     first[columns.PHASE] += first[columns.FREQUENCY] * since

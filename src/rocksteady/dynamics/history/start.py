@@ -322,14 +322,14 @@ def set_going(angle: float, velocity: float, jump: float, sides: Floats) -> tupl
     sides
         Sides of the block, shape (2, 3) or (2, 5).
     """
-    leaning = angle or velocity + jump
-    row = 0 if leaning > 0.0 else 1
+    walled = only_side(sides) > 0
+    row = 0 if walled or (angle or velocity + jump) > 0.0 else 1
     lean, rate = float(sides[row, LEAN]), float(sides[row, RATE])
     turned = jump * (rate * rate)  # each side takes an impulse of the base by its own p^2
     if jump and is_nonlinear(sides):
-        turned *= jump_share(sides, 1 if leaning > 0.0 else -1, abs(angle) / lean)
+        turned *= jump_share(sides, 1 if row == 0 else -1, abs(angle) / lean)
     later = velocity + turned
-    if only_side(sides) > 0 and angle == 0.0 and later < 0.0:  # thrown against the wall
+    if walled and angle == 0.0 and later < 0.0:  # thrown against the wall
         later = float(sides[0, RESTITUTION]) * later if velocity > 0.0 else 0.0
     standing = angle == 0.0 and later == 0.0
     return 0 if standing else (1 if (angle or later) > 0.0 else -1), later

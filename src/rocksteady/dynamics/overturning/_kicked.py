@@ -5,14 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, LONGEST_REST
+from rocksteady.dynamics.history.start import set_going
 from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.nonlinear.drive import jump_share
 
 Floats = NDArray[np.float64]
 
@@ -28,9 +27,8 @@ class Kicked:
     direction
         +1 or -1, the sign of the kick.
     table
-        The motion from then on, without the still base after it; no row where it has ended.
-    still
-        The still base after it.
+        The motion from then on, with the still base after it; an impulse at its start comes with
+        the kick.
     sides
         Sides of the block.
     """
@@ -39,7 +37,6 @@ class Kicked:
     velocity: float
     direction: int
     table: Floats
-    still: Floats
     sides: Floats
 
 
@@ -65,30 +62,19 @@ def kicked_fates(size: Floats, *, kicked: Kicked, impacts: int = 0) -> Fates:
 def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float]:
     """Return the fields of `Fates` after one kick."""
     sides = kicked.sides
-    jump = kicked.direction * size
-    walled = only_side(sides) > 0
-    leaning = kicked.angle or kicked.velocity + jump
-    row = 0 if leaning > 0.0 or walled else 1
-    lean, rate = float(sides[row, columns.LEAN]), float(sides[row, columns.RATE])
-    turned = jump * rate * rate
-    if columns.is_nonlinear(sides):
-        turned *= jump_share(sides, 1 if row == 0 else -1, abs(kicked.angle) / lean)
-    velocity = kicked.velocity + turned
-    if walled and kicked.angle == 0.0 and velocity < 0.0:
-        # Into the wall: it holds a block at rest, and turns one back that leaves it.
-        velocity *= float(sides[0, columns.RESTITUTION]) if kicked.velocity > 0.0 else 0.0
-        velocity += 0.0  # no -0
-    standing = kicked.angle == 0.0 and velocity == 0.0
-    side = 0 if standing else 1 if (kicked.angle or velocity) > 0.0 else -1
-    begin = columns.March(side, kicked.angle, velocity, 0, 0, 0.0, 0, 0)
-    status, during = columns.ROCKING, 1 + side
-    for table in (kicked.table, kicked.still):
-        if not len(table):
-            continue
+    elastic = bool((np.abs(sides[:, columns.RESTITUTION]) == 1.0).all())
+    afterwards = ELASTIC_TIME if elastic else LONGEST_REST
+    motion, still = kicked.table[:-1], kicked.table[-1:]
+    begin = columns.March(0, kicked.angle, kicked.velocity, 0, 0, 0.0, 0, 0)
+    impulse, during = kicked.direction * size, 0
+    for table in (motion, still) if len(motion) else (still,):
+        # A march leaves the impulse at its start to what begins it.
+        side, velocity = set_going(
+            begin.angle, begin.velocity, impulse + float(table[0, columns.JUMP]), sides
+        )
         half, phase = segment_start(table, 0)
-        begin = begin._replace(segment=0, half_cycles=half, phase=phase, flights=0)
-        elastic = bool((np.abs(sides[:, columns.RESTITUTION]) == 1.0).all())
-        afterwards = ELASTIC_TIME if elastic else LONGEST_REST
+        begin = columns.March(side, begin.angle, velocity, 0, half, phase, begin.impacts, 0)
+        impulse, during = 0.0, 3 * begin.impacts + 1 + side
         status, begin = march(
             table,
             sides,
@@ -100,8 +86,6 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
             np.zeros((0, columns.ROW_COLUMNS)),
             np.zeros(0),
         )
-        if table is kicked.table:
-            during = 3 * begin.impacts + 1 + begin.side
         if status == columns.OVERTURNED:
             return True, True, begin.impacts, begin.side, during, 1.0
         if status not in (columns.AT_REST, columns.ROCKING):

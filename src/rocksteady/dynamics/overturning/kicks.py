@@ -10,7 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.dynamics.history.base_motion import motion_after
+from rocksteady.dynamics.history.base_motion import (
+    at_segment_starts,
+    motion_after,
+    refuse_endless,
+)
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, State
@@ -26,6 +30,7 @@ from rocksteady.dynamics.overturning.window_cells import (
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
+from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -83,7 +88,8 @@ class FatalKicks(WindowLists):
     time_pt
         Pivot times p t of the kicks, shape (moments,).
     angle, velocity
-        The state of the block just before the kick, theta/alpha and d(theta/alpha)/d(p t).
+        The state of the block just before the kick, and before an impulse of the motion at that
+        moment: theta/alpha and d(theta/alpha)/d(p t).
     within
         Ends of the range of sizes, in units of alpha g/p.
     resolution
@@ -255,9 +261,9 @@ def find_fatal_kick(
     """Find the smallest sudden change of the base velocity that overturns a block.
 
     The kick is added to the motion of the base at a moment, at which the block has the state that
-    it has come to by then.  All sizes are searched in both directions, since a block that falls
-    under a kick may stand under a harder one.  From rest on a still base the least is
-    `overturning_impulse`.
+    it has come to by then; with an impulse of the motion at that moment it makes one impulse.  All
+    sizes are searched in both directions, since a block that falls under a kick may stand under a
+    harder one.  From rest on a still base the least is `overturning_impulse`.
 
     Parameters
     ----------
@@ -268,7 +274,8 @@ def find_fatal_kick(
     motion
         What shakes the base from time 0 on and comes to an end; a still base by default.
     times_pt
-        Pivot times p t of the kick, a number or several, up to 1e6; default 0.
+        Pivot times p t of the kick, a number or several, up to 1e6 and before the block has fallen
+        without one; default 0.
     within
         Range (low, high) of sizes in units of alpha g/p, from 0 to 100; default (0, 4).
     model
@@ -315,24 +322,35 @@ def find_fatal_kick(
     if times.ndim != 1 or not times.size or not ((times >= 0.0) & (times <= 1e6)).all():
         raise InputError("times_pt", times_pt, "they must lie in [0, 1e6]", "give pivot times p t")
     course = simulate(block, shaking, start=begun, model=chosen)
-    if not math.isinf(course.segments[-1, 0]) or course.segments[-1, 2:6].any():
-        raise InputError("motion", motion, "it must come to an end", "give a Record or a Pulse")
-    reached = np.minimum(times, course.end_time_pt)
-    samples = course(reached)
-    resting = course.rest_time_pt
-    still = np.zeros(len(times), dtype=np.bool_) if resting is None else times >= resting
-    angle = np.where(still, 0.0, samples.angle)
-    velocity = np.where(still, 0.0, samples.velocity)
+    refuse_endless(course.segments, shaking)
+    if (times > course.end_time_pt).any():
+        raise InputError(
+            "times_pt",
+            float(times.max()),
+            f"without a kick the run ends at {course.end_time_pt:.10g}: {course.status.label}",
+            "give earlier pivot times p t",
+        )
+    times = at_segment_starts(course.segments, times)
+    tables = [motion_after(course.segments, time) for time in times.tolist()]
+    struck = np.array([table[0, JUMP] != 0.0 for table in tables])
+    before = np.where(struck, np.nextafter(times, 0.0), times)
+    samples = course(before)
+    resting = math.inf if course.rest_time_pt is None else course.rest_time_pt
+    angle = np.where(before >= resting, 0.0, samples.angle)
+    velocity = np.where(before >= resting, 0.0, samples.velocity)
+    if isinstance(begun, State):
+        angle[times == 0.0], velocity[times == 0.0] = begun.angle, begun.velocity
+    else:
+        angle[times == 0.0] = velocity[times == 0.0] = 0.0
     cells = [
         Kicked(
             angle=float(u),
             velocity=float(v),
             direction=direction,
-            table=motion_after(course.segments, float(time)),
-            still=course.segments[-1:],
+            table=table,
             sides=course.sides,
         )
-        for time, u, v in zip(times, angle, velocity, strict=True)
+        for table, u, v in zip(tables, angle, velocity, strict=True)
         for direction in SIGNS
     ]
     closest = 0.0 if isinstance(chosen, Linear) else CLOSEST
@@ -365,7 +383,7 @@ def _windows_of(
     windows_found = nothing_found(len(kick))
     for cell, state in enumerate(kick):
         # Under a motion the impacts are many, and make no windows of their own.
-        added = MANY if len(state.table) else 0
+        added = MANY if len(state.table) > 1 else 0
         fates = functools.partial(kicked_fates, kicked=state, impacts=added)
         windows = scan(
             fates,
