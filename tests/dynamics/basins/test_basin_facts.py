@@ -174,7 +174,7 @@ def test_the_drops_are_those_of_the_method() -> None:
     for measure, drop in found.drops.items():
         (line,) = (x for x in text.splitlines() if x.startswith(measure.replace("_", " ") + "  "))
         if drop is None:
-            assert "does not fall below 0.5" in line
+            assert "does not fall below 0.5 up to A = 3" in line
         else:
             assert f"falls below 0.5 between A = {drop.low:.4f} and {drop.high:.4f}" in line
             assert drop.describe().to_dict()["low"] == drop.low

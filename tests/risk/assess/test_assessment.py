@@ -288,8 +288,23 @@ def test_vertical_motion_is_a_case_of_its_own() -> None:
 def test_a_measure_needs_its_demand() -> None:
     with pytest.raises(ModelError, match=r"\[demand\] pga_g is missing: the intensity measure"):
         assess_object(described({"intensity_measure": "pga_g"}, demand={"pgv_m_s": 0.4}), SUITE)
+    short = {"spectrum": {"period_s": [0.1, 0.3], "sa_g": [1.0, 0.9], "damping": 0.05}}
+    with pytest.raises(ModelError, match=r"does not reach .* s, .* goes from 0\.1 to 0\.3 s"):
+        assess_object(described({"intensity_measure": "sa_g"}, demand=short), SUITE)
     with pytest.raises(InputError, match="motions"):
         assess_object(described(), [])
+
+
+def test_a_demand_outside_the_levels_of_the_runs_is_named() -> None:
+    strong = {"pga_g": 0.4, "pgv_m_s": 9.0}
+    (note,) = (
+        text
+        for text in assess_object(described(demand=strong), SUITE[:2]).describe().notes
+        if "outside the levels" in text
+    )
+    assert note.endswith("the probability there is that of the curve alone.")
+    usual = assess_object(described(), SUITE[:2]).describe().notes
+    assert not any("outside the levels" in text for text in usual)
 
 
 def test_the_demand_is_the_middle_of_the_levels_of_a_case() -> None:

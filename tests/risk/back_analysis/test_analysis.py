@@ -82,11 +82,15 @@ def test_measures_in_the_other_order_give_the_same_region_but_for_its_grid() -> 
     place = np.unravel_index(found.density.argmax(), found.density.shape)
     first = found.first_values[place[0]]
     assert found.contains(first, first * found.ratios[place[1]])
-    assert not found.contains(0.021, 0.02)
-    assert not found.contains(100.0, 100.0)
-    for first, second in ((0.0, 1.0), (1.0, -1.0), (np.nan, 1.0), (1.0, 10**400)):
-        with pytest.raises(InputError, match="1e-09"):
+    low, high = found.first_values[[0, -1]].tolist()
+    assert not found.contains(low, low * found.ratios[0])
+    assert not found.contains(high, high * found.ratios[-1])
+    beyond = ((0.99 * low, low), (1.01 * high, high), (0.0, 1.0), (np.nan, 1.0))
+    wide = ((1.0, 0.99 * found.ratios[0]), (1.0, 1.01 * found.ratios[-1]), (1.0, 10**400))
+    for place, (first, second) in enumerate((*beyond, *wide)):
+        with pytest.raises(InputError, match=r"(second|first) = .* stay inside") as refused:
             found.contains(first, second)
+        assert str(refused.value).startswith("second" if place >= len(beyond) else "first")
 
 
 def test_where_nothing_fell_there_is_no_lower_bound() -> None:

@@ -181,6 +181,8 @@ def test_the_capacity_falls_in_a_line_from_a0_to_nothing_at_d0() -> None:
     assert found.capacity_g(0.0) == found.a0_g
     assert found.capacity_g(found.d0_m) == 0.0
     assert found.capacity_g(0.5 * found.d0_m) == pytest.approx(0.5 * found.a0_g)
+    with pytest.raises(InputError, match="displacement_m"):
+        found.capacity_g(-0.01)
     with pytest.raises(InputError, match="share"):
         found.period_s(1.0, 1.68)
 

@@ -140,6 +140,20 @@ def test_twice_the_record_has_half_the_scales() -> None:
     assert double.pgv_m_s[0] == pytest.approx(2.0 * found.pgv_m_s[0])
 
 
+def test_a_scale_that_was_not_searched_is_refused() -> None:
+    # Its vertical component ends the search of one record below that of the other.
+    lifted = BaseMotion(WAVE, WAVE.scaled(2.0))
+    found = find_overturning_scales(BLOCK, [WAVE, lifted], within=(0.2, 4.0))
+    first, second = found.top.tolist()
+    assert second < first == 4.0
+    for row, top in enumerate((first, second)):
+        for scale in (0.2, top):
+            assert found.falls(row, scale) is found.falls(found.names[row], scale)
+        for scale in (0.2 - 1e-9, top * (1.0 + 1e-9), math.inf, math.nan, -1.0):
+            with pytest.raises(InputError, match=r"scale = .*\[0\.2, .*search further"):
+                found.falls(row, scale)
+
+
 def test_a_base_that_falls_away_ends_the_search() -> None:
     lifted = BaseMotion(WAVE, WAVE.scaled(0.3))
     found = find_overturning_scales(BLOCK, lifted, within=(0.2, 400.0))

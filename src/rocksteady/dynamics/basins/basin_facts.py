@@ -230,6 +230,6 @@ def drop_text(erosion: Any, measure: str) -> str:
     """Return where a measure falls below the level, in words."""
     drop = erosion.drops[measure]
     if drop is None:
-        return "does not fall below 0.5"
+        return f"does not fall below 0.5 up to A = {number(float(erosion.amplitude[-1]))}"
     low, high = f"{drop.low:.4f}", f"{drop.high:.4f}"
     return f"falls below {drop.level:g} between A = {low} and {high}"

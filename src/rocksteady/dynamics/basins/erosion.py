@@ -191,7 +191,9 @@ class Erosion(Result):
         tolerance: float = TOLERANCE,
         run: Run | None = None,
     ) -> IntegrityDrop | None:
-        """Return where a measure first falls below a level, or None where it does not.
+        """Return where a measure first falls below a level, or None.
+
+        None is the answer where it does not up to the last of the amplitudes.
 
         The first of the amplitudes below the level and the one before it (or 0) are brought closer
         by bisection, each time with a new basin over the same window.  A dip between two of the

@@ -64,7 +64,7 @@ def demand_level(
     Raises
     ------
     ModelError
-        If the demand does not state what the measure needs.
+        If the demand does not state what the measure needs, or its spectrum does not reach it.
     """
     key = PEAKS.get(intensity.name)
     given = demand.pga_g is not None or demand.pgv_m_s is not None or demand.spectrum is not None
@@ -76,6 +76,14 @@ def demand_level(
     value: float | None = None if key is None else getattr(demand, key)
     spectrum = demand.spectrum
     if key is None and intensity.name == "sa_g" and spectrum is not None:
+        first, last = spectrum.period_s[0], spectrum.period_s[-1]
+        if not first <= (measure.period_s or 1.0) <= last:
+            raise ModelError(
+                named(source, "demand.spectrum", "period_s"),
+                Words(f"does not reach {number(measure.period_s or 1.0)} s, the measure's period"),
+                f"it goes from {number(first)} to {number(last)} s and is not continued",
+                "add points to the spectrum, or name another intensity_measure",
+            )
         value = float(
             np.exp(
                 np.interp(

@@ -176,7 +176,7 @@ class Assessment(Result):
         """Return what limits the fits, and what was noted of risk."""
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         if self.fragility is not None:
-            warnings += self._shortened(self.fragility)
+            warnings += self._shortened(self.fragility) + self._beyond(self.fragility)
         if self.cases and self.curve is not None and not is_fitted(self.curve):
             warnings.append(
                 "No curve of falling can be fitted to these runs: the probability is the share of "
@@ -191,6 +191,20 @@ class Assessment(Result):
             )
         warnings += [remark for risk in self.risks for remark in risk.remarks]
         return list(dict.fromkeys(warnings))
+
+    def _beyond(self, fragility: Fragility) -> list[str]:
+        """Return a sentence where the demand lies outside the levels of the runs."""
+        measure, given, block = fragility.measure, self.described.given, self.facts.block
+        source = self.described.source
+        level = demand_level(measure, given.demand, self.motions, block, source).of(measure, block)
+        low, high = fragility.state(OVERTURNED).curve.sampled
+        if low <= level <= high or self.verdict == "stands":
+            return []
+        return [
+            f"The demand, {measure.label} {number(level)} {measure.unit}".rstrip()
+            + f", lies outside the levels of the runs, {number(low)} to {number(high)}: the "
+            "probability there is that of the curve alone."
+        ]
 
     def _shortened(self, fragility: Fragility) -> list[str]:
         """Return a sentence where the vertical motion ends the levels early."""

@@ -134,8 +134,6 @@ class BackAnalysis(Result):
     def density_at(self, first: float, second: float) -> float:
         """Return the density, or the chance, at values of the first two measures.
 
-        Outside the grid a density is 0, and a chance that of the nearest cell.
-
         Parameters
         ----------
         first, second
@@ -144,21 +142,18 @@ class BackAnalysis(Result):
         Raises
         ------
         InputError
-            If one lies outside 1e-9 to 1e9.
+            If the grid does not reach them.
         """
         from scipy.interpolate import RegularGridInterpolator
 
-        hint = "give a value in the unit of the measure"
-        first = in_range("first", first, 1e-9, 1e9, "[]", hint=hint)
-        second = in_range("second", second, 1e-9, 1e9, "[]", hint=hint)
-        grid = np.log(self.first_values), np.log(self.ratios)
-        at = np.log([first, second / first])
-        if self.bound != "interval":
-            at = np.clip(at, [each[0] for each in grid], [each[-1] for each in grid])
-        interpolate = RegularGridInterpolator(
-            grid, self.density, bounds_error=False, fill_value=0.0
-        )
-        return float(interpolate(at[np.newaxis])[0])
+        hint = "stay inside, or analyse other limits: Scan(limits=...)"
+        values, ratios = self.first_values, self.ratios
+        first = in_range("first", first, values[0], values[-1], "[]", hint=hint)
+        low, high = first * ratios[0], first * ratios[-1]
+        second = in_range("second", second, low, high, "[]", hint=hint)
+        grid = np.log(values), np.log(ratios)
+        at = np.log([first, np.clip(second / first, ratios[0], ratios[-1])])  # less rounding
+        return float(RegularGridInterpolator(grid, self.density)(at[np.newaxis])[0])
 
     def contains(self, first: float, second: float) -> bool:
         """Return whether values of the first two measures lie in the region.
@@ -171,7 +166,7 @@ class BackAnalysis(Result):
         Raises
         ------
         InputError
-            If one lies outside 1e-9 to 1e9.
+            If the grid does not reach them.
         """
         return self.density_at(first, second) >= self.threshold
 

@@ -9,7 +9,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import form_text, housner_factor
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.checks.validation import finite, in_range, positive
+from rocksteady.model.checks.validation import in_range, non_negative, positive
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
@@ -157,10 +157,11 @@ class Mechanism(Result):
         Raises
         ------
         InputError
-            If the displacement is no finite number.
+            If the displacement is no finite number of 0 or above.
         """
         hint = "give the displacement in metres"
-        return self.a0_g * (1.0 - finite("displacement_m", displacement_m, hint=hint) / self.d0_m)
+        distance = non_negative("displacement_m", displacement_m, hint=hint)
+        return self.a0_g * (1.0 - distance / self.d0_m)
 
     def period_s(self, share: float, factor: float) -> float:
         """Return a secant period, factor pi sqrt(d/a(d)) [s], at a share of d0 in (0, 1).

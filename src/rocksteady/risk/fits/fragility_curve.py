@@ -110,7 +110,8 @@ class FragilityCurve(Result):
         ndarray
             Probability, of the same shape.  A step has .5 at its median.  Without a failure it is 0
             up to the highest intensity, without a survival 1 from the lowest on, and NaN elsewhere
-            and of data that do not rise.
+            and of data that do not rise.  A fitted curve goes on beyond `sampled` as its family
+            does.
 
         Raises
         ------

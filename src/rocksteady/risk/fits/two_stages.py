@@ -100,6 +100,7 @@ class TwoStageCurve(Result):
         -------
         ndarray
             The product, of the same shape; 0 where one factor is, NaN where a factor is unknown.
+            Fitted stages go on beyond `sampled` as their family does.
 
         Raises
         ------

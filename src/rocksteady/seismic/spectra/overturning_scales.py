@@ -27,7 +27,7 @@ from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import LARGEST, in_range, index_value, is_pair
+from rocksteady.model.checks.validation import in_range, index_value, is_pair
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import block_text, block_values, case_text
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -123,11 +123,28 @@ class OverturningScales(WindowLists):
     def _ends(self) -> Floats:
         return self.top
 
-    def falls(self, index: int, scale: float) -> bool:
-        """Return whether a scale lies in one of the windows of a record."""
-        hint = "give a factor of the accelerations, as 1.5"
-        factor = in_range("scale", scale, 0.0, LARGEST, "[]", hint=hint)
-        return any(low <= factor <= high for low, high in self.intervals(index))
+    def falls(self, index: int | str, scale: float) -> bool:
+        """Return whether a scale lies in one of the windows of a record.
+
+        Windows that the search has left out are not among them.
+
+        Parameters
+        ----------
+        index
+            The record, by number or name.
+        scale
+            From the lower end of `within` to the record's `top`.
+
+        Raises
+        ------
+        InputError
+            If there is no such record, or the scale was not searched.
+        """
+        row = self._row_of(index)
+        low, high = self.within[0], float(self.top[row])
+        hint = "stay inside, or search further: find_overturning_scales(..., within=...)"
+        factor = in_range("scale", scale, low, high, "[]", hint=hint)
+        return any(low <= factor <= high for low, high in self.intervals(row))
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
@@ -215,7 +232,7 @@ class OverturningScales(WindowLists):
         """Return what the search has left."""
         notes = []
         if stands := int(np.isnan(self.first).sum()):
-            notes.append(f"The block stands at all scales of {plural(stands, 'record')}.")
+            notes.append(f"The block stands at all scales searched of {plural(stands, 'record')}.")
         if left_out := int(self.left_out.sum()):
             notes.append(
                 f"{left_out} narrower windows are left out, of no record more than "
