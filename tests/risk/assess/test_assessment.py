@@ -17,9 +17,9 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import case_of, parameter_words, tornado, vary
-from rocksteady.risk.assess.assessment import Assessment, assess_object
+from rocksteady.risk.assess.assessment import Assessment, _curve_over, assess_object
 from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
-from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.friction import first_motion
@@ -265,8 +265,8 @@ def test_a_step_is_no_answer_between_its_levels_and_the_runs_at_the_demand_are()
         suite,
     )
     curve = found.curve
-    assert isinstance(curve, TwoStageCurve)
-    assert curve.given_uplift.status == "separated"
+    assert isinstance(curve, FragilityCurve)
+    assert curve.status == "separated"
     assert found.probability == found.cases[0].counted
     assert found.probability_band is None
     base = found.cases[0]
@@ -283,6 +283,17 @@ def test_vertical_motion_is_a_case_of_its_own() -> None:
     cases = vary(described({"draws": 1}), pairs, level_of(described(), pairs))
     assert [case.parameter for case in cases][-1] == "vertical motion"
     assert cases[-1].trials == len(pairs)
+
+
+def test_risk_is_of_the_curve_that_is_shown(found: Assessment) -> None:
+    fragility = found.fragility
+    assert fragility is not None
+    assert found.curve is fragility.state("overturned").curve
+    block = found.facts.block
+    again = _curve_over(Intensity("pgv_m_s"), fragility.ensemble, [*SUITE], block)
+    assert type(again) is type(found.curve)
+    relative = block.p * again.median / (block.gravity * math.tan(block.alpha))
+    assert relative == pytest.approx(found.curve.median, rel=1e-6)
 
 
 def test_a_measure_needs_its_demand() -> None:

@@ -144,6 +144,24 @@ def test_bands_of_two_fitted_stages_cover_the_truth() -> None:
     assert missed <= 9
 
 
+def test_stages_are_used_where_they_are_likelier_than_one_curve() -> None:
+    draw = np.random.default_rng(35)
+    gains = []
+    for case in range(40):
+        lifted = draw.binomial(40, stats.norm.cdf(np.log(AT / 0.3) / draw.uniform(0.05, 0.8)))
+        failures = draw.binomial(lifted, stats.norm.cdf(np.log(AT / 0.8) / 0.4))
+        uplifted = 0.09 if case % 4 == 0 else lifted
+        found = fit_two_stages(AT, uplifted, failures, np.full(len(AT), 40))
+        two, one = (
+            float(stats.binom.logpmf(failures, 40, curve.probability(AT)).sum())
+            for curve in (found, found.plain)
+        )
+        assert found.gain == pytest.approx(two - one, rel=1e-8, abs=1e-8)
+        assert found.best is (found if two - one > 1e-6 else found.plain)
+        gains.append(found.gain)
+    assert min(gains) < 0.0 < max(gains)
+
+
 def test_no_uplift_is_no_failure() -> None:
     none = [0, 0, 0]
     found = fit_two_stages([1.0, 2.0, 3.0], none, none, bands=Bands())

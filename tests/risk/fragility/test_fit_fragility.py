@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 import xarray
+from matplotlib.figure import Figure
 from scipy.optimize import minimize
 from scipy.stats import norm
 
@@ -24,9 +25,13 @@ from rocksteady import (
     compute_fragility,
     fit_curve,
     fit_fragility,
+    plot_fragility,
     read_record,
     run_ensemble,
 )
+from rocksteady.results.numbers import number
+from rocksteady.risk.fragility._labels_of_runs import kept_measures
+from rocksteady.risk.fragility.state_fragility import number_or_none
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
 
@@ -119,11 +124,56 @@ def test_the_gain_is_the_likelihood_of_the_failures_in_two_stages_above_that_of_
     state = fragility().state("theta/alpha > 0.25")
     labels = ensemble().peak_angle > 0.25
     fell = (labels | (ensemble().status == Status.OVERTURNED)).transpose(..., "level").values
-    chance = np.broadcast_to(state.curve.probability(LEVELS), fell.shape)
+    assert state.two_stage is not None
+    chance = np.broadcast_to(state.two_stage.probability(LEVELS), fell.shape)
     alone = np.broadcast_to(state.plain.probability(LEVELS), fell.shape)
     two, one = (float(np.log(np.where(fell, p, 1.0 - p)).sum()) for p in (chance, alone))
     assert state.gain == pytest.approx(two - one, rel=1e-9)
     assert fragility().state("uplift").gain is None
+
+
+def test_a_measure_has_one_curve_in_all_answers() -> None:
+    kept = [measure for measure in kept_measures(ensemble()) if measure.scales]
+    used = set()
+    for measure in kept:
+        at_one = ensemble()[f"im_{measure.key}"].isel(block=0).values
+        levels = np.geomspace(0.5, 8.0, 6) * float(np.median(at_one))
+        found = compute_fragility(
+            BLOCK,
+            SUITE[:6],
+            stripes=Stripes(measure, levels, beside=kept),
+            restitution=RestitutionBand(draws=1),
+            fitting=PLAIN,
+        )
+        values = found.to_dict()
+        apart = ": one curve, as two stages"
+        sentences = [text for text in found.describe().notes if apart in text]
+        named = [name for text in sentences for name in text.split(apart)[0].split(", ")]
+        (alone,) = (row for row in values["ranking"] if row["measure"] == measure.key)
+        for state in found.states:
+            name, curve = state.state.name, state.curve
+            rows = [row for row in values["fits"] if row["damage_state"] == name]
+            assert [row["used"] for row in rows] == [True] + [False] * (len(rows) - 1)
+            assert rows[0]["median"] == number_or_none(curve.median)
+            plain = next(row for row in rows if row["stage"] == "plain")
+            assert (plain["stage"] == rows[0]["stage"]) is (curve is state.plain)
+            # The product is drawn, exported and printed where it is the likelier one alone.
+            gains = state.gain is not None and state.gain > 1e-6
+            assert (curve is state.two_stage) is gains
+            single = state.two_stage is not None and not gains
+            assert (name in named) is single
+            used.add(type(curve))
+            if not single and state is not found.states[-1]:
+                continue
+            drawn = plot_fragility(found, Figure().add_subplot(), state=name).get_lines()
+            thick = max(drawn, key=lambda line: float(line.get_linewidth()))
+            x, y = np.asarray(thick.get_data(), dtype=np.float64)
+            np.testing.assert_allclose(y, curve.probability(x), atol=1e-12)
+        if state.two_stage is None or state.curve is state.plain:
+            assert f"{number(alone['median'])}" in found.describe().headline
+        for key in ("median", "beta", "stage", "status"):
+            assert alone[key] == plain[key], (measure, key)
+    assert len(used) == 2
 
 
 def test_behind_a_gate_two_stages_gain() -> None:

@@ -57,8 +57,8 @@ class Counts:
         """Return falls and trials at a level."""
         return int(self.fell[:, level].sum()), int(self.trials[:, level].sum())
 
-    def curve(self) -> TwoStageCurve:
-        """Return the curve in two stages, without a band."""
+    def curve(self) -> FragilityCurve | TwoStageCurve:
+        """Return the curve to use, without a band."""
         records, levels = self.trials.shape
         return fit_two_stages(
             np.tile(self.levels, records),
@@ -67,7 +67,7 @@ class Counts:
             self.trials.ravel(),
             groups=np.repeat(np.arange(records), levels),
             measure=self.measure,
-        )
+        ).best
 
 
 def is_fitted(curve: FragilityCurve | TwoStageCurve) -> bool:

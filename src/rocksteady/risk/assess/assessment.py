@@ -438,7 +438,7 @@ def _curve_over(
     ensemble: "xarray.Dataset",
     suite: list[Record | BaseMotion],
     block: Block,
-) -> TwoStageCurve:
+) -> FragilityCurve | TwoStageCurve:
     """Return the fragility of the same runs over another measure."""
     (counts,) = count_runs(ensemble, [block])
     scale = ensemble["scale"].isel(block=0).transpose("record", "level").values
@@ -454,4 +454,4 @@ def _curve_over(
         counts.trials.ravel(),
         groups=records.ravel(),
         measure=(measure.label, measure.unit),
-    )
+    ).best

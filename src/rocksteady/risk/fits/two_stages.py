@@ -32,6 +32,8 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve, band_facts, cur
 Floats = NDArray[np.float64]
 ROUNDING = 1e-9
 """Of ln im at the ends of the search for a quantile."""
+LEAST_GAIN = 1e-6
+"""Of a log-likelihood: what is below it is rounding."""
 FARTHEST = 3.0
 STEPS = 121
 """How far from the median, in ln im, the band's ends are searched for .5, and in how many steps."""
@@ -50,9 +52,12 @@ class TwoStageCurve(Result):
         The curves of the two factors; the second is fitted to trials with uplift alone, and its
         intensity is im - offset.
     plain
-        One curve without stages, for comparison.
+        One curve without stages.
     log_likelihood
         Log-likelihood of both stages together: of the three outcomes of each trial.
+    gain
+        What two stages add to the log-likelihood of the failures alone; NaN where the product is
+        unknown.
     misfit
         Largest difference of the share of failures and the product over the stripes.
     stripes
@@ -77,6 +82,7 @@ class TwoStageCurve(Result):
     given_uplift: FragilityCurve
     plain: FragilityCurve
     log_likelihood: float
+    gain: float
     misfit: float
     stripes: tuple[Row, ...]
     sampled: tuple[float, float]
@@ -110,6 +116,11 @@ class TwoStageCurve(Result):
         at = intensities(intensity)
         first, second = self._lifts(at), self.given_uplift.probability(self._excess(at))
         return np.where((first == 0.0) | (second == 0.0), 0.0, first * second)
+
+    @property
+    def best(self) -> "FragilityCurve | TwoStageCurve":
+        """The curve to use: these stages where they gain, else the one curve without stages."""
+        return self if self.gain > LEAST_GAIN else self.plain
 
     @property
     def median(self) -> float:
@@ -206,6 +217,7 @@ class TwoStageCurve(Result):
             ),
             Fact("plain", self.plain.to_dict(), "one curve", self.plain.describe().headline),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
+            Fact("gain", plain(self.gain), "gain over one curve", number(self.gain)),
             Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
             Fact("", None, "the same of one curve", number(self.plain.misfit)),
             Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
@@ -342,6 +354,7 @@ def fit_two_stages(
         given_uplift=given_uplift,
         plain=single,
         log_likelihood=uplift.log_likelihood + given_uplift.log_likelihood,
+        gain=math.nan,
         misfit=math.nan,
         stripes=(),
         sampled=single.sampled,
@@ -352,12 +365,21 @@ def fit_two_stages(
         gate=gate,
         offset=offset,
     )
-    rows, misfit = compare_stripes(whole, curve.probability(whole.levels))
+    share = curve.probability(whole.levels)
+    rows, misfit = compare_stripes(whole, share)
+    gain = _likelihood(share, *whole.totals) - single.log_likelihood
     middle = curve.median if gate is None else given_uplift.median
     band = None if spread is None else _crossings(spread, middle)
     if band is not None and gate is not None:
         band = max(gate, offset + band[0]), max(gate, offset + band[1])
-    return replace(curve, stripes=rows, misfit=misfit, median_band=band)
+    return replace(curve, gain=gain, stripes=rows, misfit=misfit, median_band=band)
+
+
+def _likelihood(share: Floats, failures: Floats, trials: Floats) -> float:
+    """Return the log-likelihood of single trials with given probabilities; NaN of unknown ones."""
+    from scipy.special import xlog1py, xlogy
+
+    return float((xlogy(failures, share) + xlog1py(trials - failures, -share)).sum())
 
 
 def _behind_gate(stages: Sequence[Maximum], gate: float) -> tuple[list[Maximum], float]:

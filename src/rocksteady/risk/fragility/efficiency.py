@@ -16,7 +16,7 @@ class Efficiency:
     state
         The damage state.
     status, median, beta
-        As for `FragilityCurve`, for the curve over the measure; NaN for a pair.
+        As for `FragilityCurve`, of one curve without stages over the measure; NaN for a pair.
     log_likelihood, aic
         Log-likelihood of the single runs, and Akaike's criterion.
     """

@@ -7,9 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -38,8 +35,6 @@ from rocksteady.sweep.run import Run
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 STAGE = "^(uplift|failure given uplift): "
 """What a sentence on one of two stages begins with."""
 
@@ -184,7 +179,7 @@ def _fitted(
     some = 0 < lifted.sum() < trials.sum()
     known = isinstance(uplifted, float) and lifted.any()  # it may lie below the lowest level
     gate = (some or known) and state.name != UPLIFT
-    two_stage, gain = None, None
+    two_stage = None
     if gate:
         two_stage = fit_two_stages(
             at,
@@ -197,8 +192,6 @@ def _fitted(
             measure=named,
         )
         plain = two_stage.plain
-        gain = _likelihood(two_stage.probability(at), failures.ravel(), counts)
-        gain -= plain.log_likelihood
     else:
         plain = fit_curve(
             at,
@@ -216,16 +209,7 @@ def _fitted(
             points.append((level, *sums))
     else:
         points += [(level, count, None, fell) for level, count, fell, _ in plain.stripes]
-    return StateFragility(
-        state=state, plain=plain, two_stage=two_stage, gain=gain, points=tuple(points)
-    )
-
-
-def _likelihood(share: Floats, failures: Integers, trials: Integers) -> float:
-    """Return the log-likelihood of single runs with given probabilities; NaN of unknown ones."""
-    from scipy.special import xlog1py, xlogy
-
-    return float((xlogy(failures, share) + xlog1py(trials - failures, -share)).sum())
+    return StateFragility(state=state, plain=plain, two_stage=two_stage, points=tuple(points))
 
 
 def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:
@@ -240,4 +224,10 @@ def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ..
             common = records.search(sentence) is not None
             text = re.sub(STAGE, "", sentence) if common else f"{each.state.name}: {sentence}"
             warnings.append(text)
+    single = [each.state.name for each in states if each.two_stage and each.curve is each.plain]
+    if single:
+        warnings.append(
+            f"{', '.join(single)}: one curve, as two stages, uplift and failure given uplift, are "
+            "no more likely (gain not above 0)"
+        )
     return tuple(dict.fromkeys(warnings))

@@ -11,6 +11,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import Fitting
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 
 _RANKING: Final = (
     Column("measure", "measure (or pair)", left=True),
-    Column("median", "median"),
     Column("beta", "beta"),
     Column("log_likelihood_per_run", "log-likelihood per run", "{:.3f}".format),
 )
@@ -30,8 +30,9 @@ _RANKING: Final = (
 _LEGEND: Final = (
     "Median and beta (standard deviation of the logarithm) with their bands; beta is given uplift "
     "where the curve has two stages. Misfit: largest difference between the curve and the share of "
-    "runs at a level. Gain: log-likelihood of two stages above that of one curve. Efficiency: the "
-    "measure of the highest log-likelihood predicts best."
+    "runs at a level. Stages: 2, uplift and failure given uplift, where their gain, the "
+    "log-likelihood above that of one curve, is above 0. Efficiency, of one curve over each "
+    "measure: that of the highest log-likelihood predicts best."
 )
 """What the columns mean."""
 
@@ -134,7 +135,10 @@ class Fragility(Result):
                 Table("points", self._points()),
                 Table("ranking", self._ranking()),
                 Table(
-                    "", self._best(), _RANKING, title=f"Efficiency of measures, {last.state.name}"
+                    "",
+                    self._best(),
+                    _RANKING,
+                    title=f"Efficiency of measures, {last.state.name}, of one curve over each",
                 ),
             ],
             notes=[_LEGEND, *self.warnings],
@@ -149,7 +153,7 @@ class Fragility(Result):
         shape = last.curve if isinstance(last.curve, FragilityCurve) else last.curve.given_uplift
         if not math.isnan(shape.beta):
             given = "" if shape is last.curve else " given uplift"
-            if last.two_stage is not None and last.two_stage.offset:
+            if isinstance(last.curve, TwoStageCurve) and last.curve.offset:
                 given = f" of the excess over uplift, {shape.measure[0]}"
             answer += f", beta {number(shape.beta)}{given}"
         return (
@@ -186,6 +190,7 @@ class Fragility(Result):
             {
                 "measure": " and ".join(each.key for each in row.measure),
                 "damage_state": row.state,
+                "stage": "plain",
                 "status": row.status,
                 "median": number_or_none(row.median),
                 "beta": number_or_none(row.beta),
@@ -205,7 +210,8 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         "state": _short(each.state),
         "median": _with_band(curve.median, getattr(curve, "median_band", None)),
         "beta": _with_band(shape.beta, shape.beta_band),
-        "status": shape.status,
+        "stages": ("1" if shape is curve else "2")
+        + ("" if shape.status == "fitted" else f", {shape.status}"),
         "misfit": number_or_none(curve.misfit),
         "gain": None if each.gain is None else number_or_none(each.gain),
     }
@@ -225,7 +231,7 @@ def _columns(unit: str) -> tuple[Column, ...]:
         Column("beta", "beta", left=True),
         Column("misfit", "misfit"),
         Column("gain", "gain"),
-        Column("status", "status", left=True),
+        Column("stages", "stages", left=True),
     )
 
 

@@ -27,9 +27,6 @@ class StateFragility:
     two_stage
         P(uplift) times P(state given uplift); None where no run lifts, or every one does and the
         gate is not known, and of uplift itself.
-    gain
-        What two stages add to the log-likelihood of the failures alone; below 0 the one curve
-        describes them better.  None without stages, NaN where the product is unknown.
     points
         Intensity, trials, uplifts and failures of each level; without levels of the measure, those
         of joined neighbours, without uplifts.
@@ -38,16 +35,20 @@ class StateFragility:
     state: DamageState
     plain: FragilityCurve
     two_stage: TwoStageCurve | None = None
-    gain: float | None = None
     points: tuple[tuple[float, int, int | None, int], ...] = ()
 
     @property
     def curve(self) -> FragilityCurve | TwoStageCurve:
-        """The curve to use: in two stages where there is an uplift gate."""
-        return self.plain if self.two_stage is None else self.two_stage
+        """The curve to use: in two stages where they gain, else one curve."""
+        return self.plain if self.two_stage is None else self.two_stage.best
+
+    @property
+    def gain(self) -> float | None:
+        """What two stages add to the log-likelihood of the failures; None without stages."""
+        return None if self.two_stage is None else self.two_stage.gain
 
     def rows(self, measure: str) -> list[dict[str, Any]]:
-        """Return a row for each of its curves, under the names of the command's JSON.
+        """Return a row for each of its curves, that to use first, under the names of the JSON.
 
         Parameters
         ----------
@@ -57,12 +58,13 @@ class StateFragility:
         curves: list[tuple[str, FragilityCurve | TwoStageCurve]] = [("plain", self.plain)]
         if self.two_stage is not None:
             stages = self.two_stage
-            curves = [
+            curves += [
                 ("two-stage", stages),
                 ("uplift", stages.uplift),
                 (GIVEN, stages.given_uplift),
-                *curves,
             ]
+            if self.curve is stages:
+                curves = [*curves[1:], curves[0]]
         return [self._row(measure, stage, curve) for stage, curve in curves]
 
     def _row(
@@ -77,6 +79,7 @@ class StateFragility:
             "peak": self.state.peak,
             "measure": measure,
             "stage": stage,
+            "used": curve is self.curve,
             "status": "product" if lognormal is None else lognormal.status,
             "median": number_or_none(curve.median),
             "offset": self.two_stage.offset if self.two_stage and stage == GIVEN else 0.0,

@@ -7,6 +7,7 @@ from typing import Any
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
@@ -171,9 +172,9 @@ def _state_row(each: StateFragility) -> Row:
     status = STATUS.get(shape.status, shape.status)
     if shape.step is not None:
         status += f" at {span(*shape.step)}"
-    two = each.two_stage is not None
+    two = isinstance(curve, TwoStageCurve)
     given = ", given uplift" if two else ""
-    if each.two_stage is not None and each.two_stage.offset:
+    if isinstance(curve, TwoStageCurve) and curve.offset:
         given += f", in {shape.measure[0]}"
     return {
         "name": greek(each.state.name),
@@ -204,7 +205,6 @@ def ranking_rows(fragility: Fragility) -> list[Row]:
     return [
         {
             "name": " and ".join(greek(part.label) for part in each.measure),
-            "median": number(each.median),
             "beta": number(each.beta),
             "likelihood": f"{each.log_likelihood / trials:.4f}".replace("-", "−"),
             "aic": f"{each.aic:.0f}",

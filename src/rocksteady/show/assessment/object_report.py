@@ -186,7 +186,7 @@ def _method(assessment: Assessment) -> dict[str, Any]:
         "vertical": int(runs.sizes["vertical"]) > 1,
         "runs": f"{fragility.runs:,}",
         "family": fragility.fitting.family,
-        "stages": any(each.two_stage is not None for each in fragility.states),
+        "stages": any(each.curve is not each.plain for each in fragility.states),
         "band": any(each.curve.median_band is not None for each in fragility.states),
         "confidence": "" if bands is None else number(100.0 * bands.confidence),
         "replicates": "" if bands is None else f"{bands.replicates:,}",

@@ -419,7 +419,8 @@ def _state_of(fragility: StateFragility, factor: float, given_uplift: bool) -> L
             f"Lognormal {words}, fitted to {chosen.trials} runs with {chosen.failures} in this "
             f"state; largest distance from the stripes {chosen.misfit:.3f}"
         )
-        note += "." if two is None else f", of the curve in two stages {two.misfit:.3f}."
+        single = best is fragility.plain
+        note += "." if single else f", of the curve in two stages {best.misfit:.3f}."
     else:
         note = f"There is no lognormal {words}: family {chosen.family}, status {chosen.status}."
     trial = np.geomspace(0.1, 10.0, 5) * best.sampled[1]

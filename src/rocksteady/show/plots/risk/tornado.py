@@ -83,7 +83,7 @@ def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
     axes.set(
-        xlabel=r"standard deviation of ln(intensity)  $\beta$",
+        xlabel=r"standard deviation of ln(intensity)  $\beta$, of one curve",
         xlim=(0.0, (1.0 + _share_of_text(axes, 15.0, sides=1)) * max(betas)),
         ylim=(len(rows) - 0.4, -0.6),
     )
