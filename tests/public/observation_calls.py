@@ -20,6 +20,8 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         "name,width_m,height_m,outcome\nvase,0.1,0.5,fell\n", encoding="utf-8"
     )
     Path("prior.toml").write_text("[noise]\noutliers = 0.02\n", encoding="utf-8")
+    first = float(found.first_values[1])
+    inside = {"first": first, "second": first * float(found.ratios[1])}
     return {
         rs.Spread: fields(spread),
         rs.Spread.exactly: {"value": 0.3},
@@ -100,8 +102,8 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "scan": rs.Scan(levels=4, draws=2, temper=0.5, trials=0),
         },
         found.describe: {},
-        found.contains: {"first": 0.3, "second": 0.4},
-        found.density_at: {"first": 0.3, "second": 0.4},
+        found.contains: inside,
+        found.density_at: inside,
         found.rows: {},
         found.record_rows: {},
         found.grid_rows: {},

@@ -16,6 +16,7 @@ from rocksteady import (
     Nonlinear,
     Piecewise,
     Pulse,
+    Record,
     Rest,
     Run,
     Segment,
@@ -185,6 +186,7 @@ def test_every_last_segment_with_an_impulse_counts() -> None:
     for motion in motions:
         at = find_fatal_kick(LEANING, motion=motion, times_pt=1.0, model=Nonlinear())
         across = motion.horizontal if isinstance(motion, BaseMotion) else motion
+        assert not isinstance(across, Record)
         for kick in at.signed[0].tolist():
             for factor in (1.0 - 1e-7, 1.0 + 1e-7):
                 kicked = delay_motion(Impulses(velocities=(factor * kick,)), 1.0)

@@ -87,10 +87,10 @@ def test_measures_in_the_other_order_give_the_same_region_but_for_its_grid() -> 
     assert not found.contains(high, high * found.ratios[-1])
     beyond = ((0.99 * low, low), (1.01 * high, high), (0.0, 1.0), (np.nan, 1.0))
     wide = ((1.0, 0.99 * found.ratios[0]), (1.0, 1.01 * found.ratios[-1]), (1.0, 10**400))
-    for place, (first, second) in enumerate((*beyond, *wide)):
+    for number, (first, second) in enumerate((*beyond, *wide)):
         with pytest.raises(InputError, match=r"(second|first) = .* stay inside") as refused:
             found.contains(first, second)
-        assert str(refused.value).startswith("second" if place >= len(beyond) else "first")
+        assert str(refused.value).startswith("second" if number >= len(beyond) else "first")
 
 
 def test_where_nothing_fell_there_is_no_lower_bound() -> None:

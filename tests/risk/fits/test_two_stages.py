@@ -153,7 +153,7 @@ def test_stages_are_used_where_they_are_likelier_than_one_curve() -> None:
         uplifted = 0.09 if case % 4 == 0 else lifted
         found = fit_two_stages(AT, uplifted, failures, np.full(len(AT), 40))
         two, one = (
-            float(stats.binom.logpmf(failures, 40, curve.probability(AT)).sum())
+            float(np.sum(stats.binom.logpmf(failures, 40, curve.probability(AT))))
             for curve in (found, found.plain)
         )
         assert found.gain == pytest.approx(two - one, rel=1e-8, abs=1e-8)

@@ -150,6 +150,7 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
         sentences = [text for text in found.describe().notes if apart in text]
         named = [name for text in sentences for name in text.split(apart)[0].split(", ")]
         (alone,) = (row for row in values["ranking"] if row["measure"] == measure.key)
+        state, plain = found.states[-1], values["fits"][-1]
         for state in found.states:
             name, curve = state.state.name, state.curve
             rows = [row for row in values["fits"] if row["damage_state"] == name]

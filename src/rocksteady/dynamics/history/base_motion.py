@@ -46,7 +46,7 @@ def refuse_endless(table: Floats, motion: object) -> None:
 
 
 def at_segment_starts(table: Floats, times: ArrayLike) -> Floats:
-    """Return pivot times, those that miss a segment's start by rounding moved to it."""
+    """Return pivot times, moved to the start of a segment that rounding alone separates."""
     given = np.asarray(times, dtype=np.float64)
     starts = segment_starts(table)
     start = starts[np.searchsorted(starts, given * (1.0 + SAME_TIME), side="right") - 1]
