@@ -1,4 +1,4 @@
-"""Kinds of gridded results, recognised by their variables, and the modules that describe them."""
+"""Kinds of gridded results, recognised by their names, and the modules that describe them."""
 
 import importlib
 from collections.abc import Collection, Mapping
@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 describers: dict[str, tuple[frozenset[str], str]] = {}
-"""By kind, as "attractor map": variables that a dataset of it has, and the module whose function
-``describe(dataset)`` describes it.  The first kind that fits counts."""
+"""By kind, as "attractor map": variables and attributes that a dataset of it has, and the module
+whose function ``describe(dataset)`` describes it.  The first kind that fits counts."""
 
 
 def use_describers(kinds: Mapping[str, tuple[Collection[str], str]]) -> None:
@@ -25,13 +25,13 @@ def use_describers(kinds: Mapping[str, tuple[Collection[str], str]]) -> None:
     kinds
         For `describers`.
     """
-    for kind, (variables, module) in kinds.items():
-        describers[kind] = frozenset(variables), module
+    for kind, (names, module) in kinds.items():
+        describers[kind] = frozenset(names), module
 
 
 def kind_of(dataset: "xr.Dataset") -> str:
     """Return the kind of a dataset; empty where none fits."""
-    names = {str(name) for name in dataset.data_vars}
+    names = {str(name) for name in (*dataset.data_vars, *dataset.attrs)}
     return next((kind for kind, (needed, _) in describers.items() if needed <= names), "")
 
 

@@ -454,7 +454,7 @@ def test_an_interrupted_map_says_how_it_goes_on_and_does(tmp_path: Path) -> None
     [
         ("--by period", "without --plot it has no meaning"),
         ("--by colour --plot {}", "coloured by class, period, lyapunov, peak"),
-        ("--fate --by period --plot {}", "coloured by class, impacts"),
+        ("--fate --by period --plot {}", "a map of fates is coloured by class"),
     ],
 )
 def test_a_colouring_that_has_no_meaning_is_refused(flags: str, why: str, tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ CYCLES = 20
 models = pytest.mark.parametrize(("model", "count"), [(Linear(), 120), (Nonlinear(), 40)])
 
 
-def ended(cells: Cells, cycles: int = CYCLES) -> tuple[Integers, Integers]:
+def ended(cells: Cells, cycles: int = CYCLES) -> Integers:
     return ends_of(
         amplitude=cells.amplitude,
         frequency_ratio=cells.frequency_ratio,
@@ -39,17 +39,10 @@ def test_each_motion_ends_as_its_time_history_does(model: Model, count: int) -> 
     # Cells of one call have equal and unequal sides in turn: in the linear model they are dealt to
     # two kernels.
     cells = random_cells(8, model, count)
-    status, impacts = ended(cells)
-    runs = histories(cells)
-    assert status.tolist() == [run.status for run in runs]
+    status = ended(cells)
+    assert status.tolist() == [run.status for run in histories(cells)]
     assert {Status.ROCKING, Status.AT_REST, Status.OVERTURNED} <= set(status.tolist())
     assert set(status.tolist()) <= set(ENDS)
-    chatters = np.array([(run.flights.side == 0).any() or slow(run) for run in runs])
-    shown = np.array([len(run.impacts) for run in runs])
-    np.testing.assert_array_equal(impacts[~chatters], shown[~chatters])
-    # A time history shows impacts after rest is proved too: those one can see.
-    assert (impacts <= shown).all()
-    assert np.count_nonzero(~chatters & (shown > 0)) > count // 3
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of kernels that nothing compiles
@@ -58,21 +51,15 @@ def test_a_device_runs_the_kernels_of_the_model_and_gives_the_same_ends(model: M
     cells, device = random_cells(3, model, 8), Workers(2)
     with on_device(device):
         found = ended(cells, 5)
-    for one, other in zip(found, ended(cells, 5), strict=True):
-        np.testing.assert_array_equal(one, other)
+    np.testing.assert_array_equal(found, ended(cells, 5))
     linear = ["lane_fates", "fates_of_sides"]
     assert device.ran == (linear if model == Linear() else ["nonlinear_lane_fates"])
-
-
-def slow(run: Trajectory) -> bool:
-    """Return whether a run has impacts so slow that rest may be proved before they end."""
-    return bool((np.abs(run.impacts.velocity_after) < 0.02).any())
 
 
 @models
 def test_a_cell_depends_on_nothing_but_the_cell(model: Model, count: int) -> None:
     cells = random_cells(9, model, count)
-    status, impacts = ended(cells)
+    status = ended(cells)
     order = np.random.default_rng(1).permutation(count)
     for picked in (order, order[: count // 7], order[:1]):
         some = Cells(
@@ -81,9 +68,7 @@ def test_a_cell_depends_on_nothing_but_the_cell(model: Model, count: int) -> Non
             shakings=[cells.shakings[at] for at in picked],
             starts=[cells.starts[at] for at in picked],
         )
-        again = ended(some)
-        np.testing.assert_array_equal(again[0], status[picked])
-        np.testing.assert_array_equal(again[1], impacts[picked])
+        np.testing.assert_array_equal(ended(some), status[picked])
 
 
 @models
@@ -91,10 +76,13 @@ def test_a_motion_of_more_impacts_than_are_followed_is_undecided(
     model: Model, count: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     cells = random_cells(8, model, count)
-    status, impacts = ended(cells)
+    status = ended(cells)
+    # Before slow impacts end, rest may be proved.
+    speeds = [np.abs(run.impacts.velocity_after) for run in histories(cells)]
+    impacts, fast = (np.array([np.sum(v >= least) for v in speeds]) for least in (0.0, 0.02))
     monkeypatch.setattr(fates, "MOST_IMPACTS", 8)
-    given_up, _ = ended(cells)
-    many, few = impacts > 12, impacts < 4
+    given_up = ended(cells)
+    many, few = fast > 12, impacts < 4
     assert many.any()
     assert few.any()
     np.testing.assert_array_equal(given_up[few], status[few])

@@ -1,4 +1,4 @@
-"""Plots of maps of fates: as those of attractors, with classes and dots of their own."""
+"""Plots of maps of fates: as those of attractors, with classes of their own."""
 
 from typing import Any
 
@@ -9,7 +9,6 @@ mpl.use("Agg")
 import numpy as np
 import pytest
 import xarray
-from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
@@ -35,16 +34,6 @@ def found(**axes: Any) -> xarray.Dataset:
     return map_fates(DimensionlessBlock(restitution=0.8), axes=given, start=START)
 
 
-def dots(axes: Axes) -> dict[str, set[tuple[float, float]]]:
-    """The dots of a diagram by their colour."""
-    return {
-        to_hex(str(line.get_color())): {
-            (float(x), float(y)) for x, y in np.asarray(line.get_xydata()) if np.isfinite(y)
-        }
-        for line in axes.lines
-    }
-
-
 def test_each_cell_has_the_fill_of_its_fate() -> None:
     data = found(amplitude=np.linspace(0.5, 5.0, 30))
     data.fate[:3, :3] = np.array([-1, BLANK, 1], dtype=np.int8)
@@ -60,25 +49,24 @@ def test_each_cell_has_the_fill_of_its_fate() -> None:
     assert texts == ["at rest", "still rocking", "overturned", "no such start", "not computed"]
 
 
-def test_over_one_axis_the_dots_are_numbers_of_impacts() -> None:
+def test_over_one_axis_the_fates_fill_the_axes() -> None:
     data = found()
     data.fate[0] = BLANK
-    shown = dots(plot_map(data, Figure().add_subplot()))
-    for code, one in CLASS_OF.items():
-        chosen = data.where(data.fate == code, drop=True)
-        pairs = zip(chosen.frequency_ratio.values, chosen.impacts.values, strict=True)
-        wanted = {(float(x), float(y)) for x, y in pairs} if code in (0, 1, 2) else set()
-        assert shown.get(LOOKS[one].dot, set()) == wanted
-
-
-def test_a_class_that_was_taken_from_its_neighbours_has_no_dot() -> None:
-    block, ratios = DimensionlessBlock(restitution=0.8), np.linspace(1.0, 8.0, 41)
-    axes: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios}
-    refined = map_fates(block, axes=axes, start=START, refine=8)
-    assert not refined.met.all()
-    drawn = plot_map(refined, Figure().add_subplot())
-    assert sum(map(len, dots(drawn).values())) == int(refined.met.sum())
-    assert drawn.get_ylim()[0] > -100.0
+    axes = plot_map(data, Figure().add_subplot())
+    assert (len(axes.lines), len(axes.get_yticks())) == (0, 0)
+    for band in axes.collections:
+        fill = to_hex(np.asarray(band.get_facecolor())[0])
+        corners = [np.asarray(path.vertices) for path in band.get_paths()]
+        assert all((each[:, 1].min(), each[:, 1].max()) == (0.0, 1.0) for each in corners)
+        inside = [
+            code
+            for ratio, code in zip(data.frequency_ratio.values, data.fate.values, strict=True)
+            if any(each[:, 0].min() < ratio < each[:, 0].max() for each in corners)
+        ]
+        (code,) = set(inside)
+        assert fill == LOOKS[CLASS_OF[code]].fill
+        assert len(inside) == int((data.fate == code).sum())
+    assert len(axes.collections) == len(np.unique(data.fate)) > 2
 
 
 def test_a_third_axis_becomes_panels() -> None:

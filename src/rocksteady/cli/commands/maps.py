@@ -86,7 +86,7 @@ ByFlag = Annotated[
         "--by",
         metavar="NAME",
         help="Colour the cells of --plot by class (default), period, lyapunov (exponent per "
-        "forcing period) or peak (of the angle over alpha); with --fate by class or impacts.",
+        "forcing period) or peak (of the angle over alpha); with --fate by class alone.",
         rich_help_panel=options.OUTPUT,
     ),
 ]

@@ -80,7 +80,7 @@ def _safe(
 ) -> dict[str, NDArray[Any]]:
     """Return which of some states do not overturn."""
     count = len(amplitudes)
-    status, _ = ends_of(
+    status = ends_of(
         amplitude=amplitudes,
         frequency_ratio=np.full(count, frequency_ratio),
         sides=np.broadcast_to(sides, (count, *sides.shape)),

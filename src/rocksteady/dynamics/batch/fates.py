@@ -40,8 +40,8 @@ def ends_of(
     phase: Floats,
     cycles: int,
     harmonics: Harmonics = (),
-) -> tuple[Integers, Integers]:
-    """Return how motions end, and their numbers of impacts.
+) -> Integers:
+    """Return how motions end.
 
     Motions are followed side by side, except motions of blocks against a wall, and of unsymmetric
     blocks in the linear model: a cell's answer depends on nothing but the cell.
@@ -62,12 +62,11 @@ def ends_of(
 
     Returns
     -------
-    status, impacts
-        Codes of `ENDS`, and impacts until then; of the infinitely many before a rest the number
-        before it was proved.
+    NDArray[int64], shape (cells,)
+        Codes of `ENDS`.
     """
     count = len(amplitude)
-    status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    status, met = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
     if harmonics:
         total, shares = shares_of(harmonics)
         series_fates(
@@ -81,10 +80,10 @@ def ends_of(
             cycles,
             MOST_IMPACTS,
             status,
-            impacts,
+            met,
             np.empty((count, 3)),
         )
-        return status, impacts
+        return status
     if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
         run_cells(
             nonlinear_lane_fates,
@@ -99,10 +98,10 @@ def ends_of(
             True,
             MOST_IMPACTS,
             status,
-            impacts,
+            met,
             np.empty((count, 3)),
         )
-        return status, impacts
+        return status
     same = alike(sides)
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
@@ -111,16 +110,16 @@ def ends_of(
         final = np.empty((codes.shape[1], 3))
         shaken = amplitude[cells], frequency_ratio[cells]
         begin = angle[cells], velocity[cells], phase[cells]
-        ends, counts = codes
+        ends, met = codes
         if in_lanes:
             ratio = sides[cells, 0, RESTITUTION]
             options = cycles, True, MOST_IMPACTS
-            run_cells(lane_fates, *shaken, ratio, *begin, *options, ends, counts, final)
+            run_cells(lane_fates, *shaken, ratio, *begin, *options, ends, met, final)
         else:
             limits = cycles, MOST_IMPACTS
-            run_cells(fates_of_sides, *shaken, sides[cells], *begin, *limits, ends, counts, final)
-        status[cells], impacts[cells] = codes
-    return status, impacts
+            run_cells(fates_of_sides, *shaken, sides[cells], *begin, *limits, ends, met, final)
+        status[cells] = ends
+    return status
 
 
 def batch_size(cycles: int) -> int:

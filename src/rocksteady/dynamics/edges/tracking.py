@@ -416,7 +416,7 @@ def _fatal(
     sizes = np.linspace(0.0, MOST_KICK, KICKS + 1)
     states = np.array([_kicked(flow.sides, point, direction * size) for size in sizes.tolist()])
     count = len(sizes)
-    status, _ = ends_of(
+    status = ends_of(
         amplitude=np.full(count, flow.motion.amplitude),
         frequency_ratio=np.full(count, flow.motion.frequency_ratio),
         sides=np.broadcast_to(flow.sides, (count, *flow.sides.shape)).copy(),

@@ -56,8 +56,7 @@ def map_fates(
     -------
     xarray.Dataset
         ``fate`` with flags: rocking, at-rest, overturned, or undecided after four million impacts;
-        -1 where no start exists.  ``impacts`` until then; of the infinitely many before a rest
-        the ones before it was proved.  Its ``rocksteady`` accessor has summary() and plot().
+        -1 where no start exists.  Its ``rocksteady`` accessor has summary() and plot().
 
     Raises
     ------
@@ -97,7 +96,7 @@ def map_fates(
 def _fates(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
     """Return the fates in the cells of a map."""
     cells = scenario.cells(coordinates)
-    status, impacts = ends_of(
+    status = ends_of(
         # Nothing to follow where there is no start.
         amplitude=np.where(cells.there, cells.amplitude, 0.0),
         frequency_ratio=cells.frequency_ratio,
@@ -108,7 +107,7 @@ def _fates(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[st
         cycles=cycles,
         harmonics=harmonics_of(scenario.motion),
     )
-    return {"fate": np.where(cells.there, status, NO_START).astype(np.int8), "impacts": impacts}
+    return {"fate": np.where(cells.there, status, NO_START).astype(np.int8)}
 
 
 FATES = Question(
@@ -120,7 +119,6 @@ FATES = Question(
             long_name="what becomes of the block",
             flags={**{int(status): status.label for status in ENDS}, NO_START: NO_START_LABEL},
         ),
-        Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
     ),
     classes=("fate",),
     counted="cycles",

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, LONGEST_REST
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.dynamics.overturning.scan import Fates
-from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
+from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.march.march import march
@@ -81,7 +81,7 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
             begin,
             0,
             afterwards,
-            REST_VELOCITY,
+            columns.COUNTED,
             len(table) + FLIGHT_LIMIT,
             np.zeros((0, columns.ROW_COLUMNS)),
             np.zeros(0),

@@ -10,6 +10,7 @@ from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    COUNTED,
     LEAN,
     LIFT,
     NONLINEAR_SEGMENT_COLUMNS,
@@ -29,8 +30,6 @@ MOST_WINDOWS = 32
 CLOSEST = 1e-12
 """Part of an amplitude to which a border is wanted in the nonlinear model, whose steps stay within
 1e-10 of the motion: what is closer has no meaning."""
-REST_VELOCITY = 1e-3
-"""Chatter slower than this, in alpha p, may come to rest: its bounces stay below 1e-6 alpha."""
 SMALLEST = 1e-3
 """Amplitude below which nothing is tried."""
 FLIGHT_LIMIT = 30_000
@@ -146,7 +145,7 @@ def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.
             sides,
             size[part],
             np.full(len(size[part]), ratio),
-            REST_VELOCITY,
+            COUNTED,
             FLIGHT_LIMIT,
             status[part],
             impacts[part],

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block
@@ -73,9 +74,8 @@ class OverturningWindows(WindowLists):
         Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.
         Windows that touch differ in their impacts or their side.
     impacts
-        Impacts before the block overturns, the same shape; -1 beyond the last.  Ten or more vary in
-        a window, and those at its lower end stand here; of the infinitely many before a rest
-        those count that came before it was proved.
+        Impacts before the block overturns, as `Impacts` counts them, the same shape; -1 beyond the
+        last.  Ten or more vary in a window, and those at its lower end stand here.
     side
         Side on which it falls, +1 or -1; 0 beyond the last.
     first
@@ -110,7 +110,7 @@ class OverturningWindows(WindowLists):
                 "impacts": (
                     per_window,
                     self.impacts,
-                    {"units": "1", "long_name": "impacts; -1: no window"},
+                    {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"},
                 ),
                 "side": (per_window, self.side, {"units": "1"}),
                 "first": (along, self.first, amplitude),

@@ -46,11 +46,9 @@ def run_ensemble(
 ) -> "xarray.Dataset":
     """Run every block on every record, scaled to every level, from rest.
 
-    Every run is what `simulate` finds for the block, its restitution and the scaled record.  Of the
-    infinitely many impacts before a rest those are counted that came before it was proved, which
-    `simulate` does later.  For a symmetric block the reversed record gives the mirror image: that
-    is copied, not computed again.  A block against a wall has none: the reversed record is another
-    motion of it.
+    Every run is what `simulate` finds for the block, its restitution and the scaled record.  For a
+    symmetric block the reversed record gives the mirror image: that is copied, not computed again.
+    A block against a wall has none: the reversed record is another motion of it.
 
     Parameters
     ----------

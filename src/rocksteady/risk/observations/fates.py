@@ -99,8 +99,7 @@ def fates_on_records(
     """Run every block through every test, at every gain, from rest.
 
     Without scatter every cell is what `simulate` finds for the block, the motion of the test and
-    the gain.  Of the infinitely many impacts before a rest those are counted that came before it
-    was proved, which `simulate` does later.
+    the gain.
 
     The random numbers of a cell follow from the seed, the name of its test, the place of its block
     and the number of its draw.  So a cell keeps its bits when tests are added or left out, or

@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
@@ -66,7 +67,7 @@ OUTPUTS = (
     ),
     Output(name="peak_angle", long_name="largest |theta|/alpha"),
     Output(name="peak_velocity", long_name="largest |d(theta/alpha)/d(p t)|"),
-    Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
+    Output(name="impacts", dtype=np.int64, long_name=COUNTED_IMPACTS),
 )
 
 
@@ -90,7 +91,7 @@ class Fared(NamedTuple):
     status: Integers
     """Codes of `rocksteady.Status`."""
     impacts: Integers
-    """Of the infinitely many impacts before a rest, the number before it was proved."""
+    """As `rocksteady.Impacts` counts them."""
     peak_angle: Floats
     """Largest |theta|/alpha, as in `rocksteady.Trajectory.peak`."""
     peak_velocity: Floats

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import segment_table, side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
@@ -158,7 +159,7 @@ class OverturningScales(WindowLists):
             "impacts": (
                 per_window,
                 self.impacts,
-                {"units": "1", "long_name": "impacts; -1: no window"},
+                {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"},
             ),
             "side": (per_window, self.side, {"units": "1"}),
             "first": (along, self.first, scale),

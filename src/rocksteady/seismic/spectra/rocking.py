@@ -96,8 +96,8 @@ def compute_rocking_spectrum(
         ``peak_velocity`` the largest |d(theta/alpha)/d(p t)|: times alpha it is the angular
         velocity over p [rad].  ``status`` has the flags of `Status`; for a block that is
         "overturned" the peaks are those until it passes alpha for the last time, so that the first
-        is 1, or more where it had been further out and come back.  ``impacts`` counts, of the
-        infinitely many before a rest, those before it was proved.
+        is 1, or more where it had been further out and come back.  ``impacts`` are as many as those
+        of `simulate`.
 
     Raises
     ------

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError, Words
-from rocksteady.show.plots.map_classes import MapCells, map_cells
+from rocksteady.show.plots.map_classes import MapCells, has_fates, map_cells
 from rocksteady.show.plots.map_quantities import Colouring, Shade
 from rocksteady.show.plots.maps import (
     SWATCHES,
@@ -78,7 +78,8 @@ def map_figure(
     panels = panels_axis(dict(zip(cells.names, cells.classes.shape, strict=True)))
     if panels is not None:
         return _panels(panels, cells, shade, title, page)
-    with page.figure(8.0, 4.8, title) as figure:
+    bands = len(cells.names) == 1 and has_fates(dataset)
+    with page.figure(8.0, 2.4 if bands else 4.8, title) as figure:
         draw_map(figure.add_subplot(), cells, dataset, shade, page.legend)
     return figure
 

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from matplotlib.colors import Colormap, Normalize
 
 Floats = NDArray[np.float64]
-Colouring = Literal["class", "period", "lyapunov", "peak", "impacts"]
+Colouring = Literal["class", "period", "lyapunov", "peak"]
 
 OF_ATTRACTORS: tuple[Colouring, ...] = ("class", "period", "lyapunov", "peak")
-OF_FATES: tuple[Colouring, ...] = ("class", "impacts")
+OF_FATES: tuple[Colouring, ...] = ("class",)
 
 MOST_PERIODS = len(palette.PERIODS) - 1
 """Longest orbit with a colour of its own; the last colour is that of all longer ones."""
@@ -132,8 +132,6 @@ def with_values(cells: MapCells, dataset: "xarray.Dataset", by: Colouring) -> Ma
     values = np.max(np.abs(read), axis=0) if by == "peak" else read[0]
     if by == "period":
         values = np.where(values > 0.0, values, np.nan)
-    if by == "impacts":
-        values = np.where(values >= 0.0, values, np.nan)
     for axis, name in enumerate(cells.names):
         points = variables[name].values.astype(np.float64)
         values = np.take(values, np.argsort(points), axis=axis)
@@ -163,7 +161,7 @@ def shade_of(cells: MapCells, by: Colouring) -> Shade:
     by
         The quantity.
     """
-    from matplotlib.colors import LinearSegmentedColormap, ListedColormap, LogNorm, Normalize
+    from matplotlib.colors import LinearSegmentedColormap, ListedColormap, Normalize
 
     values = values_of(cells)
     finite = values[np.isfinite(values)]
@@ -183,8 +181,4 @@ def shade_of(cells: MapCells, by: Colouring) -> Shade:
         )
     colours = LinearSegmentedColormap.from_list("sequential", palette.SEQUENTIAL)
     highest = float(finite.max(initial=0.0)) or 1.0
-    if by == "impacts":
-        least = max(1.0, float(finite.min(initial=highest)))
-        scale: Normalize = LogNorm(least, max(highest, 2.0 * least))
-        return Shade(by=by, colours=colours, norm=scale, label=label)
     return Shade(by=by, colours=colours, norm=Normalize(0.0, highest), label=label, line=1.0)

@@ -29,7 +29,7 @@ from rocksteady.show.plots.map_quantities import (
     with_values,
 )
 from rocksteady.show.style import palette
-from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
+from rocksteady.show.style.axes import Spacing, picked, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of, text_size
 from rocksteady.show.style.line_colours import inks_of
@@ -89,8 +89,8 @@ def plot_map(
 
     Over one axis there are two dots for each orbit, its highest and its lowest theta/alpha, as in a
     bifurcation diagram by simulation, and a strip along the upper edge with the class of each
-    value: where the block overturned or its motion is aperiodic there is no orbit to draw.  For a
-    map of fates the dots are numbers of impacts.
+    value: where the block overturned or its motion is aperiodic there is no orbit to draw.  Fates
+    have no orbits: their classes fill the axes.
 
     An axis is logarithmic where its values are spaced by ratio, as `numpy.geomspace` does.  Axes
     with a single value, and values that were selected, stand in the title.  The legend has the
@@ -105,7 +105,7 @@ def plot_map(
     by
         Quantity of attractors: "class" (default), "period" of the orbit, the longest in one colour,
         "lyapunov" exponent per forcing period about 0, or "peak" |theta|/alpha with a line at 1; of
-        fates "class" or number of "impacts".  Cells without a value keep the fill of their class.
+        fates "class" alone.  Cells without a value keep the fill of their class.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
         right, or below narrow ones, and below beside a colour bar.
@@ -322,13 +322,18 @@ def draw_diagram(
 ) -> None:
     """Draw a map of one axis: a quantity as dots, and the class of each cell above them.
 
-    Without a quantity the dots are what its orbits reach, or how many impacts there were.
+    Without a quantity the dots are what its orbits reach.  Fates have no dots: their classes fill
+    the axes.
     """
-    from matplotlib.patches import Rectangle
-    from matplotlib.ticker import MaxNLocator
-
     (name,), (values,) = cells.names, cells.values
-    by: Colouring = ("impacts" if has_fates(dataset) else "class") if shade is None else shade.by
+    spacing = spacing_of(values)
+    prepare_axis(axes, "x", name, values, spacing)
+    fates = has_fates(dataset)
+    _draw_classes(axes, cells, spacing, 1.0 if fates else STRIP)
+    if fates:
+        axes.set_yticks([])
+        return
+    by: Colouring = "class" if shade is None else shade.by
     if by == "class":
         drawn = validated_map(dataset, EXTREMES)
         order = np.argsort(drawn[name].values)
@@ -336,8 +341,7 @@ def draw_diagram(
         reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
     else:
         reached = values_of(with_values(cells, dataset, by))[np.newaxis]
-    spacing, inks = spacing_of(values), inks_of(axes)
-    prepare_axis(axes, "x", name, values, spacing)
+    inks = inks_of(axes)
     size = min(5.0, max(1.8, 1000.0 / len(values)))
     for cell_class in cells.shares():
         chosen = cells.classes == cell_class
@@ -346,29 +350,6 @@ def draw_diagram(
             dot = DARK_DOTS[cell_class] if inks.dark else LOOKS[cell_class].dot
             style: dict[str, Any] = {"color": dot, "ms": size, "mew": 0.0, "ls": "none"}
             axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
-        axes.broken_barh(
-            runs(chosen, spacing),
-            (1.0 - STRIP, STRIP),
-            transform=axes.get_xaxis_transform(),
-            fc=LOOKS[cell_class].fill,
-            ec=LOOKS[cell_class].ink,
-            hatch=LOOKS[cell_class].hatch or None,
-            lw=0.0,
-            zorder=4.5,
-        )
-    # Rest is hardly darker than the paper.
-    axes.add_patch(
-        Rectangle(
-            (0.0, 1.0 - STRIP),
-            1.0,
-            STRIP,
-            transform=axes.transAxes,
-            fill=False,
-            ec=inks.ink,
-            lw=0.8,
-            zorder=5.0,
-        )
-    )
     finite = reached[np.isfinite(reached)]
     largest = float(np.max(np.abs(finite), initial=0.0)) or 1.0
     if by == "lyapunov":
@@ -380,10 +361,42 @@ def draw_diagram(
     level = {"lyapunov": 0.0, "peak": 1.0}.get(by, math.inf)
     if axes.get_ylim()[0] < level < axes.get_ylim()[1]:
         axes.axhline(level, color=inks.faint, lw=LINE_WIDTH, zorder=1.5)
-    if by in ("period", "impacts"):
+    if by == "period":
+        from matplotlib.ticker import MaxNLocator
+
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     label = {"class": "orbit_extremes", "period": "orbit_period"}.get(by, by)
     axes.set_ylabel(palette.LABELS[label])
+
+
+def _draw_classes(axes: "Axes", cells: MapCells, spacing: Spacing, height: float) -> None:
+    """Draw the classes of a map of one axis: a strip from the upper edge, in parts of the axes."""
+    from matplotlib.patches import Rectangle
+
+    for cell_class in cells.shares():
+        axes.broken_barh(
+            runs(cells.classes == cell_class, spacing),
+            (1.0 - height, height),
+            transform=axes.get_xaxis_transform(),
+            fc=LOOKS[cell_class].fill,
+            ec=LOOKS[cell_class].ink,
+            hatch=LOOKS[cell_class].hatch or None,
+            lw=0.0,
+            zorder=4.5,
+        )
+    # Rest is hardly darker than the paper.
+    axes.add_patch(
+        Rectangle(
+            (0.0, 1.0 - height),
+            1.0,
+            height,
+            transform=axes.transAxes,
+            fill=False,
+            ec=inks_of(axes).ink,
+            lw=0.8,
+            zorder=5.0,
+        )
+    )
 
 
 def _draw_line(axes: "Axes", right: Floats, up: Floats, values: Floats, level: float) -> None:

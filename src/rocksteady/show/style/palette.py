@@ -94,7 +94,6 @@ LABELS = {
     "width": "width [m]",
     "height": "height [m]",
     "orbit_extremes": r"highest and lowest  $\theta/\alpha$  of the orbit",
-    "impacts": "number of impacts",
     "periods_short": "time [periods]",
     "half_cycle": r"time since impact  $\omega t/2\pi$ [forcing periods]",
     "rocking_period": r"size of the block  $2\pi/p$ [s]",

@@ -17,6 +17,7 @@ from rocksteady import (
     Nonlinear,
     Rest,
     State,
+    Status,
     Steady,
     Trajectory,
     find_attractor,
@@ -243,6 +244,7 @@ def run_facts(run: Trajectory) -> Asked:
         "sidePeaks": list(run.side_peaks),
         "peak": run.peak,
         "peakVelocity": run.peak_velocity,
+        "impactCount": run.impact_count,
         "impacts": {
             "time": impacts.pt.tolist(),
             "phase": phases,
@@ -281,7 +283,8 @@ def test_mirrored_starts_give_mirrored_motions(nonlinear: bool, in_node: InNode)
 
 
 def test_a_long_chatter_ends_at_the_limit_of_flights(in_node: InNode) -> None:
-    given = case(0.0, 2.0, 0.999)
+    """At rest, once it is proved that the bounces to come end in time; their number is known."""
+    given, counts = case(0.0, 2.0, 0.999), set()
     limits = [100, 4096, 5000, 9000, 70000]
     asked = [{"given": given, "start": state(0.2, 0.0), "most": most} for most in limits]
     work = "return historyOf(kernels, each.given, each.start, 400, each.most);"
@@ -295,7 +298,12 @@ def test_a_long_chatter_ends_at_the_limit_of_flights(in_node: InNode) -> None:
         )
         assert (found["status"], found["flights"]) == (run.status.label, len(run.rows))
         assert (found["peak"], found["restTime"]) == (run.peak, run.rest_time_pt)
-        assert (run.status.label == "at-rest") == (most == limits[-1])
+        assert found["impactCount"] == run.impact_count
+        assert (run.status.label == "at-rest") == (most > 5000)
+        if run.status is Status.AT_REST:
+            counts.add(run.impact_count)
+            assert (len(run.impacts) == run.impact_count) == (most == limits[-1])
+    assert len(counts) == 1
 
 
 COEXIST = """

@@ -88,6 +88,7 @@ def agrees(found: dict[str, Any], block: dict[str, Any], record: Record) -> Stat
     assert found["overturned"] == run.overturn_time_pt
     assert found["rested"] == run.rest_time_pt
     assert found["impacts"] == run.impacts.pt.tolist()
+    assert found["impactCount"] == run.impact_count
     assert found["impactVelocities"] == run.impacts.velocity_before.tolist()
     assert math.isinf(run.end_time_pt) or found["end"] == run.end_time_pt
     assert found["angle"] == run(found["pt"]).angle.tolist()

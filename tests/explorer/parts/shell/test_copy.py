@@ -94,7 +94,7 @@ def test_a_script_of_a_motion_prints_what_the_page_computes(
     const { kind, period, impacts, highest, lowest, orbit } = attractorOf(kernels, given, start);
     const run = historyOf(kernels, given, start, state.cycles);
     answer({ script: pythonOf(state, 'point'), kind, period, impacts, highest, lowest,
-        orbit: orbit !== null, status: run.status, peak: run.peak, hits: run.impacts.time.length });
+        orbit: orbit !== null, status: run.status, peak: run.peak, hits: run.impactCount });
     """
     page = in_node(IMPORTS + lines, {"patch": patch})
     found = printed(run_script(page["script"]))

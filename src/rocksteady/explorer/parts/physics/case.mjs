@@ -29,6 +29,7 @@
  */
 
 export const GRAVITY = 9.80665; // [m/s2]
+export const COUNTED = 1e-6; // least |du/d(pt)| after an impact that counts (kernels/core/tables.py)
 
 /** Room for single numbers. @type {WeakMap<Kernels, Floats[]>} */
 const numberRooms = new WeakMap();

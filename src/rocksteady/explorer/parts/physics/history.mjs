@@ -1,6 +1,6 @@
 // The time history of a block under harmonic shaking: dynamics/history/simulate.py, trajectory.py.
 
-import { evaluate, sidesOf } from './case.mjs';
+import { COUNTED, evaluate, sidesOf } from './case.mjs';
 import { FULL_TURN, beginOf, turnedPhase } from './start.mjs';
 
 /** @import { Floats, Kernels } from '../kernels/loader.mjs' */
@@ -32,7 +32,8 @@ import { FULL_TURN, beginOf, turnedPhase } from './start.mjs';
  * @property {[number, number]} sidePeaks  largest |theta|/alpha on either side
  * @property {number} peak
  * @property {number} peakVelocity
- * @property {HistoryImpacts} impacts
+ * @property {HistoryImpacts} impacts  that leave with COUNTED or more
+ * @property {number} impactCount  with those left out at the limit of flights
  */
 
 /**
@@ -55,6 +56,7 @@ export const FLIGHT_ANGLE = 4;
 export const FLIGHT_DURATION = 6;
 export const FLIGHT_EVENT = 7;
 export const BY_IMPACT = 1;
+export const AT_REST = 1; // its place in RUN_STATUS
 const SMALLEST_BOUNCE = 1e-8; // slower chatter may come to rest
 const OVERTURNED_SHOWN_TO = 2; // theta/alpha up to which a fall is followed
 const HISTORY_FLIGHTS = 4_000_000;
@@ -95,7 +97,7 @@ function firstRows(array, rows) {
  * @param {Case} given
  * @param {Start} start
  * @param {number} cycles  periods of the shaking to follow
- * @param {number} [most]  flights after which the run ends as undecided: 64 bytes each
+ * @param {number} [most]  flights after which the run ends: 64 bytes each
  * @returns {History}
  */
 export function historyOf(kernels, given, start, cycles, most = HISTORY_FLIGHTS) {
@@ -126,6 +128,7 @@ export function historyOf(kernels, given, start, cycles, most = HISTORY_FLIGHTS)
   const flights = end.flights, rows = firstRows(room, flights);
   const found = measuredRun(kernels, given, {
     status: RUN_STATUS[code], phase, flights, segments, sides, rows, firstHalf, firstPhase,
+    known: code === AT_REST && flights === most ? end.impacts : null,
   });
   for (const array of [sides, segments, none]) array.free();
   if (room.shape[0] > 16 * FLIGHT_ROOM) {
@@ -151,7 +154,8 @@ function shakingOf(kernels, given, phase) {
  * @param {Kernels} kernels
  * @param {Case} given
  * @param {{ status: Status, phase: number, flights: number, segments: Floats, sides: Floats,
- *   rows: Floats, firstHalf: number, firstPhase: number }} run
+ *   rows: Floats, firstHalf: number, firstPhase: number, known: number | null }} run
+ *   known: impacts of a run that came to rest at its limit of flights
  * @returns {History}
  */
 function measuredRun(kernels, given, run) {
@@ -179,7 +183,8 @@ function measuredRun(kernels, given, run) {
   const [positive, negative, peakVelocity] = status === 'overturned'
     ? kernels.peaks_until_overturning(segments, sides, rows)
     : kernels.recorded_peaks(segments, sides, rows, lastDuration);
-  const impacts = impactsOf(kernels, given, { segments, sides, rows, values, starts });
+  const landings = landingsOf(kernels, given, { segments, sides, rows, values, starts });
+  const impacts = countedOf(landings);
   return {
     status,
     phase,
@@ -190,22 +195,37 @@ function measuredRun(kernels, given, run) {
     endTime: starts[flights - 1] + lastDuration,
     overturnTime,
     restTime: status === 'at-rest'
-      ? restTimeOf(kernels, given, values, starts, impacts, phase) : null,
+      ? restTimeOf(kernels, given, values, starts, landings, phase) : null,
     sidePeaks: [positive, negative],
     peak: Math.max(positive, negative),
     peakVelocity,
     impacts,
+    impactCount: run.known ?? impacts.time.length,
   };
 }
 
 /**
+ * Return the impacts that count.
+ * @param {HistoryImpacts} landings
+ * @returns {HistoryImpacts}
+ */
+function countedOf({ time, phase, side, before, after }) {
+  const counts = (/** @type {number} */ _, /** @type {number} */ k) => Math.abs(after[k]) >= COUNTED;
+  return {
+    time: time.filter(counts), phase: phase.filter(counts), side: side.filter(counts),
+    before: before.filter(counts), after: after.filter(counts),
+  };
+}
+
+/**
+ * Return all impacts, however slow.
  * @param {Kernels} kernels
  * @param {Case} given
  * @param {{ segments: Floats, sides: Floats, rows: Floats, values: Float64Array,
  *   starts: Float64Array }} run
  * @returns {HistoryImpacts}
  */
-function impactsOf(kernels, given, { segments, sides, rows, values, starts }) {
+function landingsOf(kernels, given, { segments, sides, rows, values, starts }) {
   const index = [];
   for (let row = 0; row < starts.length; row++) {
     if (values[row * FLIGHT_COLUMNS + FLIGHT_EVENT] === BY_IMPACT) index.push(row);
@@ -258,17 +278,17 @@ export function statesAt(kernels, segments, sides, rows, index, since) {
  * @param {Case} given
  * @param {Float64Array} values
  * @param {Float64Array} starts
- * @param {HistoryImpacts} impacts
+ * @param {HistoryImpacts} landings
  * @param {number} phase
  */
-function restTimeOf(kernels, given, values, starts, impacts, phase) {
+function restTimeOf(kernels, given, values, starts, landings, phase) {
   let first = starts.length;
   while (first > 0 && values[(first - 1) * FLIGHT_COLUMNS + FLIGHT_SIDE] === 0) first--;
   const start = starts[first];
   if (first === 0 || values[(first - 1) * FLIGHT_COLUMNS + FLIGHT_EVENT] !== BY_IMPACT) {
     return start;
   }
-  const velocity = Math.abs(impacts.after[impacts.after.length - 1]);
+  const velocity = Math.abs(landings.after[landings.after.length - 1]);
   const base = given.amplitude * evaluate(kernels, 'sin', given.frequencyRatio * start + phase);
   const towards = -values[(first - 1) * FLIGHT_COLUMNS + FLIGHT_SIDE] * base;
   const pull = (/** @type {number} */ push) => {

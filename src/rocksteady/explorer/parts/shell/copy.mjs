@@ -266,7 +266,7 @@ function pointLines(state) {
     `run = rs.simulate(block, motion, cycles=${pythonNumber(state.cycles)}, ${how})`,
     'print("status:", run.status.label)',
     'print("peak of |theta|/alpha:", run.peak)',
-    'print("impacts:", len(run.impacts))',
+    'print("impacts:", run.impact_count)',
   ];
 }
 
@@ -410,6 +410,6 @@ function runLines(state, motion, further = '') {
     `run = rs.simulate(block, ${motion}${further}, model=${modelText(state)})`,
     'print("status:", run.status.label)',
     'print("peak of |theta|/alpha:", run.peak)',
-    'print("impacts:", len(run.impacts))',
+    'print("impacts:", run.impact_count)',
   ];
 }

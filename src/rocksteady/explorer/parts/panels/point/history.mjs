@@ -137,9 +137,9 @@ export function makeHistoryPanel(app) {
     },
     sentence() {
       if (!followed) return 'No time history.';
-      const { history, block } = followed, { impacts } = history;
+      const { history, block } = followed, { impactCount } = history;
       const peak = angleWords(app, block, history.peak);
-      const count = `${impacts.time.length} impact${impacts.time.length === 1 ? '' : 's'}`;
+      const count = `${impactCount} impact${impactCount === 1 ? '' : 's'}`;
       return `Angle over ${numeral(endOf(followed), 3)} periods of the shaking: ${count}, peak `
         + `${peak}, ${statusWords(app, followed)}.`;
     },

@@ -126,8 +126,8 @@ export function makeQuakePanel(app) {
     const lasts = few((motion.samples.length - 1) * motion.dt);
     const what = `${motion.name} × ${few(scale)}: PGA ${few(pga)} g, ${lasts} s`;
     if (!run) return `${what}; computing.`;
-    const { impacts, peak, overturned, rested, status } = run;
-    const met = `${impacts.length} ${impacts.length === 1 ? 'impact' : 'impacts'}`;
+    const { impactCount, peak, overturned, rested, status } = run;
+    const met = `${impactCount} ${impactCount === 1 ? 'impact' : 'impacts'}`;
     const seconds = (/** @type {number} */ pt) => `${few(pt / block.p)} s`;
     if (overturned !== null) return `${what}. The block overturns at ${seconds(overturned)} after ${met}.`;
     if (peak === 0) return `${what}. The block does not lift: that takes ${few(upliftOf(block))} g.`;
@@ -300,7 +300,7 @@ function makeBar(app, panel) {
     status.textContent = words;
     status.dataset.value = run?.status ?? '';
     peak.dataset.value = String(run?.peak ?? '');
-    impacts.dataset.value = String(run?.impacts.length ?? '');
+    impacts.dataset.value = String(run?.impactCount ?? '');
   };
   return { refresh, show };
 }

@@ -1,5 +1,5 @@
 // What a single pulse makes of a block at rest: fates over frequency and amplitude, one history.
-import { sidesOf } from '../case.mjs';
+import { COUNTED, sidesOf } from '../case.mjs';
 import { pulsePieces, tableOfPieces } from './shapes.mjs';
 import { runFromRest } from './run.mjs';
 
@@ -22,7 +22,7 @@ import { runFromRest } from './run.mjs';
  */
 
 export const FATE = { rocking: 0, rest: 1, overturned: 2, lost: 3, undecided: 4 };
-const PULSE_REST_VELOCITY = 1e-3, PULSE_SMALLEST = 1e-3, PULSE_FLIGHTS = 30000;
+const PULSE_SMALLEST = 1e-3, PULSE_FLIGHTS = 30000;
 
 /** @type {{ key: string, kernels: Kernels | null, table: Floats | null }} */
 const keptTable = { key: '', kernels: null, table: null };
@@ -70,7 +70,7 @@ export function pulseFates(kernels, given) {
   const rates = kernels.array('f', [count], ratios);
   const [status, impacts, side, during] = [0, 1, 2, 3].map(() => kernels.array('i', [count]));
   const margin = kernels.array('f', [count]);
-  kernels.pulse_fates(table, sides, sizes, rates, PULSE_REST_VELOCITY, PULSE_FLIGHTS,
+  kernels.pulse_fates(table, sides, sizes, rates, COUNTED, PULSE_FLIGHTS,
     status, impacts, side, during, margin);
   const found = {
     status: Uint8Array.from(status.values, Number), impacts: Int32Array.from(impacts.values, Number),

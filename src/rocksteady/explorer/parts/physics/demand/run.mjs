@@ -1,6 +1,6 @@
 // A block that stands at rest when its base begins to move: one run with all its flights, the same
 // bits as `simulate` and `Trajectory` in Python.
-import { evaluate } from '../case.mjs';
+import { COUNTED, evaluate } from '../case.mjs';
 import { evaluateEach } from './shapes.mjs';
 
 /** @import { Floats, Kernels, March } from '../../kernels/loader.mjs' */
@@ -15,7 +15,7 @@ import { evaluateEach } from './shapes.mjs';
  * @property {number | null} overturns  when it passes theta = alpha for the last time
  * @property {number | null} rests
  * @property {number} flights
- * @property {Float64Array} impacts  their times
+ * @property {Float64Array} impacts  times of those that leave with COUNTED or more
  * @property {Float64Array} impactSpeeds  du/d(pt) before each
  */
 
@@ -32,7 +32,7 @@ const REST_RUN_LONGEST = { lossy: 1e15, elastic: 1e4 };
 const REST_RUN_ROW = {
   segment: 0, halves: 1, phase: 2, side: 3, angle: 4, velocity: 5, duration: 6, event: 7, columns: 8,
 };
-const REST_RUN_OVERTURNED = 2, REST_RUN_IMPACT = 1;
+const REST_RUN_RESTED = 1, REST_RUN_OVERTURNED = 2, REST_RUN_IMPACT = 1;
 const REST_RUN_SMALLEST_BOUNCE = 1e-8;
 const REST_RUN_DENSE = 120;
 const REST_RUN_SHOWN_TO = 2; // theta/alpha up to which a fall is followed
@@ -171,15 +171,19 @@ function measuredRest(kernels, segments, sides, rows, code) {
   }
   const landed = restStates(kernels, segments, sides, rows, ended,
     ended.map((k) => rows.values[k * REST_RUN_ROW.columns + REST_RUN_ROW.duration]));
-  const impactSpeeds = landed.slice(ended.length, 2 * ended.length);
+  const speeds = landed.slice(ended.length, 2 * ended.length), ratio = sides.values[0];
+  const counts = (/** @type {number} */ _, /** @type {number} */ k) =>
+    Math.abs(ratio * speeds[k]) >= COUNTED;
   const impacts = Float64Array.from(ended, (k) => k < last ? begins[k + 1]
-    : begins[k] + rows.values[k * REST_RUN_ROW.columns + REST_RUN_ROW.duration]);
+    : begins[k] + rows.values[k * REST_RUN_ROW.columns + REST_RUN_ROW.duration]).filter(counts);
   const run = {
     status: REST_RUN_STATUS[code], peak: Math.max(peaks[0], peaks[1]),
     side: fell ? rows.values[at + REST_RUN_ROW.side] : 0, end: begins[last] + duration, overturns,
-    flights: last + 1, impacts, impactSpeeds, begins, starts,
+    flights: last + 1, impacts, impactSpeeds: speeds.filter(counts), begins, starts,
   };
-  return { ...run, rests: code === 1 ? restSince(kernels, segments, sides, rows, run) : null };
+  const rests = code === REST_RUN_RESTED
+    ? restSince(kernels, segments, sides, rows, run, speeds[speeds.length - 1]) : null;
+  return { ...run, rests };
 }
 
 /**
@@ -188,17 +192,18 @@ function measuredRest(kernels, segments, sides, rows, code) {
  * @param {Floats} segments
  * @param {Floats} sides
  * @param {Floats} rows
- * @param {{ begins: Float64Array, starts: Float64Array, impactSpeeds: Float64Array }} run
+ * @param {{ begins: Float64Array, starts: Float64Array }} run
+ * @param {number} landed  du/d(pt) before the last impact, however slow
  * @returns {number}
  */
-function restSince(kernels, segments, sides, rows, { begins, starts, impactSpeeds }) {
+function restSince(kernels, segments, sides, rows, { begins, starts }, landed) {
   const flights = rows.values;
   let first = rows.shape[0];
   while (first > 0 && flights[(first - 1) * REST_RUN_ROW.columns + REST_RUN_ROW.side] === 0) first -= 1;
   const before = (first - 1) * REST_RUN_ROW.columns, start = begins[first];
   if (first === 0 || flights[before + REST_RUN_ROW.event] !== REST_RUN_IMPACT) return start;
   const side = flights[before + REST_RUN_ROW.side], ratio = sides.values[0];
-  const velocity = Math.abs(ratio * impactSpeeds[impactSpeeds.length - 1]);
+  const velocity = Math.abs(ratio * landed);
   const towards = -side * restAcceleration(kernels, segments, starts, start);
   let own = 1, share = 1;
   if (kernels.is_nonlinear(sides)) {

@@ -1,15 +1,15 @@
 // A block at rest on the floor when a recorded ground motion begins: one run, its neighbours, the
 // fates over scales, the rocking spectrum.  Horizontal motion alone; bits as in Python.
 
-import { GRAVITY, evaluate, sidesOf } from '../case.mjs';
-import { BY_IMPACT, FLIGHT_ANGLE, FLIGHT_COLUMNS, FLIGHT_DURATION, FLIGHT_EVENT, FLIGHT_PHASE,
+import { COUNTED, GRAVITY, evaluate, sidesOf } from '../case.mjs';
+import { AT_REST, BY_IMPACT, FLIGHT_ANGLE, FLIGHT_COLUMNS, FLIGHT_DURATION, FLIGHT_EVENT, FLIGHT_PHASE,
   FLIGHT_SIDE, RUN_STATUS, statesAt } from '../history.mjs';
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
 
 const STILL_START = {
   side: 0, angle: 0, velocity: 0, segment: 0, half_cycles: 0, phase: 0, impacts: 0, flights: 0,
 };
-const RUN_FLIGHTS = 4_000_000; // flights after which a run is undecided
+const RUN_FLIGHTS = 4_000_000; // flights after which a run ends
 const SMALLEST_REBOUND = 1e-8; // du/d(pt), below which chatter may come to rest
 const TIME_WITHOUT_LOSS = 1e4; // pivot time on the still base of a block without loss
 const TIME_TO_REST = 1e15; // pivot time of any other block
@@ -47,8 +47,9 @@ const LINEAR_COLUMNS = 9, NONLINEAR_COLUMNS = 12;
  * @property {number} end  pivot time
  * @property {number | null} overturned  when it passes alpha for the last time
  * @property {number | null} rested  when it came to rest
- * @property {Float64Array} impacts  pivot times
+ * @property {Float64Array} impacts  pivot times of those that leave with COUNTED or more
  * @property {Float64Array} impactVelocities  du/d(pt) before each
+ * @property {number} impactCount  with those left out at the limit of flights
  * @property {Float64Array} pt  times of the curve
  * @property {Float64Array} angle  theta/alpha at them
  */
@@ -129,10 +130,11 @@ export function runRecord(kernels, motion, block, points = 0) {
   const marched = (rows) => kernels.march(
     segments, sides, STILL_START, 0, stop, SMALLEST_REBOUND, RUN_FLIGHTS, rows, nothing,
   );
-  const [, { flights }] = marched(none);
+  const [code, { flights, impacts }] = marched(none);
   const rows = kernels.array('f', [flights, FLIGHT_COLUMNS]);
-  const [code] = marched(rows);
-  const run = { kernels, segments, sides, rows, status: RUN_STATUS[code] };
+  marched(rows);
+  const known = code === AT_REST && flights === RUN_FLIGHTS ? impacts : null;
+  const run = { kernels, segments, sides, rows, status: RUN_STATUS[code], known };
   try {
     return describedRun(run, motion.dt * block.p, block, points);
   } finally {
@@ -140,7 +142,10 @@ export function runRecord(kernels, motion, block, points = 0) {
   }
 }
 
-/** @typedef {{ kernels: Kernels, segments: Floats, sides: Floats, rows: Floats, status: string }} Marched */
+/**
+ * @typedef {{ kernels: Kernels, segments: Floats, sides: Floats, rows: Floats, status: string,
+ *   known: number | null }} Marched  known: impacts of a run at rest at its limit of flights
+ */
 
 /**
  * @param {Marched} run
@@ -157,19 +162,23 @@ function describedRun(run, step, block, points) {
     ? kernels.peaks_until_overturning(segments, sides, rows)
     : kernels.recorded_peaks(segments, sides, rows, last);
   const end = starts[row] + last;
-  const impacts = recordImpacts(run, starts);
+  const { pt: landings, velocity } = recordLandings(run, starts);
+  const counts = (/** @type {number} */ _, /** @type {number} */ k) =>
+    Math.abs(block.restitution * velocity[k]) >= COUNTED;
+  const impacts = landings.filter(counts);
   let overturned = null;
   if (fell) {
     const [crossed, since] = kernels.last_crossing(segments, sides, rows, 1);
     overturned = starts[crossed] + since;
   }
-  const rested = status === 'at-rest' ? recordRest(run, starts, step, block, impacts) : null;
+  const rested = status === 'at-rest' ? recordRest(run, starts, step, block, velocity[velocity.length - 1]) : null;
   const shown = rested === null ? Math.min(end, starts[row] + 10)
     : Math.min(end, Math.max(1.05 * rested, step * (segments.shape[0] - 1)) + 0.1);
-  const pt = points > 0 ? curveTimes(fell ? end : shown, points, impacts.pt) : none64();
+  const pt = points > 0 ? curveTimes(fell ? end : shown, points, impacts) : none64();
   return {
     status, peak: Math.max(positive, negative), peakVelocity, end, overturned, rested,
-    impacts: impacts.pt, impactVelocities: impacts.velocity, pt,
+    impacts, impactVelocities: velocity.filter(counts),
+    impactCount: run.known ?? impacts.length, pt,
     angle: anglesAt(run, starts, pt),
   };
 }
@@ -212,11 +221,11 @@ function lastDuration({ kernels, segments, sides, rows, status }, block) {
 }
 
 /**
- * Return pivot times and velocities of the impacts.
+ * Return pivot times and velocities of all impacts, however slow.
  * @param {Marched} run
  * @param {Float64Array} starts
  */
-function recordImpacts(run, starts) {
+function recordLandings(run, starts) {
   const flights = run.rows.values, count = starts.length;
   const ended = Array.from(starts.keys())
     .filter((row) => flights[row * FLIGHT_COLUMNS + FLIGHT_EVENT] === BY_IMPACT);
@@ -234,9 +243,9 @@ function recordImpacts(run, starts) {
  * @param {Float64Array} starts
  * @param {number} step
  * @param {RecordBlock} block
- * @param {{ pt: Float64Array, velocity: Float64Array }} impacts
+ * @param {number} landed  du/d(pt) before the last impact, however slow
  */
-function recordRest({ kernels, segments, rows }, starts, step, block, impacts) {
+function recordRest({ kernels, segments, rows }, starts, step, block, landed) {
   const flights = rows.values, cell = (/** @type {number} */ row, /** @type {number} */ column) =>
     flights[row * FLIGHT_COLUMNS + column];
   let first = starts.length;
@@ -244,7 +253,7 @@ function recordRest({ kernels, segments, rows }, starts, step, block, impacts) {
   const start = starts[first];
   if (first === 0 || cell(first - 1, FLIGHT_EVENT) !== BY_IMPACT) return start;
   const { restitution } = block;
-  const velocity = Math.abs(restitution * impacts.velocity[impacts.velocity.length - 1]);
+  const velocity = Math.abs(restitution * landed);
   const side = cell(first - 1, FLIGHT_SIDE);
   const towards = -side * accelerationAt(segments, step, start);
   /** @param {number} push */
