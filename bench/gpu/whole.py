@@ -43,7 +43,7 @@ def whole_map(device: Bench, budget: Budget, say: Say, folder: Path) -> list[dic
 def _run(
     device: Bench, executor: str, block: Any, model: Any, side: int, folder: Path
 ) -> tuple[float, Any]:
-    """Return the seconds of a map from first cell to last chunk, and fates and impacts."""
+    """Return the seconds of a map from first cell to last chunk, and its fates."""
     from rocksteady.kernels.machine_code.device import on_device
 
     store = folder / f"gpu-map-{executor}.zarr"
@@ -65,6 +65,6 @@ def _run(
             run=rs.Run(executor=executor, store=store),
         )
     seconds = time.perf_counter() - began
-    cells = np.stack([fates.fate.to_numpy().astype(np.int64), fates.impacts.to_numpy()])
+    cells = fates.fate.to_numpy()
     shutil.rmtree(store)
     return seconds, cells

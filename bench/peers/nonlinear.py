@@ -4,6 +4,7 @@ import importlib
 import math
 import time
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from functools import partial
 from importlib.metadata import version
 from typing import Any
@@ -48,21 +49,23 @@ def run(own: Cells, model: Nonlinear) -> Outcome:
         BLOCK, axes=axes, start=START, cycles=CYCLES, model=model, run=Run(executor="serial")
     )
     seconds = time.process_time() - began
-    status, impacts = (found[name].to_numpy().ravel() for name in ("fate", "impacts"))
-    return Outcome(status=status, impacts=impacts, last_phase=None, seconds=seconds)
+    status = found["fate"].to_numpy().ravel()
+    none = np.full(status.shape, -1)  # a map of fates counts no impacts
+    return Outcome(status=status, impacts=none, last_phase=None, seconds=seconds)
 
 
-def last_phases(own: Cells, model: Nonlinear) -> Any:
-    """Return the phases of the last impacts, [0, 2 pi); NaN without one."""
-    phases = np.full(len(own.index), math.nan)
+def with_impacts(own: Cells, outcome: Outcome, model: Nonlinear) -> Outcome:
+    """Return an outcome with the number of impacts and the phase [0, 2 pi) of the last of each."""
+    counts, phases = outcome.impacts.copy(), np.full(len(own.index), math.nan)
     for i, (amplitude, ratio) in enumerate(
         zip(own.amplitude.tolist(), own.frequency_ratio.tolist(), strict=True)
     ):
         shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
         impacts = simulate(BLOCK, shaking, start=START, cycles=CYCLES, model=model).impacts
+        counts[i] = len(impacts)
         if len(impacts):
             phases[i] = (math.pi * (impacts.half_cycles[-1] % 2) + impacts.phase[-1]) % TURN
-    return phases
+    return replace(outcome, impacts=counts, last_phase=phases)
 
 
 default = partial(run, model=Nonlinear())
@@ -104,7 +107,7 @@ def compare(say: Say) -> dict[str, Any]:
         say(f"  {peer.name}")
         own = cells(THINNED)
         row, outcome = measured(peer, own, default)
-        rows.append(row | judged(own, outcome, last_phases(own, model), truth))
+        rows.append(row | judged(own, with_impacts(own, outcome, model), truth))
     for module, name in SOLVERS.items():
         with noted(name, rows, say):
             solver = importlib.import_module(f"bench.peers.{module}")
@@ -114,7 +117,7 @@ def compare(say: Say) -> dict[str, Any]:
                 own = cells(max(peer.thinned, THINNED))
                 row, outcome = measured(peer, own, default)
                 row["setup_s"] = setup
-                rows.append(row | judged(own, outcome, outcome.last_phase, truth))
+                rows.append(row | judged(own, outcome, truth))
     return {
         "rows": rows,
         "check": {
@@ -127,9 +130,10 @@ def compare(say: Say) -> dict[str, Any]:
     }
 
 
-def judged(own: Cells, outcome: Outcome, phases: Any, truth: dict[int, Fate]) -> dict[str, Any]:
+def judged(own: Cells, outcome: Outcome, truth: dict[int, Fate]) -> dict[str, Any]:
     """Return what a solver got right on the cells that are known in many digits."""
     at = np.flatnonzero(np.isin(own.index, list(truth)))
+    assert outcome.last_phase is not None
     fates = [truth[cell] for cell in own.index[at].tolist()]
     return agreement(
         overturned=np.array([fate.status == OVERTURNED for fate in fates]),
@@ -138,5 +142,5 @@ def judged(own: Cells, outcome: Outcome, phases: Any, truth: dict[int, Fate]) ->
         counted=np.array([not fate.rested for fate in fates]),
         status=outcome.status[at],
         found_impacts=outcome.impacts[at],
-        found_phase=phases[at],
+        found_phase=outcome.last_phase[at],
     )

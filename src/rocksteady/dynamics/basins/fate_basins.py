@@ -122,7 +122,7 @@ class FateBasins(Result):
     side
         Side to which the block overturns, 1 or -1; 0 where it does not, shape (m, n).
     impacts
-        Impacts until the end, shape (m, n).
+        Impacts until the end, as `Impacts` counts them, shape (m, n).
     peak
         Largest |theta|/alpha from that moment on, until overturning; each side counts in its own
         alpha, shape (m, n).

@@ -48,7 +48,7 @@ class Reached(NamedTuple):
     side
         +1, -1, or 0 at rest.
     impacts
-        On the way.
+        On the way, as `rocksteady.Impacts` counts them.
     fallen
         Whether it is proved that no impact follows.
     rested
@@ -134,7 +134,7 @@ class Flow:
     def after(
         self, angle: float, velocity: float, phase: float, impacts: int, *, longest: float
     ) -> Reached:
-        """Return the state just after a number of impacts, nan where there are fewer.
+        """Return the state just after a number of impacts that count, nan where there are fewer.
 
         Parameters
         ----------
@@ -183,7 +183,7 @@ class Flow:
             begin,
             stop_half,
             stop_phase,
-            math.inf,
+            columns.COUNTED,
             limit,
             rows,
             NO_PEAKS,

@@ -48,7 +48,7 @@ class ManifoldBranch:
         Periods of the saddle for which the motion through each point has been away from it, up
         to a constant: the map over such a period adds 1, or of a stable manifold takes 1 off.
     impacts
-        Number of impacts of that motion since.
+        Number of impacts of that motion since, as `Impacts` counts them.
     side
         +1 or -1 to which the block leans at a point, or goes from an impact; 0 at rest.
     arclength

@@ -84,7 +84,7 @@ class NoiseFates(Result):
     side
         Side to which the block overturns, 1 or -1; 0 where it does not.
     impacts
-        Impacts until the end.
+        Impacts until the end, as `Impacts` counts them.
     peak
         Largest |theta|/alpha, until overturning.
     model

@@ -23,7 +23,7 @@ class OverturningWindow(NamedTuple):
     high: float
     """In the unit of the search; where `endless` is true, the end of the range."""
     impacts: int
-    """Before it overturns; where they are ten or more, they vary, and these are those at `low`."""
+    """Before it overturns, as `Impacts` counts them; ten or more vary, and are those at `low`."""
     side: int
     """On which it falls, +1 or -1."""
     endless: bool

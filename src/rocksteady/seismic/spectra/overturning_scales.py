@@ -90,7 +90,8 @@ class OverturningScales(WindowLists):
         Ends of the windows, shape (records, windows); nan beyond the last of a record.  Windows
         that touch differ in their side.
     impacts
-        Impacts before the block overturns at the lower end, the same shape; they vary in a window.
+        Impacts before the block overturns at the lower end, as `Impacts` counts them, the same
+        shape; they vary in a window.
     side
         Side on which it falls, +1 or -1; 0 beyond the last.
     first
