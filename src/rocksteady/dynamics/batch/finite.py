@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
+from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, refuse_vertical
 from rocksteady.dynamics.history.simulate import (
@@ -42,7 +43,7 @@ FATE = Output(
 OUTPUTS = (
     FATE,
     Output(name="side", dtype=np.int8, long_name="side to which the block overturns, 0 of others"),
-    Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
+    Output(name="impacts", dtype=np.int64, long_name=COUNTED_IMPACTS),
     Output(name="peak", long_name="largest |theta|/alpha, until overturning"),
 )
 BATCH = 256
