@@ -6,6 +6,7 @@ flows and saltation matrices (orbits.md), and not by the determinant of a chain.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import mpmath as mp
@@ -13,8 +14,11 @@ import numpy as np
 
 from rocksteady import BranchPoint
 from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.dynamics.continuation.curves._codimension_two import touching
 
 DIGITS = 100
+INDEPENDENT = 1e-3
+"""Least singular value of the slopes of independent conditions."""
 Numbers = Sequence[Any]
 
 
@@ -218,7 +222,51 @@ def solved(
         found = mp.findroot(equations, begin, tol=mp.mpf(10) ** -100, maxsteps=30)
         rest = max(abs(each) for each in equations(*found))
         assert rest < mp.mpf(10) ** -48, rest
+        assert independent(equations, found) > INDEPENDENT
         return [float(found[k]) for k in (-2, -1)]
+
+
+def independent(equations: Callable[..., Numbers], place: Numbers) -> float:
+    """Return the least singular value of the slopes, each row of length 1.
+
+    It is 0 where one condition follows from the others, as where two touches are one touch.
+    """
+    step = mp.mpf(10) ** -30
+    columns = []
+    for k in range(len(place)):
+        ends = [
+            equations(*(x + sign * step * (j == k) for j, x in enumerate(place)))
+            for sign in (1, -1)
+        ]
+        columns.append([float((a - b) / (2 * step)) for a, b in zip(*ends, strict=True)])
+    slopes = np.array(columns).T
+    slopes /= np.linalg.norm(slopes, axis=1, keepdims=True)
+    return float(np.linalg.svd(slopes, compute_uv=False)[-1])
+
+
+def solved_again(point: BranchPoint, parameters: tuple[int, int]) -> list[float]:
+    """Return where a point of codimension two has both conditions of its type, in 50 digits."""
+    point = replace(point, chain=touching(point.chain))
+    moments = touches(point.chain)
+    needed = {"double-graze": 2, "cusp": 0}.get(point.type, int(point.type.endswith("-graze")))
+    assert len(moments) == needed, f"{point.type} with {len(moments)} touches"
+
+    def conditions(orbit: Orbit, times: Numbers, values: Numbers) -> Numbers:
+        rows = [row for row, _ in moments]
+        heights = [
+            each for row, time in zip(rows, times, strict=True) for each in orbit.height(row, time)
+        ]
+        if point.type == "double-graze":
+            return heights
+        if point.type == "resonant-graze":
+            # A kick at the touch, which two impacts give, does not come back as a height.
+            return [*heights, orbit.turned(rows[0], times[0])[0, 1]]
+        if point.type == "cusp":
+            return [orbit.multiplier(1), bend_of_fold(orbit, values)]
+        multiplier = orbit.multiplier(1 if point.type == "fold-graze" else -1)
+        return [*heights, multiplier] if heights else [multiplier, cubic_of_flip(orbit, values)]
+
+    return solved(point, parameters, conditions, [when for _, when in moments])
 
 
 def touches(chain: Chain) -> list[tuple[int, float]]:

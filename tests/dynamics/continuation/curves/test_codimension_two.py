@@ -18,16 +18,14 @@ from rocksteady import (
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.branches import random_start
-from tests.dynamics.continuation.curves.fifty_digits import (
-    Numbers,
-    Orbit,
-    bend_of_fold,
-    cubic_of_flip,
-    solved,
-    touches,
-)
+from tests.dynamics.continuation.curves.fifty_digits import solved_again
+from tests.dynamics.continuation.curves.twice import curves_listed_twice, points_listed_twice
 
 PLANE = ("frequency_ratio", "amplitude")
+RESTITUTIONS = np.linspace(0.4, 0.98, 12)
+HILLTOP = ((1.2, 3.2), (1.0, 6.0))
+LOW = ((0.5, 2.5), (1.0, 5.0))
+FAST = ((2.0, 6.0), (1.0, 8.0))
 
 
 @cache
@@ -53,23 +51,11 @@ def values_of(point: BranchPoint) -> list[float]:
     return [point.frequency_ratio, point.amplitude]
 
 
-def graze_with(
-    point: BranchPoint, multiplier: int, parameters: tuple[int, int] = (1, 0)
-) -> list[float]:
-    """Return where the touch of a point meets a multiplier, in 50 digits."""
-    ((row, when),) = touches(point.chain)
-
-    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
-        return [*orbit.height(row, moments[0]), orbit.multiplier(multiplier)]
-
-    return solved(point, parameters, conditions, [when])
-
-
 def test_the_doubling_graze_of_the_atlas() -> None:
     found = around_the_doubling_graze()
     point = point_of(found, "doubling-graze", period=3)
     assert (round(point.frequency_ratio, 4), round(point.amplitude, 4)) == (5.1328, 3.7521)
-    assert values_of(point) == pytest.approx(graze_with(point, -1), abs=1e-9)
+    assert values_of(point) == pytest.approx(solved_again(point, (1, 0)), abs=1e-9)
     (meeting,) = (each for each in found.points if each.point is point)
     kinds = sorted((found.curves[k - 1].type, found.curves[k - 1].period) for k in meeting.curves)
     # The graze of what is doubled there begins at the point, beside that of the motion itself.
@@ -79,13 +65,7 @@ def test_the_doubling_graze_of_the_atlas() -> None:
 def test_fold_and_flip_meet_where_two_impacts_merge_and_nowhere_else() -> None:
     found = around_the_doubling_graze()
     point = point_of(found, "resonant-graze", period=3)
-    ((row, when),) = touches(point.chain)
-
-    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
-        # A kick at the touch, which two impacts give, does not come back as a height.
-        return [*orbit.height(row, moments[0]), orbit.turned(row, moments[0])[0, 1]]
-
-    exact = solved(point, (1, 0), conditions, [when])
+    exact = solved_again(point, (1, 0))
     assert values_of(point) == pytest.approx(exact, abs=1e-9)
     (meeting,) = (each for each in found.points if each.point is point)
     kinds = sorted((found.curves[k - 1].type, found.curves[k - 1].impacts) for k in meeting.curves)
@@ -117,11 +97,7 @@ def test_a_fold_of_doubled_motions_ends_where_the_doubling_is_degenerate() -> No
     points = [each for each in found.points if each.point.type == "generalised-doubling"]
     assert len(points) == 2
     for each in points:
-
-        def conditions(orbit: Orbit, _: Numbers, values: Numbers) -> Numbers:
-            return [orbit.multiplier(-1), cubic_of_flip(orbit, values)]
-
-        exact = solved(each.point, (2, 0), conditions)
+        exact = solved_again(each.point, (2, 0))
         here = [each.point.restitution, each.point.amplitude]
         assert here == pytest.approx(exact, abs=1e-9)
         doubling, fold = (found.curves[number - 1] for number in each.curves)
@@ -144,7 +120,7 @@ def test_the_breaking_graze_of_the_subharmonic_motion() -> None:
         search=CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2),
     )
     point = point_of(found, "breaking-graze")
-    assert values_of(point) == pytest.approx(graze_with(point, -1), abs=1e-9)
+    assert values_of(point) == pytest.approx(solved_again(point, (1, 0)), abs=1e-9)
     assert sorted((curve.type.value, curve.symmetric) for curve in found.curves) == [
         ("grazing", False),
         ("grazing", True),
@@ -166,9 +142,9 @@ def with_grazes() -> BifurcationCurves:
 @pytest.mark.slow
 def test_a_fold_graze_and_a_doubling_graze_beside_it() -> None:
     found = with_grazes()
-    for kind, multiplier in (("fold-graze", 1), ("doubling-graze", -1)):
+    for kind in ("fold-graze", "doubling-graze"):
         point = point_of(found, kind)
-        exact = graze_with(point, multiplier, (2, 1))
+        exact = solved_again(point, (2, 1))
         assert [point.restitution, point.frequency_ratio] == pytest.approx(exact, abs=1e-9)
 
 
@@ -176,12 +152,7 @@ def test_a_fold_graze_and_a_doubling_graze_beside_it() -> None:
 def test_a_double_graze_and_the_curves_on_which_either_arc_touches() -> None:
     found = with_grazes()
     point = point_of(found, "double-graze", impacts=2)
-    (one, first), (other, second) = touches(point.chain)
-
-    def conditions(orbit: Orbit, moments: Numbers, _: Numbers) -> Numbers:
-        return [*orbit.height(one, moments[0]), *orbit.height(other, moments[1])]
-
-    exact = solved(point, (2, 1), conditions, [first, second])
+    exact = solved_again(point, (2, 1))
     assert [point.restitution, point.frequency_ratio] == pytest.approx(exact, abs=1e-9)
     (meeting,) = (each for each in found.points if each.point is point)
     assert sum(found.curves[number - 1].impacts == 2 for number in meeting.curves) == 2
@@ -197,11 +168,7 @@ def test_a_cusp_of_motions_that_hang_together_with_no_symmetric_one() -> None:
         search=CurveSearch(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
     )
     point = point_of(found, "cusp")
-
-    def conditions(orbit: Orbit, _: Numbers, values: Numbers) -> Numbers:
-        return [orbit.multiplier(1), bend_of_fold(orbit, values)]
-
-    exact = solved(point, (2, 0), conditions)
+    exact = solved_again(point, (2, 0))
     assert [point.restitution, point.amplitude] == pytest.approx(exact, abs=1e-9)
     (meeting,) = (each for each in found.points if each.point is point)
     (number,) = meeting.curves
@@ -230,3 +197,55 @@ def test_a_fold_and_a_flip_exclude_each_other(seed: int) -> None:
     first, second = chain.multipliers
     whole = 2 * count * (2 if chain.symmetric else 1)
     assert first * second == pytest.approx(restitution**whole, rel=1e-9)
+
+
+def held_to_their_conditions(
+    restitution: float, within: tuple[tuple[float, float], tuple[float, float]], search: CurveSearch
+) -> BifurcationCurves:
+    """Hold all points of a plane to their conditions in 50 digits, and list nothing twice."""
+    block = DimensionlessBlock(restitution=restitution)
+    motion = Harmonic(amplitude=1.5, frequency_ratio=2.0)
+    found = find_bifurcation_curves(block, motion, within=within, search=search)
+    for each in found.points:
+        assert values_of(each.point) == pytest.approx(solved_again(each.point, (1, 0)), abs=1e-9)
+    assert curves_listed_twice(found) == points_listed_twice(found) == []
+    return found
+
+
+@pytest.mark.parametrize(
+    ("within", "search"),
+    [
+        (HILLTOP, CurveSearch(lines=(2, 1), max_impacts=2)),
+        # Motions of two periods graze on the hilltop too: the touch of the first is the second's.
+        (((0.75, 0.9), (1.5, 1.8)), CurveSearch(lines=(0, 1), max_impacts=2, everywhere=True)),
+    ],
+)
+def test_motions_that_graze_on_the_hilltop_meet_nothing_there(
+    within: tuple[tuple[float, float], tuple[float, float]], search: CurveSearch
+) -> None:
+    found = held_to_their_conditions(0.8, within, search)
+    (curve,) = (
+        each
+        for each in found.curves
+        if each.type == "grazing" and np.allclose(each.values @ [0, 1], 1 + each.values[:, 0] ** 2)
+    )
+    assert {curve.points[0].type, curve.points[-1].type} == {"end-of-range"}
+    assert not found.points
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("within", "search", "least"),
+    [
+        (HILLTOP, CurveSearch(max_impacts=6), 0),
+        (LOW, CurveSearch(max_impacts=4, everywhere=True), 60),
+        (FAST, CurveSearch(orders=(1, 3), max_impacts=4), 25),
+    ],
+)
+def test_no_point_is_false_and_nothing_listed_twice_over_the_restitutions(
+    within: tuple[tuple[float, float], tuple[float, float]], search: CurveSearch, least: int
+) -> None:
+    total = 0
+    for restitution in RESTITUTIONS.tolist():
+        total += len(held_to_their_conditions(restitution, within, search).points)
+    assert total >= least

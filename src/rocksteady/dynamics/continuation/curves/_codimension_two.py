@@ -6,6 +6,7 @@ and the ends at which its motions touch the floor or become those from which the
 """
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -58,7 +59,12 @@ def grazed(chain: Chain) -> tuple[int, bool]:
 def curve_through(
     kind: PointType, chain: Chain, active: tuple[int, ...], ranges: "np.ndarray", step: float
 ) -> tuple[Family, ChainCurve]:
-    """Return the equations of the curve of a kind of bifurcation near a chain."""
+    """Return the equations of the curve of a kind of bifurcation near a chain.
+
+    A graze is followed without the two impacts that merge at it: further touches of that motion,
+    which the merging hides, are then repetitions of one touch and not points of the curve.
+    """
+    chain = touching(chain) if kind is PointType.GRAZING else chain
     conditions = (condition(kind, chain),)
     family = Family(chain=chain, active=active, ranges=ranges, conditions=conditions)
     return family, Curve(evaluate=family.evaluate, largest_step=step)
@@ -147,10 +153,19 @@ def generalised(solution: ChainSolution) -> float:
 
 
 def touching(chain: Chain) -> Chain:
-    """Return a chain at a graze without the two impacts that merge there."""
-    if not grazed(chain)[1] or chain.impacts <= 2:
+    """Return a chain at a graze without the two impacts that merge there.
+
+    Where there are no others the motion never leaves its side.  It has the period of the shaking,
+    as the difference of two such motions grows without bound, and keeps the two impacts of one
+    touch, without which there is no chain.
+    """
+    row, merged = grazed(chain)
+    if not merged:
         return chain
-    return switched(PointType.GRAZING, chain)[0]
+    if chain.impacts > 2:
+        return switched(PointType.GRAZING, chain)[0]
+    turns = chain.turns[row] + np.array([0, 2 * row])
+    return replace(chain, turns=turns, phases=np.full(2, chain.phases[row]), half_cycles=2)
 
 
 def merging(chain: Chain) -> Chain:
@@ -165,8 +180,13 @@ def free(kind: PointType, chain: Chain) -> Test2:
     def value(solution: ChainSolution) -> float:
         rows = np.arange(solution.chain.impacts)
         durations = solution.chain.durations[rows != row if merged else rows >= 0]
-        dips = solution.chain.shape[rows != row, 1]
-        dip = float(np.nanmin(dips, initial=1.0))
+        others = rows != row
+        if merged:  # the arcs before and after it touch the base there too, at an end of theirs
+            when, ends = solution.chain.shape[:, 2], solution.chain.durations
+            beside = np.array([row - 1, row + 1]) % len(rows)
+            at_end = (when < MEETING) | (when > ends - MEETING)
+            others[beside[at_end[beside]]] = False
+        dip = float(np.nanmin(solution.chain.shape[others, 1], initial=1.0))
         return min(dip, float(durations.min(initial=1.0)))
 
     return value

@@ -64,20 +64,18 @@ def departures(
         The parameters, as for `Family`, and the largest step.
     """
     given = (active, ranges, step)
-    if kind in (PointType.FOLD, PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING):
+    if kind in (PointType.FOLD, PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING) or kind is PointType.GRAZING:
         yield _regular(kind, chain, *given)
-    elif kind is PointType.GRAZING:
-        yield _regular(kind, touching(chain), *given)
     elif kind is PointType.CUSP:
         yield _regular(PointType.FOLD, chain, *given)
     elif kind is PointType.FOLD_GRAZE:
         short = touching(chain)
-        yield _regular(PointType.GRAZING, short, *given)
+        yield _regular(PointType.GRAZING, chain, *given)
         yield _regular(PointType.FOLD, short, *given)
     elif kind in (PointType.BREAKING_GRAZE, PointType.DOUBLING_GRAZE):
         short = touching(chain)
         yield _regular(flip_type(short), short, *given)
-        yield _regular(PointType.GRAZING, short, *given)
+        yield _regular(PointType.GRAZING, chain, *given)
         yield _branched_graze(short, *given)
     elif kind in (PointType.GENERALISED_BREAKING, PointType.GENERALISED_DOUBLING):
         yield _regular(flip_type(chain), chain, *given)
@@ -87,7 +85,7 @@ def departures(
             yield _other_graze(chain, int(row), *given)
     elif kind is PointType.RESONANT_GRAZE:
         short = touching(chain)
-        yield _regular(PointType.GRAZING, short, *given)
+        yield _regular(PointType.GRAZING, chain, *given)
         longer = merging(short)
         yield _regular(PointType.FOLD, longer, *given)
         yield _regular(flip_type(longer), longer, *given)
@@ -98,14 +96,14 @@ def _regular(
 ) -> list[Departure]:
     """Return both ways of a curve through a point, or the way that stays above the floor."""
     family, curve = curve_through(kind, chain, active, ranges, step)
-    place = family.place_of(chain)
+    place = family.place_of(family.chain)
     solution = family.evaluate(place)
     if solution is None or not np.isfinite(solution.slopes).all():
         return []
     begin = curve.start(place, np.linalg.svd(solution.slopes)[2][-1])
     if begin is None:
         return []
-    height = free(kind, chain)
+    height = free(kind, family.chain)
     ways = []
     for sign in (1.0, -1.0):
         spot = Spot(
