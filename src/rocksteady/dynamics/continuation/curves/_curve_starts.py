@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.events import ChainCurve, ChainSpot
 from rocksteady.dynamics.continuation.chains.family import Family
-from rocksteady.dynamics.continuation.chains.point_types import PointType
+from rocksteady.dynamics.continuation.chains.point_types import BIFURCATIONS, PointType
 from rocksteady.dynamics.continuation.chains.predictor_corrector import Curve, Spot
 from rocksteady.dynamics.continuation.curves._codimension_two import (
     curve_through,
@@ -64,7 +64,7 @@ def departures(
         The parameters, as for `Family`, and the largest step.
     """
     given = (active, ranges, step)
-    if kind in (PointType.FOLD, PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING) or kind is PointType.GRAZING:
+    if kind in BIFURCATIONS:
         yield _regular(kind, chain, *given)
     elif kind is PointType.CUSP:
         yield _regular(PointType.FOLD, chain, *given)
