@@ -5,6 +5,7 @@ from typing import Any
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.sides import same_shape
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.results.numbers import angle, length, number, quantity
 
@@ -30,7 +31,7 @@ def block_values(block: Block) -> dict[str, Any]:
         return positive
     if block.one_sided:
         positive |= {"one_sided": True, "restitution": block.restitution}
-        if block.positive == block.negative:
+        if same_shape(block.positive, block.negative):
             return positive
     distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
     values = {**positive, **distances, "height_m": block.height}

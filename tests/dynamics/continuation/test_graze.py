@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
 from rocksteady import (
@@ -12,10 +13,17 @@ from rocksteady import (
     BranchPoint,
     DimensionlessBlock,
     Harmonic,
+    ModelError,
+    Steady,
+    compute_manifold,
     find_branches,
     find_orbits,
+    find_steady_states,
     follow_branch,
+    plot_multipliers,
+    simulate,
 )
+from rocksteady.dynamics.continuation.branch_facts import point_row
 
 RESTITUTION, AMPLITUDE = 0.87, 5.0
 BLOCK = DimensionlessBlock(restitution=RESTITUTION)
@@ -118,7 +126,7 @@ def test_the_multiplier_is_that_of_the_square_root(
     away = distances(near, graze)
     heights = np.array([point.chain.shape[:, 1].min() for point in near])
     rate = limit(heights / away, away)
-    closing = np.prod([1.0 - m for m in graze.multipliers]).real
+    closing = np.prod([1.0 - m for m in graze.chain.multipliers]).real
     expected = (kick * slope) ** 2 * gamma / (closing * rate)
     assert limit(large * x, x) == pytest.approx(expected, rel=1e-3)
 
@@ -126,7 +134,7 @@ def test_the_multiplier_is_that_of_the_square_root(
 def test_a_stable_orbit_is_not_followed_by_a_stable_one(
     graze: BranchPoint, beyond: list[BranchPoint]
 ) -> None:
-    assert max(abs(graze.multipliers)) < 1.0
+    assert max(abs(graze.chain.multipliers)) < 1.0
     assert all(point.admissible and not point.stable for point in beyond)
     assert all(point.multipliers[0].real < -100.0 for point in beyond)  # where it is no motion
     assert (distances(beyond, graze) < 0.0).all()
@@ -144,3 +152,55 @@ def test_a_symmetric_orbit_that_touches_in_both_halves_has_the_square_of_it() ->
     sizes = np.array([point.multipliers[0].real for point in near])
     assert all(point.symmetric and point.impacts == 6 for point in near)
     assert np.diff(np.log(sizes)) / np.diff(np.log(-x)) == pytest.approx(-2.0, abs=0.01)
+
+
+def test_no_number_stands_for_a_derivative_at_a_graze(graze: BranchPoint) -> None:
+    # Two impacts merge on A = 1 + Omega^2, which any block's motion meets; the other one touches.
+    motion = Harmonic(amplitude=3.0, frequency_ratio=1.6)
+    start = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[-1]
+    ways = [list(follow_branch(start, "amplitude", (0.5, 8.0), direction=d)) for d in (1, -1)]
+    (merging,) = (way[-1] for way in ways if way[-1].type == "grazing")
+    assert merging.amplitude == pytest.approx(1.0 + 1.6**2, abs=1e-12)
+    assert merging.chain.shortest == pytest.approx(0.0, abs=1e-12)
+    for point in (merging, graze):
+        assert np.isnan(point.multipliers).all()
+        assert not point.stable
+        assert point.to_dict()["multipliers"] is None
+        assert "no derivative: grazes" in point.summary()
+        row = point_row(1, point, 1.0, DimensionlessBlock(restitution=0.8))
+        assert all(math.isnan(row[name]) for name in row if name.startswith("multiplier"))
+    data = Branch(parameter="amplitude", points=tuple(ways[0])).to_dataset()
+    grazing = np.array([point.type == "grazing" for point in ways[0]])
+    np.testing.assert_array_equal(np.isnan(data.multiplier_1_re), grazing)
+    # Right beside the merging the multipliers are large, as they must be, and there.
+    assert abs(ways[0][-2].multipliers[0]) > 1.0
+
+
+def test_an_orbit_that_grazes_has_no_multipliers_exponent_or_verdict() -> None:
+    for ratio in (2.0, 3.3, 4.7):
+        amplitude = float(find_steady_states(2.0, ratio, 0.8).sign)  # eq 24: no speed at impact
+        for near in (np.nextafter(amplitude, 0.0), amplitude):
+            motion = Harmonic(amplitude=float(near), frequency_ratio=ratio)
+            block = DimensionlessBlock(restitution=0.8)
+            states = find_steady_states(float(near), ratio, 0.8)
+            assert abs(states.velocity[1]) < 1e-15
+            assert np.isnan(states.trace[1])
+            assert np.isnan(states.multipliers[1]).all()
+            assert not states.stable[1]
+            told = states.to_dict()["solutions"][1]
+            assert told["half_cycle_multipliers"] is told["stable"] is told["neutral"] is None
+            found = find_orbits(block, motion, max_period=1, max_impacts=2, seeds=2)
+            (orbit,) = (each for each in found if each.branch == 2)
+            values = orbit.to_dict()
+            assert values["multipliers"] is values["stable"] is values["neutral"] is None
+            assert math.isnan(orbit.lyapunov)
+            assert orbit.stable is orbit.neutral is False
+            assert "no derivative: grazes" in orbit.summary()
+            if not orbit.admissible:
+                continue
+            assert orbit.summary().startswith("Grazes symmetric")
+            assert plot_multipliers([orbit], Figure().add_subplot()).lines
+            with pytest.raises(ModelError, match="grazes"):
+                compute_manifold(orbit, kind="unstable")
+            with pytest.raises(ModelError, match="without speed"):
+                simulate(block, motion, start=Steady(branch=2), cycles=1)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.forcing import GRAZING_SPEED
 from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
     ROW_ANGLE,
@@ -26,7 +27,6 @@ from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,
-    GRAZING_SPEED,
     IMPACT,
     STAY,
     STUCK,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import (
     amplitude_text,
@@ -129,7 +130,7 @@ def _orbit_values(orbit: Orbit, basins: Any) -> dict[str, Any]:
         "impacts_per_period": orbit.impacts,
         "rest_phases": orbit.rest_phases,
         "peaks": peaks,
-        "multipliers": [complex(multiplier) for multiplier in orbit.multipliers],
+        "multipliers": multipliers_value(orbit.multipliers),
         "lyapunov": orbit.lyapunov,
         "residual": orbit.residual,
         "states": [

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
+from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -192,7 +193,7 @@ def point_values(point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
         "impacts": point.impacts,
         "symmetric": point.symmetric,
         "peaks": extremes(point, lean),
-        "multipliers": [complex(m) for m in point.multipliers],
+        "multipliers": multipliers_value(point.multipliers),
     }
     values |= in_si(block, point.amplitude, point.frequency_ratio)
     if isinstance(block, Block):

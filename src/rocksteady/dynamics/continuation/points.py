@@ -34,7 +34,7 @@ from rocksteady.dynamics.continuation.chains.point_types import (
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.dynamics.steady.verdicts import multipliers_text
+from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS, multipliers_text
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.series_map import for_system
@@ -133,9 +133,10 @@ class BranchPoint(Result):
         """Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first.
 
         Their product is that of the squares of the restitutions of all impacts: a pair never leaves
-        the unit circle together, and there is no Neimark-Sacker bifurcation.
+        the unit circle together, and there is no Neimark-Sacker bifurcation.  nan at a graze: no
+        derivative exists there.
         """
-        return self.chain.multipliers
+        return NO_MULTIPLIERS if self.chain.touches else self.chain.multipliers
 
     @cached_property
     def admissible(self) -> bool:
@@ -146,7 +147,7 @@ class BranchPoint(Result):
     def stable(self) -> bool:
         """Whether it is a motion and both multipliers lie inside the unit circle.
 
-        Not at a bifurcation, where one of them lies on it.
+        Not at a bifurcation, where one of them lies on it or none exists.
         """
         marginal = self.type in MARGINAL or self.block.lossless
         return bool(self.admissible and not marginal and modulus(self.multipliers[0]) < 1.0)
@@ -169,7 +170,7 @@ class BranchPoint(Result):
             "impacts": ("impacts", f"{self.impacts} in a period"),
             "symmetric": ("kind", self.kind),
             "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
-            "multipliers": ("multipliers", multipliers_text(values["multipliers"])),
+            "multipliers": ("multipliers", multipliers_text(self.multipliers)),
         }
         return Description(
             f"{kind.capitalize()}: {place}, {point_case(self)}",
@@ -215,7 +216,8 @@ class BranchPoint(Result):
             measured = for_system(periodic.measured, system)
             residual = measured(system, len(sections), self.period, table).residual
         if residual < CLOSING:
-            return orbit_from(block, motion, table, self.period, residual, model)
+            orbit = orbit_from(block, motion, table, self.period, residual, model)
+            return replace(orbit, multipliers=self.multipliers) if self.chain.touches else orbit
         if not self.chain.admissible or self.type in GRAZES:
             raise ModelError(
                 "point",

@@ -12,7 +12,7 @@ from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.attractor import Attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.steady.verdicts import multipliers_text
+from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
@@ -122,7 +122,7 @@ class EdgeState(Result):
         words = {"hilltop": "hilltop saddle", "aperiodic": "aperiodic"}.get(self.kind, "")
         if isinstance(saddle, Orbit):
             words = f"unstable orbit of {plural(saddle.period, 'period')}"
-        multipliers = None if saddle is None else [complex(m) for m in saddle.multipliers]
+        multipliers = None if saddle is None else multipliers_value(saddle.multipliers)
         first, second = self.outcomes
         facts = [
             Fact("kind", self.kind, "edge state", words),

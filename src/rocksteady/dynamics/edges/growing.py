@@ -21,6 +21,7 @@ from rocksteady.dynamics.edges.manifold import Kind, Manifold, ManifoldBranch, O
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, in_range, is_pair, whole_number
@@ -187,6 +188,13 @@ def _saddle(saddle: Orbit | HilltopSaddle) -> None:
             Words("passes through the floor"),
             "it is no motion",
             "choose an admissible orbit",
+        )
+    if multipliers_value(saddle.multipliers) is None:
+        raise ModelError(
+            "saddle",
+            Words("is an orbit that grazes its base"),
+            "no derivative exists there, and no direction along which it is left",
+            "choose an unstable orbit of `find_orbits`",
         )
     first, second = (abs(complex(value)) for value in saddle.multipliers)
     if not first > 1.0 > second:

@@ -12,7 +12,7 @@ from rocksteady.dynamics.edges._edge_facts import case_of, place
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import harmonic
-from rocksteady.dynamics.steady.verdicts import multipliers_text
+from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -252,7 +252,7 @@ class Manifold(Result):
         where = "over impacts"
         if self.over == "phase":
             where = f"at phase {number(self.phase)} rad"
-        multipliers = [complex(value) for value in self.saddle.multipliers]
+        multipliers = multipliers_value(self.saddle.multipliers)
         facts = [
             Fact("kind", self.kind, "kind"),
             Fact("over", self.over, "over", where),

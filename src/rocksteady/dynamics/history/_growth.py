@@ -11,6 +11,7 @@ from rocksteady.dynamics.history.base_motion import lift
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.forcing import grazes
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, exp, log, sin
 from rocksteady.kernels.march.replay import fill_states
@@ -225,7 +226,13 @@ def _impacts(course: Course, impacts: Impacts) -> dict[int, tuple[float, float]]
         base * shares[side_after] - back * impacts.side * weight * pulls[side_after]
     )
     ratios = sides[here, columns.RESTITUTION]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        kinks = (after - ratios * before) / impacts.velocity_before
+    forces = segments[rows[ended, columns.ROW_SEGMENT].astype(np.int64)]
+    shaking = forces[:, [columns.AMPLITUDE, columns.FREQUENCY]].tolist()
+    speeds = np.abs(impacts.velocity_before)
+    grazing = [grazes(speed, *own) for speed, own in zip(speeds.tolist(), shaking, strict=True)]
+    kinks = np.full(len(ended), math.inf)
+    np.divide(
+        after - ratios * before, impacts.velocity_before, out=kinks, where=~np.array(grazing, bool)
+    )
     pairs = zip(ratios.tolist(), kinks.tolist(), strict=True)
     return dict(zip(ended.tolist(), pairs, strict=True))

@@ -105,6 +105,13 @@ def unstable_direction(
 ) -> tuple[float, float]:
     """Return how an unstable steady state of the linear model is left, as in `growing`."""
     orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
+    if math.isnan(orbit.trace):
+        raise ModelError(
+            "start",
+            Words(f"is of order {order}, branch {branch}"),
+            "it meets its base without speed, and no derivative determines how it is left",
+            "take another amplitude, or a State to start from",
+        )
     velocity = frequency_ratio * orbit.velocity
     jacobian = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
     return growing(jacobian, velocity, order, branch, frequency_ratio)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start, Steady
-from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
+from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value, verdict
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
@@ -82,7 +82,7 @@ def orbit_values(orbit: Any) -> dict[str, Any]:
         "impacts_per_period": orbit.impacts,
         "rest_phases": orbit.rest_phases,
         "peaks": [orbit.highest, orbit.lowest] if orbit.admissible else None,
-        "multipliers": [complex(m) for m in orbit.multipliers],
+        "multipliers": multipliers_value(orbit.multipliers),
         "lyapunov": orbit.lyapunov,
         "residual": orbit.residual,
         "states": state_rows(orbit.states),
@@ -93,19 +93,20 @@ def orbit_values(orbit: Any) -> dict[str, Any]:
         values["peaks_rad"] = None if peaks is None else [peak * alpha for peak in peaks]
         values["period_s"] = orbit.period / orbit.motion.frequency_hz(orbit.block)
     # What passes through the floor has multipliers, and no stability.
-    stable, neutral = (orbit.stable, orbit.neutral) if orbit.admissible else (None, None)
+    judged = orbit.admissible and values["multipliers"] is not None
     return {
         **values,
         "branch": orbit.branch,
         "admissible": orbit.admissible,
-        "stable": stable,
-        "neutral": neutral,
+        "stable": orbit.stable if judged else None,
+        "neutral": orbit.neutral if judged else None,
     }
 
 
 def worth(orbit: Any) -> str:
     """Return whether an orbit is a motion and stable, in a word."""
-    return verdict(admissible=orbit.admissible, neutral=orbit.neutral, stable=orbit.stable)
+    values = orbit_values(orbit)
+    return verdict(**{name: values[name] for name in ("admissible", "neutral", "stable")})
 
 
 def kind_text(kind: str, period: int | None) -> str:
@@ -127,7 +128,7 @@ def orbit_facts(orbit: Any) -> list[Fact]:
     words = {
         "period": ("period", period),
         "impacts_per_period": ("impacts", impacts),
-        "multipliers": ("multipliers", multipliers_text(values["multipliers"])),
+        "multipliers": ("multipliers", multipliers_text(orbit.multipliers)),
     }
     if orbit.rest_phases:
         words["rest_phases"] = ("comes to rest", plural(orbit.rest_phases, "time") + " in a period")

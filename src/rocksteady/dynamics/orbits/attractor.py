@@ -423,8 +423,8 @@ def _reason(end: kernel.Settled, block: DimensionlessBlock) -> str:
     start = f"no repetition within {end.after} forcing periods"
     if math.isnan(end.lyapunov):
         return (
-            f"{start}, too few, or with rests too near the end, for a Lyapunov exponent: follow "
-            "more cycles"
+            f"{start}, too few, or with rests or a graze too near the end, for a Lyapunov "
+            "exponent: follow more cycles"
         )
     return (
         f"{start}, and a Lyapunov exponent of {end.lyapunov:.2g} a period, too small or too "

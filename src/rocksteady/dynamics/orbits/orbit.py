@@ -28,6 +28,7 @@ from rocksteady.dynamics.orbits.return_map import (
     section_of,
     state_of,
 )
+from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import hypot, log
@@ -72,7 +73,8 @@ class Orbit(Result):
         Extrema of u = theta/alpha, alpha the positive side's; nan where it is not admissible.
     multipliers
         Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first, of a
-        conjugate pair the one above the real axis; with a rest both are 0.
+        conjugate pair the one above the real axis; with a rest both are 0.  nan where an impact
+        grazes (`rocksteady.kernels.core.forcing.grazes`): no derivative exists there.
     residual
         Largest error of a flight from one of the states to the next: of the phase [rad], or of the
         speed relative to itself.  At most 1e-12 where Newton's method has found it; the closed
@@ -120,7 +122,8 @@ class Orbit(Result):
     def stable(self) -> bool:
         """Whether it is a motion and both multipliers lie inside the unit circle.
 
-        Without loss (restitution 1) their product is 1, and rounding may not put them inside.
+        Without loss (restitution 1) their product is 1, and rounding may not put them inside.  Not
+        of an orbit that grazes, which has no multipliers.
         """
         return self.admissible and not self.block.lossless and self.largest_multiplier < 1.0
 
@@ -132,9 +135,9 @@ class Orbit(Result):
 
     @property
     def lyapunov(self) -> float:
-        """Largest Lyapunov exponent per forcing period; -inf where the orbit comes to rest."""
+        """Largest Lyapunov exponent per forcing period; -inf with a rest, nan with a graze."""
         size = self.largest_multiplier
-        return log(size) / self.period if size > 0.0 else -math.inf
+        return log(size) / self.period if size != 0.0 else -math.inf
 
     @property
     def start(self) -> ImpactState:
@@ -276,6 +279,9 @@ def orbit_from(
     positive = table[:, periodic.SIDE] > 0.0
     peak, other_peak = table[:, periodic.PEAK], table[:, periodic.OTHER_PEAK]
     determinant = for_system(periodic.loss, system)(system, states[0].side, passages, fixed.rests)
+    multipliers = ordered(*periodic.multipliers(fixed.jacobian, determinant))
+    if fixed.grazes and not fixed.rests:  # a rest forgets what a graze makes of a difference
+        multipliers = NO_MULTIPLIERS
     return Orbit(
         block=block,
         motion=replace(motion, phase=states[0].phase),
@@ -285,7 +291,7 @@ def orbit_from(
         symmetric=bool(for_system(periodic.is_symmetric, system)(system, table, passages, periods)),
         highest=float(np.where(positive, peak, other_peak).max()),
         lowest=0.0 - float(np.where(positive, other_peak, peak).max()),
-        multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),
+        multipliers=multipliers,
         residual=residual,
         model=model,
     )

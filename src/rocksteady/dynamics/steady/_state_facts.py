@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady.dynamics.steady.regions import REGIONS
-from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
+from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value, verdict
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -60,19 +60,20 @@ def _solution(states: Any, at: tuple[int, ...]) -> dict[str, Any]:
         "extrema": None,
         "admissible": None,
         "half_cycle_trace": float(states.trace[at]),
-        "half_cycle_multipliers": [complex(m) for m in states.multipliers[at]],
+        "half_cycle_multipliers": multipliers_value(states.multipliers[at]),
         "stable": None,
         "neutral": None,
     }
     if states.admissible is None or states.peak is None or states.extrema is None:
         return solution
     admissible = bool(states.admissible[at])
+    judged = admissible and solution["half_cycle_multipliers"] is not None
     solution |= {
         "peak": float(states.peak[at]),
         "extrema": int(states.extrema[at]),
         "admissible": admissible,
-        "stable": bool(states.stable[at]) if admissible else None,
-        "neutral": bool(states.neutral[at]) if admissible else None,
+        "stable": bool(states.stable[at]) if judged else None,
+        "neutral": bool(states.neutral[at]) if judged else None,
     }
     if states.block is not None:
         solution["peak_rad"] = solution["peak"] * states.block.alpha
@@ -145,7 +146,10 @@ def describe_point(states: Any) -> Description:
                 else []
             ),
             ("extrema in the half cycle", lambda s: str(s["extrema"])),
-            ("half-cycle multipliers", lambda s: multipliers_text(s["half_cycle_multipliers"])),
+            (
+                "half-cycle multipliers",
+                lambda s: multipliers_text(s["half_cycle_multipliers"]),
+            ),
         )
     ]
     columns = [Column("label", "", left=True)]

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
 from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
+from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import sin
 from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
@@ -121,7 +122,8 @@ class SteadyStates(OfLinear, Result):
     velocity_tau
         du/d(omega t) just after that impact (eq 19), u = theta/alpha.
     trace
-        Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.
+        Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.  nan
+        where the orbit grazes: no derivative exists there.
     peak, extrema
         Largest u among the extrema of the positive half cycle, and their number; None without
         `shapes`.  For an inadmissible orbit that begins downwards it may be negative.
@@ -164,7 +166,8 @@ class SteadyStates(OfLinear, Result):
         """Multipliers of the half cycle, shape ``(2, *grid, 2)``, the larger in modulus first.
 
         They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
-        the positive imaginary part first.  The full orbit's are their squares.
+        the positive imaginary part first.  The full orbit's are their squares.  nan where the orbit
+        grazes: no derivative exists there.
         """
         half = 0.5 * self.trace
         product = np.broadcast_to(self.restitution * self.restitution, half.shape)
@@ -180,7 +183,7 @@ class SteadyStates(OfLinear, Result):
             second = np.conj(first)
             second.real = np.where(real, product / large, half)
         nothing = np.isnan(half)
-        first[nothing] = second[nothing] = complex(math.nan, 0.0)
+        first[nothing] = second[nothing] = NO_MULTIPLIERS[0]
         return np.stack([first, second], axis=-1)
 
     @cached_property
@@ -193,7 +196,8 @@ class SteadyStates(OfLinear, Result):
     def stable(self) -> Bools:
         """Whether the orbit is admissible and both multipliers lie inside the unit circle.
 
-        That is so where ``|trace| < 1 + restitution^2``; a neutral orbit is not stable.
+        That is so where ``|trace| < 1 + restitution^2``; a neutral orbit is not stable, nor is one
+        that grazes.
         """
         inside: Bools = np.abs(self.trace) < 1.0 + self.restitution * self.restitution
         stable: Bools = inside & (self.restitution < 1.0) & self._allowed

@@ -31,6 +31,9 @@ HALF_PI = 0.5 * math.pi
 TWO_PI = 2.0 * math.pi
 EPSILON = 2.0**-52
 
+GRAZING_SPEED = 1e-9
+"""Landing speed up to which an impact grazes, in units of the speeds that the shaking gives."""
+
 # How the sign of r is found.
 ONE_SIGN = 0  # r never changes sign
 SINE = 1  # closed form: sin(psi) = -constant / amplitude
@@ -51,6 +54,18 @@ class Forcing(NamedTuple):
     rising: float  # SINE: phase in [-pi/2, pi/2] at which r turns positive
     node_sine: float
     node_cosine: float
+
+
+@inlined
+def grazes(landing: float, amplitude: float, frequency: float) -> bool:
+    """Return whether an impact is so slow that no derivative exists there.
+
+    A derivative through a landing with speed v holds for differences of the angle up to some v^2,
+    beyond which the impact is missed or another one added.  From 1.5e-8 down that is less than the
+    rounding of the angle itself; 1e-9 leaves room for the speeds of slow shaking.  Fast shaking
+    moves the block little: a speed counts against what a period's work can give.
+    """
+    return landing <= GRAZING_SPEED * min(1.0, (1.0 + amplitude) / max(1.0, frequency))
 
 
 @compiled

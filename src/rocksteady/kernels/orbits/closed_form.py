@@ -27,7 +27,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.forcing import EPSILON, make_forcing
+from rocksteady.kernels.core.forcing import EPSILON, grazes, make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.elementary.circular import sincos_near
@@ -53,7 +53,7 @@ class Symmetric(NamedTuple):
     sine: float
     cosine: float
     velocity: float  # du/dtau after impact
-    trace: float  # of the half-cycle map in (phase, velocity)
+    trace: float  # of the half-cycle map in (phase, velocity); nan where it grazes
 
 
 @inlined
@@ -157,7 +157,10 @@ def orbit_of(
     sine = d * s + 0.0  # never -0.0, whose phase would be -0.0 or -pi
     # Eq 19: its cos f is taken out by eq 18, and with it all cancellation.
     velocity = 2.0 * restitution * beta * s / ((1.0 + restitution) * p)
-    trace = half_cycle_trace(frequency_ratio, restitution, half.growth, beta * s)
+    trace = math.nan
+    landing = 2.0 * abs(beta * s) / ((1.0 + restitution) * p)  # not of the velocity: may underflow
+    if not grazes(frequency_ratio * landing, amplitude, frequency_ratio):
+        trace = half_cycle_trace(frequency_ratio, restitution, half.growth, beta * s)
     return Symmetric(atan2(sine, cosine), sine, cosine, velocity, trace)
 
 
@@ -166,8 +169,6 @@ def half_cycle_trace(
     frequency_ratio: float, restitution: float, growth: float, scaled_sine: float
 ) -> float:
     """Return the trace T of the half-cycle map; `scaled_sine` is beta sin(f)/D."""
-    if scaled_sine == 0.0:
-        return math.inf
     more, less = 1.0 + restitution, 1.0 - restitution
     stretch = (
         more * more / (2.0 * scaled_sine)

@@ -23,7 +23,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.clock import clock, side_clock, side_phase, uplift_clock
-from rocksteady.kernels.core.forcing import SINE, Forcing, starts_positive
+from rocksteady.kernels.core.forcing import SINE, Forcing, grazes, starts_positive
 from rocksteady.kernels.core.harmonics import level_of, lifts_at
 from rocksteady.kernels.core.tables import (
     FOUND,
@@ -54,13 +54,11 @@ from rocksteady.kernels.orbits.systems import (
 # What a passage was.
 IMPACT = 0
 UPLIFT = 1  # chatter came to rest, and the block lifts again
-GRAZE = 2  # an impact so slow that the derivative means nothing
+GRAZE = 2  # an impact so slow that no derivative exists
 FALL = 3  # no impact follows: the block overturns
 STAY = 4  # chatter came to rest, and nothing lifts the block again
 STUCK = 5  # the search for the next impact did not end
 
-GRAZING_SPEED = 1e-9
-"""Landing speed up to which an impact grazes, in units of the speeds that the shaking gives."""
 AT_NODE = 1e-12
 """Difference of a phase from that of uplift which is rounding."""
 LONGEST_FLIGHT = 2000.0
@@ -225,8 +223,7 @@ def passage_of(
     half = half_cycles + turned - seen_half + 2 * zero.cycle
     landing = abs(zero.velocity) * unit
     after = Section(next_side(system, side), half, landed, abs(restitution) * landing)
-    # Fast shaking moves the block little: a speed counts against what a period's work can give.
-    if landing <= GRAZING_SPEED * min(1.0, (1.0 + forcing.amplitude) / forcing.frequency):
+    if grazes(landing, forcing.amplitude, forcing.frequency):
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
     if system.left_out > 0.0:
         j11, j12, j21, j22 = landing_derivative(

@@ -30,6 +30,7 @@ from rocksteady.kernels.orbits.periodic import (
 )
 from rocksteady.kernels.orbits.return_map import (
     FALL,
+    GRAZE,
     IMPACT,
     STAY,
     STUCK,
@@ -226,7 +227,10 @@ def settle(
             least = min(third_rate, fourth_rate)
             return unsettled(UNSETTLED, state, mean, least, passed, growth)
         step = next_passage(system, state, guess_after(step))
-        if step.kind != IMPACT:  # a graze has no derivative
+        if step.kind == GRAZE:  # no derivative exists there, nor an exponent of what holds it
+            third = Stretch(third.phase, third.speed, math.nan, third.since)
+            fourth = Stretch(fourth.phase, fourth.speed, math.nan, fourth.since)
+        if step.kind != IMPACT:
             continue
         whole = stretched(whole, step.jacobian)
         growth = max(growth, whole.logarithm)

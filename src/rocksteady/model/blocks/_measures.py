@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.sides import Side
+from rocksteady.model.blocks.sides import Side, same_shape
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
@@ -116,7 +116,7 @@ def description_of(block: Measured) -> Description:
     against a wall rocks on its positive side alone, and has no rates of the other.
     """
     positive, negative, factor = block.positive, block.negative, block.housner_factor
-    alike = positive == negative
+    alike = block.symmetric or (block.one_sided and same_shape(positive, negative))
     width, height = block.width, block.height
     sides = (positive,) if alike or block.one_sided else (positive, negative)
     alphas = " and ".join(angle(side.alpha) for side in sides)

@@ -10,7 +10,10 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
+from math import isclose
 
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
 from rocksteady.model.blocks._sizes import (
@@ -29,6 +32,7 @@ from rocksteady.model.blocks.sides import (
     alpha_value,
     check_one_body,
     gravity_value,
+    housner_pair,
     housner_restitution,
     length_value,
     one_restitution,
@@ -44,6 +48,8 @@ from rocksteady.model.blocks.sides import (
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 
+SAME_RATIO = 1e-9
+"""Relative difference of a restitution from a factor of Housner's that is rounding."""
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
 
@@ -77,7 +83,8 @@ class Block(Measured):
     gravity
         Acceleration of gravity [m/s^2].
     housner_factor
-        Factor of Housner's restitution that was given, for descriptions; none by default.
+        Factor of Housner's restitution that was given, for descriptions; none by default, and
+        none where the restitutions are another factor of it.
     wall_restitution
         For a block against a wall (`against_wall`), which rocks on its positive side alone, the
         restitution of its impacts on the wall, in [0, 1]; None (default) of a block without.
@@ -110,11 +117,39 @@ class Block(Measured):
         if self.wall_restitution is not None:
             wall = wall_restitution_value(self.wall_restitution, name="wall_restitution")
             object.__setattr__(self, "wall_restitution", wall)
-            for name in ("positive", "negative"):  # no impact on the base alone ends a rotation
-                side = replace(getattr(self, name), restitution=1.0)
-                object.__setattr__(self, name, side)
         object.__setattr__(self, "gravity", gravity_value(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
+        if self.housner_factor is not None and not self._has_factor(self.housner_factor):
+            object.__setattr__(self, "housner_factor", None)
+
+    @property
+    def _identity(self) -> tuple[object, ...]:
+        """What equal blocks have in common: all that moves them."""
+        sides = (self.positive, self.negative)
+        if self.one_sided:  # no impact on the base alone ends a rotation
+            sides = tuple([replace(side, restitution=1.0) for side in sides])
+        return (*sides, self.gravity, self.wall_restitution)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether the other is a block that moves alike."""
+        return isinstance(other, Block) and self._identity == other._identity
+
+    def __hash__(self) -> int:
+        """Return the same number for blocks that move alike."""
+        return hash(self._identity)
+
+    def _has_factor(self, factor: float) -> bool:
+        """Return whether its restitutions are a factor of Housner's."""
+        sides = self.positive, self.negative, self.gravity
+        if self.wall_restitution is None:
+            given = self.positive.restitution, self.negative.restitution
+            values = housner_pair(*sides)
+        else:
+            try:
+                given, values = (self.wall_restitution,), (wall_ratio(*sides),)
+            except InputError:  # so stocky that it has none
+                return False
+        return all(map(partial(isclose, rel_tol=SAME_RATIO), given, (factor * v for v in values)))
 
     @classmethod
     def rectangle(
@@ -432,7 +467,7 @@ class Block(Measured):
     def against_wall(self, restitution: Restitution = "housner") -> "Block":
         """Return the block against a wall, which it leaves on its positive side alone.
 
-        Its `restitution` is that of the wall; what its sides had no longer counts and becomes 1.
+        Its `restitution` is that of the wall; what its sides have does not count.
 
         Parameters
         ----------

@@ -5,7 +5,7 @@ to the right (positive) drives; the negative side is rotation about the right ed
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
@@ -108,6 +108,11 @@ class Side:
             "p_rad_s": self.p,
             "restitution": self.restitution,
         }
+
+
+def same_shape(one: Side, other: Side) -> bool:
+    """Return whether two sides are equal but for their restitutions."""
+    return one == replace(other, restitution=one.restitution)
 
 
 def check_one_body(one: Side, other: Side, gravity: float) -> None:

@@ -161,7 +161,7 @@ def plot_multipliers(
 
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
-    numbered = _numbered(orbits)
+    numbered = [each for each in _numbered(orbits) if not _grazes(each[1])]
     values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
     largest = float(np.abs(values).max(initial=0.0))
     decades = math.ceil(math.log10(largest) - 1e-9) if largest > LINEAR_REACH else 0
@@ -239,10 +239,16 @@ def _numbered(orbits: Orbit | Iterable[Orbit]) -> list[tuple[str, Orbit]]:
     ]
 
 
+def _grazes(orbit: Orbit) -> bool:
+    """Return whether an orbit grazes its base, where no multipliers exist."""
+    return bool(np.isnan(orbit.multipliers[0]))
+
+
 def _style(orbit: Orbit, inks: Inks) -> dict[str, Any]:
     """Return how the marks of an orbit look."""
     colour = inks.lines[(orbit.period - 1) % len(inks.lines)]
     fill = "full" if orbit.stable else ("left" if orbit.neutral else "none")
+    fill = "top" if _grazes(orbit) else fill
     return {"color": colour, "fillstyle": fill, "mew": 1.0, "markerfacecoloralt": inks.paper}
 
 
@@ -255,7 +261,7 @@ def _handles(orbits: Sequence[Orbit], marker: str, inks: Inks) -> list["Line2D"]
         colour = inks.lines[(period - 1) % len(inks.lines)]
         label = f"period {period}"
         handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=label))
-    worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"))
+    worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"), ("grazes", "top"))
     seen = {_style(orbit, inks)["fillstyle"] for orbit in orbits}
     for label, fill in worths:
         if fill in seen:

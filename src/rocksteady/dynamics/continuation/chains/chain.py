@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
+from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.forcing import grazes
 from rocksteady.kernels.orbits import chains as kernel
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.systems import SeriesSystem, make_series_system
@@ -26,6 +28,8 @@ Floats = NDArray[np.float64]
 COLUMNS = (kernel.BY_AMPLITUDE, kernel.BY_FREQUENCY, kernel.BY_RESTITUTION)
 MERGED = 1e-9
 """Duration up to which an arc between two impacts counts as none."""
+TOUCH = 1e-13
+"""Height of an arc at which rounding decides whether it touches the base."""
 ANY = DimensionlessBlock(restitution=1.0)
 """A block whose sides are alike, by default: its restitution is a parameter of the chain."""
 LINEAR = Linear()
@@ -216,11 +220,21 @@ class Chain:
         )
 
     @property
+    def touches(self) -> bool:
+        """Whether the block touches its base between two impacts."""
+        return abs(self.clearance) < TOUCH
+
+    @property
     def multipliers(self) -> NDArray[np.complex128]:
         """Floquet multipliers of the whole orbit, shape (2,), the larger first; inf if unknown.
 
         From the trace and the exact determinant, the product of the squares of all restitutions.
+        nan where an arc lands without speed: no derivative exists there.  Where the block touches
+        its base between two impacts they are those beside the touch, on the side without it.
         """
+        amplitude, frequency, _ = self.parameters.tolist()
+        if grazes(float(self.table[:, kernel.LANDING].min()), amplitude, frequency):
+            return NO_MULTIPLIERS
         with np.errstate(all="ignore"):
             over = kernel.turned_over(self.table)
         half = 0.5 * float(over.phase_by_phase + over.speed_by_speed)

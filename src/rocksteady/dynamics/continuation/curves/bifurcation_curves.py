@@ -173,11 +173,11 @@ class BifurcationCurve(Result):
 
         A fold, a symmetry breaking and a period doubling do all along where an impact has a
         restitution below 1: the other multiplier has the size of the product of the squares of all
-        restitutions.  A graze does where its motions are stable.
+        restitutions.  A graze does where its motions are stable on the side without the touch.
         """
         if self.type is not PointType.GRAZING:
             return np.array([not point.block.lossless for point in self.points], dtype=np.bool_)
-        return np.array([bool(abs(point.multipliers[0]) < 1.0) for point in self.points])
+        return np.array([bool(abs(point.chain.multipliers[0]) < 1.0) for point in self.points])
 
     def rows(self) -> list[dict[str, Any]]:
         """Return one row per point."""
