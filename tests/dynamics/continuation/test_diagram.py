@@ -254,7 +254,7 @@ def test_branches_start_from_each_order() -> None:
         return {(branch.period, branch.impacts) for branch in found.branches}
 
     assert kinds(3, 1, 3) == kinds(1) | kinds(3) > kinds(1)
-    assert BranchSearch(orders=(1, 5)).max_period == 20
+    assert BranchSearch(orders=(1, 5)).longest == 20
     for bad in ((), (2,), (1, -1), (1001,)):
         with pytest.raises(InputError, match="orders"):
             BranchSearch(orders=bad)

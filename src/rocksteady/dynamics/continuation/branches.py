@@ -94,16 +94,22 @@ class BranchSearch:
         for order in orders:
             whole_number("orders", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
         object.__setattr__(self, "orders", orders)
-        longest = min(4 * max(orders), MOST) if self.max_period is None else self.max_period
         for name, value, least, most in (
-            ("max_period", longest, 1, MOST),
+            ("max_period", self.longest, 1, MOST),
             ("max_impacts", self.max_impacts, 1, MOST),
             ("max_branches", self.max_branches, 1, 10 * MOST),
             ("doublings", self.doublings, 0, 8),
             ("max_cycles", self.max_cycles, 1, MOST_CYCLES),
         ):
             whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-            object.__setattr__(self, name, whole)
+            if name != "max_period" or self.max_period is not None:
+                object.__setattr__(self, name, whole)
+
+    @property
+    def longest(self) -> int:
+        """Longest motions that are followed [forcing periods]: `max_period`, or its default."""
+        longest = min(4 * max(self.orders), MOST)
+        return longest if self.max_period is None else self.max_period
 
 
 @checked
@@ -362,7 +368,7 @@ def searched_orbits(
     low, high = within
     for value in (low, 0.5 * (low + high), high):
         here = moved_to(block, motion, parameter, value)
-        longest, most = int(search.max_period or 0), search.max_impacts
+        longest, most = search.longest, search.max_impacts
         for orbit in find_orbits(*here, max_period=longest, max_impacts=most, model=model):
             if orbit.admissible and not orbit.rest_phases:
                 yield orbit
@@ -382,5 +388,5 @@ def settled_orbits(sweeps: Iterable[AttractorSweep], search: BranchSearch) -> li
     return [
         orbit
         for period, impacts, orbit in sorted(fitting, key=lambda each: each[:2])
-        if period <= int(search.max_period or 0) and impacts <= search.max_impacts
+        if period <= search.longest and impacts <= search.max_impacts
     ]

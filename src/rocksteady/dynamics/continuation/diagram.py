@@ -217,13 +217,13 @@ class BifurcationDiagram(Result):
         ]
         summary = (
             f"{plural(len(branches), 'branch').replace('branchs', 'branches')} up to "
-            f"{plural(int(search.max_period or 0), 'period')} and "
+            f"{plural(search.longest, 'period')} and "
             f"{plural(search.max_impacts, 'impact')}, {plural(len(points), 'bifurcation')}"
         )
         facts = [
             *case_facts(self.block, self.motion, parameter, self.within, self.model),
             Fact("orders", list(search.orders)),
-            Fact("max_period", search.max_period),
+            Fact("max_period", search.longest),
             Fact("max_impacts", search.max_impacts),
             Fact("max_branches", search.max_branches),
             Fact("complete", self.complete),

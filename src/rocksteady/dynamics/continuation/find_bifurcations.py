@@ -126,7 +126,7 @@ def find_bifurcations(
         origins,
         parameter,
         (low, high),
-        max_period=int(asked.max_period or 0),
+        max_period=asked.longest,
         max_impacts=asked.max_impacts,
         max_branches=asked.max_branches + 1,
     )
@@ -159,7 +159,7 @@ def _resting(
     """Return the branches of orbits that come to rest; none under a Fourier series."""
     if not isinstance(motion, Harmonic):
         return ()
-    longest = int(search.max_period or 0)
+    longest = search.longest
     return find_resting_branches(
         block, motion, parameter, within, max_period=longest, model=model
     ).branches

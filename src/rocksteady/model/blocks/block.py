@@ -125,9 +125,9 @@ class Block(Measured):
     @property
     def _identity(self) -> tuple[object, ...]:
         """What equal blocks have in common: all that moves them."""
-        sides = (self.positive, self.negative)
+        sides = [self.positive, self.negative]
         if self.one_sided:  # no impact on the base alone ends a rotation
-            sides = tuple([replace(side, restitution=1.0) for side in sides])
+            sides = [replace(side, restitution=1.0) for side in sides]
         return (*sides, self.gravity, self.wall_restitution)
 
     def __eq__(self, other: object) -> bool:
@@ -142,11 +142,11 @@ class Block(Measured):
         """Return whether its restitutions are a factor of Housner's."""
         sides = self.positive, self.negative, self.gravity
         if self.wall_restitution is None:
-            given = self.positive.restitution, self.negative.restitution
-            values = housner_pair(*sides)
+            given = [self.positive.restitution, self.negative.restitution]
+            values = [*housner_pair(*sides)]
         else:
             try:
-                given, values = (self.wall_restitution,), (wall_ratio(*sides),)
+                given, values = [self.wall_restitution], [wall_ratio(*sides)]
             except InputError:  # so stocky that it has none
                 return False
         return all(map(partial(isclose, rel_tol=SAME_RATIO), given, (factor * v for v in values)))

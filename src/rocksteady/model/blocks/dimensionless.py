@@ -67,10 +67,7 @@ class DimensionlessBlock(Result):
         object.__setattr__(self, "restitution", restitution_value(self.restitution))
         if self.negative_restitution is not None:
             negative = restitution_value(self.negative_restitution, name="negative_restitution")
-            # Blocks that move alike are equal.
-            object.__setattr__(
-                self, "negative_restitution", None if negative == self.restitution else negative
-            )
+            object.__setattr__(self, "negative_restitution", negative)
         for name in ("alpha_ratio", "p_ratio"):
             ratio = in_range(
                 name,
@@ -92,6 +89,14 @@ class DimensionlessBlock(Result):
                     "a block against a wall rocks on its positive side alone",
                     "leave it out, or leave out one_sided",
                 )
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether the other is a block that moves alike."""
+        return isinstance(other, DimensionlessBlock) and self.sides == other.sides
+
+    def __hash__(self) -> int:
+        """Return the same number for blocks that move alike."""
+        return hash(self.sides)
 
     @property
     def sides(self) -> tuple[SideRow, SideRow]:

@@ -60,16 +60,18 @@ class Sampling:
         hint = "give a whole number, as 5"
         whole_number("gains", self.gains, at_least=1, at_most=MOST_GAINS, hint=hint)
         hint = "give a whole number, as 3, and at least five draws for each"
-        if self.rounds is None:
-            object.__setattr__(self, "rounds", min(MOST_ROUNDS, max(1, self.draws // EACH)))
-        whole_number("rounds", self.rounds, at_least=1, at_most=self.draws // 5, hint=hint)
+        whole_number("rounds", self._rounds, at_least=1, at_most=self.draws // 5, hint=hint)
         whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")
         hint = "give a probability, as 0.01"
         object.__setattr__(self, "error", in_range("error", self.error, 0.0, 1.0, "(]", hint=hint))
 
     @property
+    def _rounds(self) -> int:
+        """Number of rounds: that given, or the default."""
+        return min(MOST_ROUNDS, max(1, self.draws // EACH)) if self.rounds is None else self.rounds
+
+    @property
     def per_round(self) -> list[int]:
         """Draws of each round."""
-        assert self.rounds is not None
-        share, rest = divmod(self.draws, self.rounds)
-        return [share + (place < rest) for place in range(self.rounds)]
+        share, rest = divmod(self.draws, self._rounds)
+        return [share + (place < rest) for place in range(self._rounds)]

@@ -37,7 +37,7 @@ MOST_G: Final = 10.0
 
 
 @checked
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class SpectrumTable:
     """Acceleration spectrum of the ground or of a floor as a table.
 

@@ -87,22 +87,27 @@ class CurveSearch:
         orders = tuple(dict.fromkeys(odd_order(order) for order in self.orders))
         whole_number("orders", len(orders), at_least=1, at_most=50, hint="give one order or more")
         object.__setattr__(self, "orders", orders)
-        longest = min(2 * max(orders), MOST) if self.max_period is None else self.max_period
         if len(self.lines) != 2:
             raise InputError("lines", self.lines, "they must be two numbers", "give (3, 3)")
         first, second = self.lines
         for name, value, least, most in (
             ("lines", first, 0, MOST),
             ("lines", second, 0 if first else 1, MOST),
-            ("max_period", longest, 1, MOST),
+            ("max_period", self.longest, 1, MOST),
             ("max_impacts", self.max_impacts, 1, MOST),
             ("max_branches", self.max_branches, 1, 10 * MOST),
             ("max_curves", self.max_curves, 1, MOST),
             ("most_points", self.most_points, 1, 100 * MOST),
         ):
             whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-            if name != "lines":
+            if name != "lines" and (name != "max_period" or self.max_period is not None):
                 object.__setattr__(self, name, whole)
+
+    @property
+    def longest(self) -> int:
+        """Longest motions that are followed [forcing periods]: `max_period`, or its default."""
+        longest = min(2 * max(self.orders), MOST)
+        return longest if self.max_period is None else self.max_period
 
 
 @checked_result
@@ -346,7 +351,7 @@ class BifurcationCurves(Result):
             *model_facts_over(self.block, self.model, self.parameters),
             Fact("orders", list(self.search.orders)),
             Fact("lines", list(self.search.lines)),
-            Fact("max_period", self.search.max_period),
+            Fact("max_period", self.search.longest),
             Fact("max_impacts", self.search.max_impacts),
             Fact("max_branches", self.search.max_branches),
             Fact("max_curves", self.search.max_curves),

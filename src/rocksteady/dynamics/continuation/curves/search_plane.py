@@ -204,7 +204,7 @@ def _lines(
             for order in asked.orders:
                 search = BranchSearch(
                     orders=(order,),
-                    max_period=asked.max_period,
+                    max_period=asked.longest,
                     max_impacts=asked.max_impacts,
                     max_branches=asked.max_branches,
                 )
@@ -216,7 +216,7 @@ def _lines(
                     origins,
                     names[axis],
                     ranges[axis],
-                    max_period=int(asked.max_period or 0),
+                    max_period=asked.longest,
                     max_impacts=asked.max_impacts,
                     max_branches=asked.max_branches + 1,
                 )
@@ -245,7 +245,7 @@ class _Found:
 
     def add(self, point: BranchPoint) -> None:
         """Keep a bifurcation for later, those of short motions first."""
-        if point.period <= int(self.asked.max_period or 0):
+        if point.period <= self.asked.longest:
             key = (point.period, point.impacts, next(self.number))
             heapq.heappush(self.waiting, (*key, point))
 
@@ -267,7 +267,7 @@ class _Found:
     def _allowed(self, way: Departure) -> bool:
         chain = way.begin.solution.chain
         impacts = chain.impacts * (2 if chain.symmetric else 1)
-        return chain.period <= int(self.asked.max_period or 0) and impacts <= self.asked.max_impacts
+        return chain.period <= self.asked.longest and impacts <= self.asked.max_impacts
 
     def _trace(self, origin: BranchPoint, ways: list[Departure]) -> None:
         """Follow a curve from a point, both ways where there are two."""
