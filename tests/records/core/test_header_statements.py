@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError, Recording, read_record, read_recordings
-from tests.records.writers import at2, cosmos_channel, esm, knet, samples
+from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc
 
 ROWS = "0,1.0\n0.01,-2.5\n0.02,0.5\n"
 ALONE = "1.0\n-2.5\n0.5\n"
@@ -154,12 +154,106 @@ def test_a_line_of_a_header_that_is_there_twice(
         read(tmp_path, text.replace(line, f"{line}\n{other}", 1))
 
 
+CM = samples(403, peak=150.0)
+PEER, ESM, COSMOS, CSMIP, SMC = (
+    *(at2(samples(403)), esm(CM), cosmos_channel(CM), csmip_v2_channel(CM), smc(CM)),
+)
+PEER_COUNTS = "NPTS=    403, DT= 0.01000 SEC"
+COLUMN = "".join(f"{value:.6f}\n" for value in samples(403))
+TIMES = (
+    *((PEER, "DT= 0.01000 SEC", written) for written in ("DT= @", "DT= @ SEC", "DT(s)= @ SEC")),
+    *((PEER, ", DT= 0.01000 SEC", "\nDT= @ SEC"), (PEER, PEER_COUNTS, "DT=@, NPTS= 403")),
+    *((f"# {words}\n{COLUMN}", "@", "@") for words in ("dt = @", "dt (s) = @", "sampling rate @")),
+    *((ESM, ": 0.005000", ": @"), (KNET, "100Hz", "@"), (KNET, "Time(s)  8", "Time(s)  @")),
+    *((CSMIP, "spaced at  0.005 sec", "spaced at  @ sec"), (SMC, " 2.0000000E+02", "           @")),
+    *((COSMOS, "approx   4 secs", "approx   @ secs"), (COSMOS, "    10.000000", "          @")),
+)
+ODD_TIMES = (
+    *(".02,.04", ".02;.04", "-.02", "nan", "inf", "1e999", "1,000", "1'000", "1_0", ".02*2"),
+    *(
+        "1/.02",
+        ".02(3)",
+        ".02[.04]",
+        ".02 .04",
+        ".02 s .04",
+        ".02 .04 SEC",
+        ".02 .04 ms",
+        ".02 (.04)",
+        ".02 +/- .01",
+        ".02 or .04",
+    ),
+    *("2 10-2", "2 x 10-2", ".02 %", ".02%", ".02 s / .04 s", ".02 SEC, .04 SEC", ".02 furlongs"),
+)
+COUNTS = (
+    *((PEER, "    403,", written) for written in (" @,", " @", " @\n")),
+    *((f"# {words}\n# dt .01\n{COLUMN}", "@", "@") for words in ("npts = @", "samples: @")),
+    *((ESM, "NDATA: 403", "NDATA: @"), (SMC, "       403", "         @")),
+    *((CSMIP, "403 points of accel", "@ points of accel"), (COSMOS, "403  acc", "@  acc")),
+)
+ODD_COUNTS = (
+    *("403 100", "403;100", "403,100", "-403", "0", "nan", "inf", "1e999", "4,03", "40,3", "4'03"),
+    *("4_03", "403 %", "403%", "403 ms", "403 (1)", "403*1", "403/1", "403.5", "403 +/- 1"),
+    *("403 or 404", "403-404", "403..404"),
+)
+FACTORS = (
+    (f"# scale factor: @\n# units: g, dt .01\n{COLUMN}", "@", "@"),
+    (PEER, "UNITS OF G\n", "UNITS OF G\n SCALE FACTOR @\n"),
+    (ESM, "DATA_TYPE:", "SCALE_FACTOR: @\nDATA_TYPE:"),
+    (KNET, "3920(gal)/6182761", "@(gal)/6182761"),
+)
+ODD_FACTORS = (
+    *("1 2", "1,5", "1.5 2", "1'000", "1,000", "1_0", "1;2", "1%", "1 %", "1 per g", "1 V/g"),
+    *("-1", "0", "nan", "inf", "1 981", "1(2)", "1.0.2", "1 +/- .1"),
+)
+
+
+@pytest.mark.parametrize(
+    ("places", "odd"),
+    [(TIMES, ODD_TIMES), (COUNTS, ODD_COUNTS), (FACTORS, ODD_FACTORS)],
+    ids=["times", "counts", "factors"],
+)
+def test_a_number_of_a_header_is_one_number_or_refused_with_its_line(
+    tmp_path: Path, places: tuple[tuple[str, str, str], ...], odd: tuple[str, ...]
+) -> None:
+    for text, old, new in places:
+        assert old in text
+        for written in odd:
+            changed = text.replace(old, new.replace("@", written), 1)
+            given = {"units": "g"} if text.startswith("# dt") or "npts" in text else {}
+            # In CSMIP's files and COSMOS' a line that does not announce samples is none of theirs.
+            where = "cannot be read" if text in {CSMIP, COSMOS} else r"line \d+[,:] "
+            with pytest.raises(RecordFileError, match=where):
+                pytest.fail(f"{new!r} with {written!r} is read: {read(tmp_path, changed, **given)}")
+
+
 @pytest.mark.parametrize("unit", ["mins", "hours", "furlongs"])
 def test_a_duration_of_cosmos_in_another_unit(tmp_path: Path, unit: str) -> None:
     text = cosmos_channel(samples(403, peak=150.0), raw_dt=0.01)
     assert " secs" in text
-    with pytest.raises(RecordFileError, match=r"no interval of its header|no unit of time"):
+    with pytest.raises(RecordFileError, match=r"no interval of its header|its unit of time is not"):
         read(tmp_path, text.replace(" secs", f" {unit}"))
+
+
+def test_numbers_of_a_header_that_are_one_number(tmp_path: Path) -> None:
+    for written in (
+        ".02",
+        "+0.02",
+        "0,02",
+        "2e-2",
+        "2D-2",
+        "20 ms",
+        ".02 s, 403 points",
+        ".02 s; x",
+    ):
+        for text, old, new in TIMES[:1] + TIMES[5:6]:
+            found = read(tmp_path, text.replace(old, new.replace("@", written)), units="g")
+            assert found.record.dt_s == 0.02, (new, written)
+    for written in ("403", "+403", "0403", "403.", "4.03e2", "403 points"):
+        for text, old, new in COUNTS[:5]:
+            found = read(tmp_path, text.replace(old, new.replace("@", written)), units="g")
+            assert len(found.record.acceleration_m_s2) == 403, (new, written)
+    thousands = f"# npts = 1,209\n# dt .01\n{3 * COLUMN}"
+    assert len(read(tmp_path, thousands, units="g").record.acceleration_m_s2) == 1209
 
 
 def test_an_interval_of_another_type(tmp_path: Path) -> None:

@@ -45,8 +45,9 @@ def test_cosmos_takes_the_interval_that_fits_the_duration(tmp_path: Path) -> Non
     unknown = cosmos_channel(samples(4000, peak=99.0), dt_ms=-999.0, raw_dt=-999.0)
     (found,) = read(tmp_path, unknown, dt_s=0.01)
     assert found.record.dt_s == 0.01
+    none = cosmos_channel(CM, dt_ms=-999.0, raw_dt=-999.0).replace("approx   -402", "approx   4")
     with pytest.raises(RecordFileError, match="no interval of its header fits"):
-        read(tmp_path, cosmos_channel(CM, dt_ms=-999.0, raw_dt=-999.0))
+        read(tmp_path, none)
 
 
 def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:

@@ -3,6 +3,8 @@
 import re
 from typing import Final
 
+from rocksteady.records.core.numbers import number
+
 _FORMAT: Final = re.compile(r"\(\s*(?:\d+\s*[pP]\s*,?)?\s*(\d*)\s*[iIfFeEgGdD]\s*(\d+)")
 
 
@@ -32,9 +34,5 @@ def fixed_values(lines: tuple[str, ...], width: int) -> list[float | None]:
     values: list[float | None] = []
     for line in lines:
         text = line.rstrip()
-        for at in range(0, len(text), width):
-            try:
-                values.append(float(text[at : at + width]))
-            except ValueError:
-                values.append(None)
+        values += [number(text[at : at + width]) for at in range(0, len(text), width)]
     return values

@@ -47,10 +47,21 @@ _TWO: Final = re.compile(
 )
 """What stands beside a unit that may not be that of the samples."""
 _TWO_TIMES: Final = re.compile(
-    r"\W*(?:or|to|and|now|then)\W*[\d.]|.*(?:resampl|interpolat|decimat|down-?sampl|up-?sampl)"
-    r"|.*\bnow\b",
+    r".*(?:resampl|interpolat|decimat|down-?sampl|up-?sampl|\bnow\b)", re.IGNORECASE
+)
+_GOES_ON: Final = re.compile(
+    r"(?!\s*1\s*/\s*[A-Za-z])(?:[\^'\u2019_]|\.(?=\S)|\s*%|"
+    r"[\s,;:|/*x×·^()\[\]+±=-]*(?:(?:or|to|and|now|then)\b[\s:=]*)?\.*\d)",
     re.IGNORECASE,
 )
+"""What may not follow a number: more of it, a power, percent, or a second number."""
+_ANOTHER_THING: Final = re.compile(
+    r"[\s,;(\[]*\d+[\s-]*(?P<word>[A-Za-z]{2,})\b(?!\s*[=:(])", re.IGNORECASE
+)
+"""A number of other things, behind the first: ``, 400 points``."""
+_PER: Final = re.compile(r"\s*(?:per\b|percent\b)|\s*[A-Za-z]+/", re.IGNORECASE)
+_PLAIN_UNIT: Final = re.compile(r"(?:1?\s*/)?\s*[A-Za-zµμ][^\d%]*(?:1\)?)?")
+"""A unit without a number of its own: behind a number, that would be a second one."""
 _RATE_ALONE: Final = re.compile(rf"[#%!/*\s]*(?P<value>{NUMBER}\s*(?P<unit>[A-Za-z/ ]+?))\W*$")
 _COUNT_ALONE: Final = re.compile(
     r"[#%!/*\s]*(?:(?:samples|points|values|pts|n)\s*[=:]?\s*(?P<value>\d+)"
@@ -71,7 +82,7 @@ _FACTOR: Final = re.compile(
     r"|multipl(?:y|ied|ication)(?:[ _-]+(?:by|factor))?|(?:conversion|calibration)(?:[ _-]factor)?"
     r"|factor|(?:divided?|scaled?)[ _-]+by|gain|lsb)\b(?:\s*[(\[][^)\]]*[)\]])?"
     r"(?:\s+(?:of|is|applied|used|by|to|the|all|data|samples|values))*\s*[:=]?\s*"
-    rf"(?P<number>{NUMBER})(?P<rest>\s*[/*^x]\s*\d+)?",
+    rf"(?P<number>{NUMBER}|nan\b|inf\b)(?P<rest>.*)",
     re.IGNORECASE,
 )
 _NAMES: Final = {
@@ -83,7 +94,7 @@ _NAMES: Final = {
 _STATED: Final = {
     name: re.compile(
         rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[,])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
-        r"(?:(?:is|of|at)\b)?\s*[:=,]?\s*(?P<value>[+-]?[\d.][^\n]*)",
+        r"(?:(?:is|of|at)\b)?\s*[:=,]?\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
         re.IGNORECASE,
     )
     for name, words in _NAMES.items()
@@ -94,11 +105,12 @@ _OTHER_DURATION: Final = re.compile(
 _COUNT: Final = re.compile(
     r"(?<![A-Za-z])(?:npts|ndata|(?:number|num|no\.?|nr\.?)[ _]of[ _](?:\w+[ _])?"
     r"(?:data|points|samples|values|records|steps)(?:[ _]points)?|samples|points)"
-    rf"\s*[:=]\s*(?P<value>{NUMBER})(?P<rest>[\d.,]*)",
+    r"\s*[:=]\s*(?P<value>[+-]?(?:[\d.]|nan\b|inf)[^\n]*)",
     re.IGNORECASE,
 )
 _DECIMAL_COMMA: Final = re.compile(r"([+-]?\d+),(\d+)(?![\d,.])")
-_FIRST_WORD: Final = re.compile(r"\s*([A-Za-zµμ%][\w/^%*-]*)\s*(?:$|[,;).\]])")
+_THOUSANDS: Final = re.compile(r"\+?[1-9]\d{0,2}(?:,\d{3})+(?![\d,.])")
+_FIRST_WORD: Final = re.compile(r"\s*[A-Za-zµμ%][\w/^%*-]*+(?!\s*[=:])")
 _COARSEST: Final = 0.005
 """Part by which an interval and a rate may differ for the digits that they are written with."""
 _HINT_UNITS: Final = f"give units: {', '.join(UNITS)}, with a factor before it where there is one"
@@ -217,9 +229,8 @@ def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = No
     for at in lines:
         line = text.heads[at]
         factor = _FACTOR.search(line)
-        is_unity = factor is not None and number(factor["number"]) == 1.0 and not factor["rest"]
         if (
-            (factor is not None and not is_unity)
+            (factor is not None and not _is_unity(factor["number"], factor["rest"]))
             or _POWER_OF_TEN.search(line)
             or (at != names and _MULTIPLE.search(line))
         ):
@@ -228,8 +239,16 @@ def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = No
             raise text.error(valid, hint, at=at)
 
 
-def time_value(text: RecordText, at: int, written: str, unit: str | None = None) -> float | None:
+def _is_unity(written: str, rest: str) -> bool:
+    """Return whether a factor is 1, and nothing behind it changes that."""
+    return number(written) == 1.0 and not _GOES_ON.match(rest) and not _PER.match(rest)
+
+
+def time_value(text: RecordText, at: int, written: str, unit: str | None = None) -> float:
     """Return a time [s] by a number with its unit, at the start of a text; rates as intervals.
+
+    One number, above 0, with a decimal point or comma; then its unit, seconds without one. A second
+    number behind it is that of other things, as in ``.01 SEC, 400 POINTS``.
 
     Parameters
     ----------
@@ -247,37 +266,55 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
     RecordFileError
         If number or unit are not understood as a whole.
     """
-    decimal = _DECIMAL_COMMA.match(written.strip())
-    match = re.match(rf"\s*({NUMBER})", written)
-    if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
-        value, rest = number(f"{decimal[1]}.{decimal[2]}"), written.strip()[decimal.end() :]
-    elif match is not None:
-        value, rest = number(match[1]), written[match.end() :]
-    else:
-        return None
+    written = written.strip()
     hint = "give dt_s, in seconds"
-    if value is None or re.match(r"[\d.^]|,\d|\*\*|\s*(?:-|\+|±|\.\.)+\s*[\d.]", rest):
-        raise text.error("its number of seconds is not understood as a whole", hint, at=at)
+    nothing = "it must state a time or a rate above 0"
+    decimal = _DECIMAL_COMMA.match(written)
+    match = re.match(NUMBER, written)
+    if match is None:
+        raise text.error(nothing, hint, at=at)
+    value, rest = number(match[0]), written[match.end() :]
+    if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
+        value, rest = number(f"{decimal[1]}.{decimal[2]}"), written[decimal.end() :]
     after, beyond = leading(rest.lstrip(" ("), time=True)
+    if value is None or _goes_on(rest) or (after is not None and not _PLAIN_UNIT.fullmatch(after)):
+        raise text.error("its number of seconds is not understood as a whole", hint, at=at)
     before = None if unit is None or not unit.strip() else in_seconds(unit)
     unknown = unit is not None and unit.strip() != "" and before is None
-    if after is None and (unknown or _FIRST_WORD.match(rest) or re.match(r"\s*[*/^x]\s*\d", rest)):
+    if after is None and (unknown or _FIRST_WORD.match(rest)):
         raise text.error("its unit of time is not understood as a whole", hint, at=at)
-    # What stands behind a comma is of another thing: SEC, NPTS= 400.
-    if (
-        after is not None
-        and modifies(beyond)
-        and not re.match(r"\s*[,;]|\s*\d+\s*[A-Za-z]", beyond)
-    ):
-        raise text.error("its unit of time is not understood as a whole", hint, at=at)
-    if _TWO_TIMES.match(rest if after is None else beyond):
+    if _TWO_TIMES.match(beyond) or _goes_on(beyond):
         raise text.error("it states two times", hint, at=at)
+    # What stands behind a comma is of another thing: SEC, NPTS= 400.
+    if modifies(beyond) and not re.match(r"\s*[,;]|\s*\d", beyond):
+        raise text.error("its unit of time is not understood as a whole", hint, at=at)
     size = in_seconds(after) if after is not None else (1.0 if before is None else before)
     if size is None or (after is not None and before is not None and size != before):
         raise text.error("it states two units of time", hint, at=at)
-    if size < 0.0:
-        return -size / value if value else math.inf
-    return value * size
+    seconds = value * size if size > 0.0 else -size / value if value else math.inf
+    if not 0.0 < seconds < math.inf:
+        raise text.error(nothing, hint, at=at)
+    return seconds
+
+
+def interval_value(
+    text: RecordText, at: int, written: str, unit: str | None, given: float | None
+) -> float | None:
+    """Return a time [s] as `time_value`; None where it is not understood and another is given."""
+    try:
+        return time_value(text, at, written, unit)
+    except RecordFileError:
+        if given is None:
+            raise
+        return None
+
+
+def _goes_on(rest: str) -> bool:
+    """Return whether what follows a number, or its unit, belongs to it or is a second number."""
+    other = _ANOTHER_THING.match(rest)
+    if other is not None and in_seconds(other["word"]) is None:
+        return False
+    return _GOES_ON.match(rest) is not None
 
 
 def stated_interval(text: RecordText, lines: list[int]) -> float | None:
@@ -291,20 +328,18 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     intervals: list[tuple[float, float, int]] = []
     for at in lines:
         for name in ("interval", "rate"):
-            for stated in _all(_STATED[name], text.heads[at]):
+            for stated in find_values(_STATED[name], text.heads[at]):
                 unit = stated["unit"]
                 written = stated["value"]
                 after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)
                 if name == "rate" and not unit and leading(after, time=True)[0] is None:
                     unit = "Hz"
                 value = time_value(text, at, written, unit)
-                if value is not None:
-                    intervals.append((_relative_place(written), value, at))
+                intervals.append((_relative_place(written), value, at))
         alone = _RATE_ALONE.fullmatch(text.heads[at])
         if alone is not None and (in_seconds(alone["unit"]) or 0.0) < 0.0:
             value = time_value(text, at, alone["value"])
-            if value is not None:
-                intervals.append((_relative_place(alone["value"]), value, at))
+            intervals.append((_relative_place(alone["value"]), value, at))
     intervals.sort()
     for place, value, at in intervals[1:]:
         if abs(value - intervals[0][1]) > 1.01 * (place + intervals[0][0] + 1e-9) * value:
@@ -313,7 +348,7 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     return intervals[0][1] if intervals else None
 
 
-def _all(pattern: re.Pattern[str], line: str) -> Iterator[re.Match[str]]:
+def find_values(pattern: re.Pattern[str], line: str) -> Iterator[re.Match[str]]:
     """Yield what a pattern finds in a line, each from the beginning of the value before on."""
     at = 0
     while (match := pattern.search(line, at)) is not None:
@@ -358,8 +393,7 @@ def stated_duration(text: RecordText, lines: list[int]) -> tuple[float, float] |
             value = time_value(text, at, stated["value"], stated["unit"])
         except RecordFileError:
             continue
-        if value is not None and value > 0.0:
-            return value, value * _relative_place(stated["value"])
+        return value, value * _relative_place(stated["value"])
     return None
 
 
@@ -373,17 +407,31 @@ def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
     """
     counts: dict[int, int] = {}
     for at in lines:
-        for stated in _COUNT.finditer(text.heads[at]):
-            value = number(stated["value"] + stated["rest"].replace(",", "").rstrip("."))
-            if value is None or value != int(value):
-                raise text.error("it must state a whole number", "correct the line", at=at)
-            counts.setdefault(int(value), at)
+        for stated in find_values(_COUNT, text.heads[at]):
+            counts.setdefault(count_value(text, at, stated["value"]), at)
         if (alone := _COUNT_ALONE.fullmatch(text.heads[at])) is not None:
             counts.setdefault(int(alone["value"] or alone["before"]), at)
     if len(counts) > 1:
         valid = f"its header states {' and '.join(map(str, counts))} samples"
         raise text.error(valid, "correct one of the lines", at=max(counts.values()))
     return next(iter(counts.items()), None)
+
+
+def count_value(text: RecordText, at: int, written: str) -> int:
+    """Return the whole number that a text begins with; commas may separate its thousands.
+
+    Raises
+    ------
+    RecordFileError
+        If there is none, or what follows is a unit, more of the number or a second one.
+    """
+    match = _THOUSANDS.match(written) or re.match(NUMBER, written)
+    value = None if match is None else number(match[0].replace(",", ""))
+    rest = "" if match is None else written[match.end() :]
+    of_time, _ = leading(rest.lstrip(" ("), time=True)
+    if value is None or value != int(value) or of_time is not None or _GOES_ON.match(rest):
+        raise text.error("it must state a whole number, once", "correct the line", at=at)
+    return int(value)
 
 
 def _relative_place(written: str) -> float:

@@ -309,7 +309,7 @@ def in_seconds(written: str) -> float | None:
 
 
 _MODIFIES: Final = re.compile(
-    r"[\s(\[,;]*(?:[*/^%]|x\s*[\d(]|(?:[\d.]+\s*[*x])|10\s*\^|\d+\s*[eE]|[-+]?\d*\.?\d+(?:$|[\s)*x])"
+    r"[\s(\[,;]*(?:[*/^%]|x\s*[\d(]|(?:[\d.]+\s*[*x])|10\s*\^|\d+\s*[eE]|[-+]?(?:\d+\.?\d*|\.\d+)\.?(?:$|[\s)*x])"
     r"|(?:times|divided|multipl\w*|scaled?|factor|per\b|percent|milli|micro|raised|squared|cubed"
     r"|over\b|mult\b|to the)\b)",
     re.IGNORECASE,

@@ -17,10 +17,11 @@ from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.directions import pointing
 from rocksteady.records.core.fortran_format import fixed_values, stated_width
+from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, samples
 from rocksteady.records.core.recording import Orientation, Recording
 from rocksteady.records.core.text import RecordText
-from rocksteady.records.core.units import acceleration_unit, in_m_s2, in_seconds
+from rocksteady.records.core.units import acceleration_unit, in_m_s2
 
 if TYPE_CHECKING:
     import numpy as np
@@ -35,8 +36,8 @@ _VALUES: Final = re.compile(
     r"\s*(\d+)\s+(Integer|Real)-header values follow on\s+(\d+)\s+lines", re.IGNORECASE
 )
 _DATA: Final = re.compile(
-    rf"\s*(?P<count>\d+)\s+(?P<quantity>[A-Za-z]+)[A-Za-z ]*?\s+pts\s*,?\s*"
-    rf"(?:approx\s+(?P<seconds>{NUMBER})\s*(?P<of>[a-z]+))?.*?units\s*=\s*(?P<unit>[^,()]*)"
+    r"\s*(?P<count>\d+)\s+(?P<quantity>[A-Za-z]+)[A-Za-z ]*?\s+pts\s*,?\s*"
+    r"(?:approx\s+(?P<lasts>.*?)|.*?)[\s,]*units\s*=\s*(?P<unit>[^,()]*)"
     r"(?:\((?P<code>\d+)\))?",
     re.IGNORECASE,
 )
@@ -189,11 +190,8 @@ def _recording(
     first = head.words[0].lower() if head.words else ""
     level = "cosmos-v1" if "uncorrected" in first or "raw" in first else "cosmos-v2"
     seconds = None
-    if described["seconds"]:
-        size = in_seconds(described["of"])
-        if (size is None or size <= 0.0) and given.dt_s is None:
-            raise text.error("its duration is in no unit of time", "give dt_s, in seconds", at=at)
-        seconds = float(described["seconds"]) * (size or 1.0)
+    if described["lasts"] is not None and not re.match(r"0+\b(?!\.)", described["lasts"]):
+        seconds = interval_value(text, at, described["lasts"], None, given.dt_s)
     interval, doubt = _interval(head, len(values), seconds, corrected=level == "cosmos-v2")
     if interval is None and given.dt_s is None:
         raise text.error(
@@ -235,7 +233,7 @@ def _interval(
     in_seconds = None if processed is None else processed / 1000.0
     order = (in_seconds, raw) if corrected else (raw, in_seconds)
     candidates = [value for value in order if value is not None and value > 0.0]
-    if seconds is None or seconds <= 0.0:
+    if seconds is None:
         return (candidates[0] if candidates else None), ()
     # The duration is written in whole seconds, cut or rounded.
     fitting = [value for value in candidates if abs(count * value - seconds) <= 1.0 + value]

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.consistency import Lines, agreed, timing
 from rocksteady.records.core.fortran_format import stated_width
+from rocksteady.records.core.header_statements import interval_value
 from rocksteady.records.core.numbers import NUMBER, number, samples
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.sampling import evenly_spaced
@@ -29,13 +30,14 @@ FORMATS: Final = ("csmip-v1", "csmip-v2")
 
 _FIRST: Final = re.compile(r"(UN)?CORRECTED ACCELEROGRAM", re.IGNORECASE)
 _VOLUME_2: Final = re.compile(
-    rf"\s*(?P<count>\d+)\s+points of\s+(?P<quantity>\w+)\s+data\s+equally spaced at\s+"
-    rf"(?P<dt>{NUMBER})\s*sec\w*\s*[.,]?\s*(?:\(?\s*(?:in|units?\s*[:=]?)\s+(?P<unit>\S.*))?",
+    r"\s*(?P<count>\d+)\s+points of\s+(?P<quantity>\w+)\s+data\s+equally spaced at\s+"
+    r"(?P<dt>[+-]?[\d.].*?)(?:[\s.,(]+(?:in|units?\s*[:=]?)\s+(?P<unit>\S.*)"
+    r"|[\s.,]*\(\s*\d*[fe]\d.*)?$",
     re.IGNORECASE,
 )
 _VOLUME_1: Final = re.compile(
-    rf"\s*(?P<count>\d+)\s+Accelerogram points at\s+(?P<rate>{NUMBER})\s*pts/sec\s*,?\s*"
-    r"(?:in units of\s+(?P<unit>\S.*))?",
+    r"\s*(?P<count>\d+)\s+Accelerogram points at\s+(?P<dt>[+-]?[\d.].*?)"
+    r"(?:[\s,]+in units of\s+(?P<unit>\S.*))?$",
     re.IGNORECASE,
 )
 _POINTS: Final = re.compile(r"No\.? of Points\s*=\s*(\d+)", re.IGNORECASE)
@@ -84,7 +86,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         where = Lines(stated=at, start=at + 1, end=end, alone=False)
         kept, warnings = agreed(text, values, count, where)
         if _is_acceleration(announced):
-            recordings.append(_recording(text, given, text.heads[start : at + 1], kept, warnings))
+            recordings.append(_recording(text, given, range(start, at + 1), kept, warnings))
         start = end
     if not recordings and start:
         valid = "it holds no acceleration, and the base moves by its acceleration"
@@ -117,20 +119,17 @@ def _is_acceleration(announced: re.Match[str]) -> bool:
 def _recording(
     text: RecordText,
     given: Given,
-    head: tuple[str, ...],
+    lines: range,
     values: "Floats",
     warnings: tuple[str, ...],
 ) -> Recording:
     """Return the recording of a channel; the last line of its head announces the samples."""
+    head = text.heads[lines.start : lines.stop]
     announced = _announced(head[-1])
     if announced is None:  # the caller has found this line by the same patterns
         raise text.error("no line announces samples", "fetch the file again")
     volume_2 = announced.re is _VOLUME_2
-    if volume_2:
-        interval = number(announced["dt"])
-    else:
-        rate = number(announced["rate"])
-        interval = 1.0 / rate if rate else None
+    interval = interval_value(text, lines[-1], announced["dt"], None, given.dt_s)
     units: str | None = announced["unit"]
     peak = _first(_PEAK if volume_2 else _MAX, head)
     if units is not None:

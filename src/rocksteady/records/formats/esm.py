@@ -9,7 +9,12 @@ from typing import Final
 
 from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.consistency import Lines, agreed, timing
-from rocksteady.records.core.header_statements import last_place, refuse_factors
+from rocksteady.records.core.header_statements import (
+    count_value,
+    interval_value,
+    last_place,
+    refuse_factors,
+)
 from rocksteady.records.core.numbers import number, numbers, samples
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
@@ -44,17 +49,13 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     if given.units is None:
         free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
         refuse_factors(text, [at for key, at in lines.items() if not key.startswith(free)])
-    count = number(_value(text, lines, _COUNT))
-    if count is None or count != int(count):
-        raise text.error("it must state a whole number", "fetch the file again", at=lines[_COUNT])
-    interval = number(_value(text, lines, _INTERVAL))
-    if interval is None and given.dt_s is None:
-        raise text.error("it must state a number of seconds", "give dt_s", at=lines[_INTERVAL])
+    count = count_value(text, lines[_COUNT], _value(text, lines, _COUNT))
+    at = lines[_INTERVAL]
+    interval = interval_value(text, at, _value(text, lines, _INTERVAL), "s", given.dt_s)
     start = max(lines.values()) + 1
-    values, end = samples(text.lines, start, at_most=max(int(count), 1))
-    kept, warnings = agreed(
-        text, values, int(count), Lines(stated=lines[_COUNT], start=start, end=end)
-    )
+    values, end = samples(text.lines, start, at_most=max(count, 1))
+    where = Lines(stated=lines[_COUNT], start=start, end=end)
+    kept, warnings = agreed(text, values, count, where)
     lasts = number(_value(text, lines, "DURATION_S"))
     duration = (
         None if lasts is None else (lasts, 0.5 * last_place(_value(text, lines, "DURATION_S")))

@@ -8,7 +8,6 @@ A KiK-net station has two instruments: directions 1 to 3 (north, east, up) are i
 6 at the surface. The time of the record includes a delay of 15 s of its trigger.
 """
 
-import math
 import re
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Final
@@ -143,10 +142,7 @@ def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float
     written = _value(text, lines, key)
     # `100Hz`: a unit goes before that of the key, which is the same.
     stated = re.sub(rf"(?<=[\d.])\s*{unit}\s*$", "", written, flags=re.IGNORECASE)
-    value = time_value(text, at, stated, unit)
-    if value is None or not 0.0 < value < math.inf:
-        raise text.error("it must state a number above 0", "fetch the file again", at=at)
-    return value
+    return time_value(text, at, stated, unit)
 
 
 def _named(written: str, station: str) -> tuple[str, str | None, str | None]:

@@ -11,7 +11,13 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.errors import RecordFileError
 from rocksteady.records.core.assembling import Channel, Given, built
 from rocksteady.records.core.consistency import Lines, agreed
-from rocksteady.records.core.header_statements import refuse_factors, stated_unit, time_value
+from rocksteady.records.core.header_statements import (
+    count_value,
+    find_values,
+    interval_value,
+    refuse_factors,
+    stated_unit,
+)
 from rocksteady.records.core.numbers import NUMBER, number, samples
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
@@ -27,22 +33,16 @@ FORMAT: Final = "peer-at2"
 _WITHIN: Final = 40
 """Lines among which the one with the counts is looked for."""
 
-_NAMES_FIRST: Final = re.compile(
-    rf"NPTS\s*[=:]?\s*(?P<count>{NUMBER})[\s,;]*(?:DT|DELTA(?:\s*T)?)"
-    rf"\s*(?:\((?P<unit>[^)]*)\))?\s*[=:]?\s*(?P<dt>{NUMBER})",
-    re.IGNORECASE,
-)
 _NUMBERS_FIRST: Final = re.compile(
-    rf"(?<![\d.,])(?P<count>{NUMBER})[\s,;]+(?P<dt>{NUMBER})[\s,;]*(?P<after>[A-Z]*)[\s,;]*"
+    rf"[^\d.+-]*(?P<count>{NUMBER})[\s,;]+(?P<dt>{NUMBER})[\s,;]*(?P<after>[A-Z]*)[\s,;]*"
     r"NPTS\W*DT\s*(?:\((?P<unit>[^)]*)\))?",
     re.IGNORECASE,
 )
 _COUNTS: Final = re.compile(r"\bNPTS\b", re.IGNORECASE)
-_COUNT_ALONE: Final = re.compile(
-    rf"\bNPTS\s*[=:]?\s*(?P<count>{NUMBER})(?![\d.]*,\d)", re.IGNORECASE
-)
-_INTERVAL_ALONE: Final = re.compile(
-    rf"\b(?:DT|DELTA(?:\s*T)?)\s*(?:\((?P<unit>[^)]*)\))?\s*[=:]?\s*(?P<dt>{NUMBER})",
+_COUNT: Final = re.compile(r"\bNPTS\s*[=:]?\s*(?P<value>[+-]?[\d.].*)", re.IGNORECASE)
+_INTERVAL: Final = re.compile(
+    r"(?<![A-Z])(?:DT|DELTA(?:\s*T)?)\s*(?:\((?P<unit>[^)]*)\))?\s*[=:]?\s*"
+    r"(?P<value>[+-]?[\d.].*)",
     re.IGNORECASE,
 )
 _OTHER: Final = re.compile(
@@ -109,45 +109,30 @@ def _line_of_counts(text: RecordText) -> int | None:
 
 def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float | None, int]:
     """Return number of samples and interval, and the index of the last line that states them."""
-    line = text.heads[at]
-    for pattern, name in ((_COUNT_ALONE, "count"), (_INTERVAL_ALONE, "dt")):
-        near = [text.heads[place] for place in (at - 1, at, at + 1) if 0 <= place < len(text.heads)]
-        values = {number(match[name]) for head in near for match in pattern.finditer(head)}
-        if len(values) > 1 and (name == "count" or given.dt_s is None):
+    near = [place for place in (at, at + 1, at - 1) if 0 <= place < len(text.heads)]
+    for pattern in (_COUNT, _INTERVAL):
+        stated = (
+            statement["value"]
+            for place in near
+            for statement in find_values(pattern, text.heads[place])
+        )
+        values = {number(match[0]) for value in stated if (match := re.match(NUMBER, value))}
+        if len(values) > 1 and (pattern is _COUNT or given.dt_s is None):
             raise text.error("it is stated twice, with two values", "correct one of them", at=at)
-    match = _NAMES_FIRST.search(line) or _NUMBERS_FIRST.search(line)
-    if match is not None:
-        return _whole(match["count"]), _seconds(text, at, match, given), at
-    alone = _COUNT_ALONE.search(line)
+    line = text.heads[at]
+    both = _NUMBERS_FIRST.match(line)
+    if both is not None:
+        written = f"{both['dt']} {both['after']}"
+        dt_s = interval_value(text, at, written, both["unit"], given.dt_s)
+        return count_value(text, at, both["count"]), dt_s, at
+    alone = _COUNT.search(line)
+    count = None if alone is None else count_value(text, at, alone["value"])
     # The interval may stand before the count, or on a line of its own beside it.
-    for place in (at, at + 1, at - 1):
-        if 0 <= place < len(text.heads) and (stated := _INTERVAL_ALONE.search(text.heads[place])):
-            count = None if alone is None else _whole(alone["count"])
-            return count, _seconds(text, place, stated, given), max(at, place)
-    return None if alone is None else _whole(alone["count"]), None, at
-
-
-def _seconds(text: RecordText, at: int, match: re.Match[str], given: Given) -> float | None:
-    """Return the interval that a line states, with the unit before or after it [s].
-
-    Raises
-    ------
-    RecordFileError
-        If number or unit are not understood as a whole, and no interval is given.
-    """
-    if given.dt_s is not None:
-        return number(match["dt"])
-    parts = match.groupdict()
-    written = match.string[match.start("dt") :]
-    if "after" in parts:
-        written = f"{parts['dt']} {parts['after']}"
-    return time_value(text, at, written, parts["unit"])
-
-
-def _whole(written: str) -> int | None:
-    """Return the whole number that a text is, or None."""
-    value = number(written)
-    return None if value is None or value != int(value) else int(value)
+    for place in near:
+        if (statement := _INTERVAL.search(text.heads[place])) is not None:
+            dt_s = interval_value(text, place, statement["value"], statement["unit"], given.dt_s)
+            return count, dt_s, max(at, place)
+    return count, None, at
 
 
 def _units(text: RecordText, at: int, given: Given) -> str | None:

@@ -49,16 +49,17 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     real = _values(text, _WORDS + _WHOLE, _REAL, 50)
     known = [None if value == whole[0] else value for value in whole]
     stated = [None if value == real[0] else value for value in real]
-    comments = int(known[15] or 0)
-    if not 0 <= comments < len(text.lines):
+    comments = known[15] or 0.0
+    if not (0.0 <= comments < len(text.lines) and comments.is_integer()):
         raise text.error("it states more comments than the file has lines", _HINT, at=_WORDS + 1)
-    start = _WORDS + _WHOLE + _REAL + comments
+    start = _WORDS + _WHOLE + _REAL + int(comments)
     start += sum(line.startswith("|") for line in text.heads[start : start + 1000])
     at = _WORDS + 2
-    if known[16] is None:
+    if known[16] is None or not known[16].is_integer():
         raise text.error("it must state the number of samples first", _HINT, at=at)
-    values, end = samples(text.lines, start, at_most=max(int(known[16]), 1))
-    kept, warnings = agreed(text, values, int(known[16]), Lines(stated=at, start=start, end=end))
+    count = int(known[16])
+    values, end = samples(text.lines, start, at_most=max(count, 1))
+    kept, warnings = agreed(text, values, count, Lines(stated=at, start=start, end=end))
     rate, interval = stated[1], None
     notes: tuple[str, ...] = ()
     if rate is not None and rate > 0.0:
@@ -79,6 +80,9 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         )
         kept, interval, notes = spaced.values, spaced.dt_s, spaced.notes
         warnings += spaced.warnings
+    elif given.dt_s is None:
+        valid = "it must state a sampling rate above 0, as its second number"
+        raise text.error(valid, "give dt_s, in seconds", at=_WORDS + _WHOLE)
     if text.heads[0].strip() == "*":
         warnings = (*warnings, "the file does not state its quantity: taken to be acceleration")
     orientation, azimuth, down = _pointing(known[12], known[13])
@@ -106,12 +110,10 @@ def _values(text: RecordText, start: int, lines: int, count: int) -> list[float]
     for at in range(start, start + lines):
         line = text.heads[at] if at < len(text.lines) else ""
         row = numbers(line, 15 if count == 50 else 10)
-        if not row:
-            raise text.error("it must hold numbers of the header", _HINT, at=at)
+        if row is None or len(row) != count // lines:
+            valid = f"it must hold {count // lines} numbers of the header"
+            raise text.error(valid, _HINT, at=at)
         values += row
-    if len(values) < count:
-        valid = f"lines {start + 1} to {start + lines} must hold {count} numbers, not {len(values)}"
-        raise text.error(valid, _HINT)
     return values
 
 

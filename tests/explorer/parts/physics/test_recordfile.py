@@ -162,6 +162,13 @@ BAD: dict[str, str | bytes] = {
     "AT2 zero interval": PEER.replace(".0100", ".0000") + 2 * SAMPLES,
     "AT2 factor": PEER.replace("OF G", "OF G, MULTIPLIED BY 981") + 2 * SAMPLES,
     "AT2 other unit of time": PEER.replace("SEC", "MIN") + 2 * SAMPLES,
+    **{
+        f"AT2 {old} {new}": PEER.replace(old, new) + 2 * SAMPLES
+        for old, new in (
+            *[(".0100", odd) for odd in (".01 .02", ".01,.02", ".01 or .02", "0,01", "nan")],
+            *[("  10,", odd) for odd in ("10 5,", "1'0,", "1,0,", "10 %,", "-10,", "1e999,")],
+        )
+    },
     "AT2 with times": PEER + "".join(f"{k * 0.01:.2f} 0.001\n" for k in range(8)),
     "AT2 cut": (PEER.replace("10,", "100,") + 20 * SAMPLES)[:-8],
 }  # fmt: skip
