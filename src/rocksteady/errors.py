@@ -16,8 +16,14 @@ The tree::
 This module is in the lowest layer: it imports nothing from the package, and nothing heavy.
 """
 
+from collections.abc import Callable
+from functools import wraps
 from numbers import Number
 from os import PathLike, fspath
+from typing import ParamSpec, TypeVar
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 _LONGEST_VALUE = 100
 """Characters of a value that an error line shows; for a longer one its middle is left out."""
@@ -195,6 +201,65 @@ class UnfinishedError(RocksteadyError):
     """
 
     _verdict = "is not finished"
+
+
+def with_call_errors(function: Callable[P, T]) -> Callable[P, T]:
+    """Return a function whose calls with missing or extra arguments raise `InputError`."""
+
+    @wraps(function)
+    def call(*args: P.args, **kwargs: P.kwargs) -> T:
+        try:
+            return function(*args, **kwargs)
+        except TypeError:
+            misfit = _call_error(function, args, kwargs)
+            if misfit is None:
+                raise
+        raise misfit
+
+    return call
+
+
+def _call_error(
+    function: Callable[..., object], args: tuple[object, ...], kwargs: dict[str, object]
+) -> InputError | None:
+    """Return the error that a call does not fit a signature; None where it does."""
+    import inspect
+    from difflib import get_close_matches
+
+    signature = inspect.signature(function)
+    try:
+        signature.bind(*args, **kwargs)
+    except TypeError:
+        pass
+    else:
+        return None
+    owner, _, name = function.__qualname__.rpartition(".")
+    called = owner if name == "__init__" else name
+    parameters = list(signature.parameters.values())
+    own = [each for each in parameters if each.name not in {"self", "cls"}]
+    by_place = [each for each in parameters if each.kind is each.POSITIONAL_OR_KEYWORD]
+    names = ", ".join(each.name for each in own) or "none"
+    unknown = next((key for key in kwargs if key not in signature.parameters), None)
+    if unknown is not None:
+        close = get_close_matches(unknown, [each.name for each in own], n=1)
+        hint = f"did you mean {close[0]}?" if close else f"its arguments are: {names}"
+        return InputError(unknown, kwargs[unknown], f"{called} has no such argument", hint)
+    if len(args) > len(by_place):
+        extra = args[len(by_place)]
+        most = len(by_place) - (len(parameters) - len(own))
+        valid = f"{called} takes {most or 'no'} argument{'s' * (most != 1)} without a name"
+        return InputError(f"argument {most + 1}", extra, valid, f"name the others: {names}")
+    twice = next((each.name for each in by_place[: len(args)] if each.name in kwargs), None)
+    if twice is not None:
+        valid = f"{called} takes it once"
+        return InputError(twice, Words("is given twice"), valid, "give it by place or by name")
+    needs = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
+    needed = [each.name for each in own if each.default is each.empty and each.kind in needs]
+    given = {each.name for each in by_place[: len(args)]} | set(kwargs)
+    missing = [each for each in needed if each not in given]
+    verb = Words("is not given" if len(missing) == 1 else "are not given")
+    valid = f"{called} needs {', '.join(needed)}"
+    return InputError(", ".join(missing), verb, valid, f"its arguments are: {names}")
 
 
 def _shown(value: object) -> str:

@@ -1,6 +1,7 @@
 """A state taken from any result starts `simulate` where that result has it."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,13 +9,20 @@ import pytest
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
+    RocksteadyError,
     State,
     Status,
     compute_basins,
     compute_erosion,
     compute_steady_orbit,
     find_attractor,
+    find_fatal_kick,
+    find_hilltop_saddles,
+    find_orbits,
     find_steady_states,
+    follow_branch,
+    follow_resting_orbit,
+    map_fates,
     simulate,
 )
 
@@ -102,3 +110,37 @@ def test_a_state_of_an_orbit_and_of_a_trajectory_are_starts() -> None:
         )(0.5)
         assert float(later.angle) == pytest.approx(float(end.angle), abs=1e-9)
         assert float(later.velocity) == pytest.approx(float(end.velocity), abs=1e-9)
+
+
+def test_a_result_stands_for_its_start() -> None:
+    shaking = Harmonic(amplitude=A, frequency_ratio=W)
+    orbit = find_orbits(BLOCK, shaking, max_period=1)[0]
+    points = list(follow_branch(orbit, "amplitude", within=(1.9, 2.1)))
+    window = np.linspace(-6.0, 6.0, 3)
+    cells = compute_basins(BLOCK, shaking, angles=window, velocities=window).attractors
+    (fallen,) = (cell for cell in cells if cell.kind.value == "overturned")
+    rocking = next(cell for cell in cells if cell.orbit is not None)
+    with_rest = find_attractor(BLOCK, Harmonic(amplitude=1.05, frequency_ratio=2.0)).orbit
+    assert with_rest is not None
+    resting = follow_resting_orbit(with_rest, "amplitude", within=(1.04, 1.06))
+    results: list[Any] = [
+        *(orbit, find_attractor(BLOCK, shaking, start=orbit), points[0], points[-1]),
+        *(resting.points[0], simulate(BLOCK, shaking, start=orbit, cycles=1), rocking),
+    ]
+    for result in results:
+        assert result.start is not None
+        plain, taken = (
+            simulate(BLOCK, shaking, start=start, cycles=1) for start in (result.start, result)
+        )
+        assert (taken.peak, taken.start, taken.motion) == (plain.peak, plain.start, plain.motion)
+    for nothing in (fallen, "rest", slice(1, 2)):
+        with pytest.raises(RocksteadyError, match="start"):
+            simulate(BLOCK, shaking, start=nothing)  # type: ignore[arg-type]
+    still = find_fatal_kick(BLOCK, start=State(angle=0.5, velocity=0.0))
+    assert (find_fatal_kick(BLOCK, start=still).signed == still.signed).all()
+    saddle = find_hilltop_saddles(BLOCK, shaking)[0]
+    one, other = (
+        map_fates(BLOCK, shaking, axes={"angle": [0.0]}, start=begin)
+        for begin in (saddle, saddle.start)
+    )
+    assert one.equals(other)

@@ -213,7 +213,6 @@ def calls() -> dict[str, Call]:
         t["states"].to_dataset: {},
         t["trail"].runs: {},
         t["orbit"].trajectory: {},
-        t["point"].orbit: {},
         rs.add_motions: {"motions": [t["pulse"], rs.Still()]},
         rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
         rs.find_attractor: {"block": bare, "motion": shaking, "max_cycles": 20},

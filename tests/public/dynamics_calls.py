@@ -105,7 +105,6 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         bifurcation_curve.rows: {},
         bifurcation_curve.to_dataframe: {},
         t["resting branch"].pieces: {},
-        t["resting point"].orbit: {},
         rs.find_cascade: {
             "origin": t["doubling"],
             "parameter": "frequency_ratio",

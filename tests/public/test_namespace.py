@@ -1,20 +1,24 @@
 """The flat public namespace: sorted, complete, lazy, and the same for Python and type checkers."""
 
 import ast
+import contextlib
 import importlib
 import inspect
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from typer.main import get_command
 
 import rocksteady
+from rocksteady.cli.app import app
 
 HEAVY = ("h5py", "matplotlib", "numba", "numpy", "scipy", "typer", "xarray", "zarr")
 
-ERRORS = {"InputError", "ModelError", "Words"}
 SOURCE = Path(rocksteady.__file__).parent
 
 
@@ -73,23 +77,79 @@ def test_the_errors_load_nothing_heavy() -> None:
     assert modules_loaded_by(code) & set(HEAVY) == set()
 
 
-def test_functions_that_errors_name_exist() -> None:
-    """In backticks an error names what is public, a member or a parameter of it."""
-    known = set(rocksteady.__all__)
+def texts_of(tree: ast.AST) -> Iterator[str]:
+    """The texts of a module that a user may read, docstrings and patterns excepted."""
+    seen: set[ast.AST] = set()  # docstrings, and parts of texts with values in them
+    for node in ast.walk(tree):
+        text = None if node in seen else getattr(node, "value", None)
+        if isinstance(node, ast.Expr):
+            seen.add(node.value)
+        elif isinstance(node, ast.JoinedStr):
+            seen |= set(node.values)
+            text = "".join(
+                str(part.value) if isinstance(part, ast.Constant) else "0" for part in node.values
+            )
+        if isinstance(text, str) and not re.search(r"\\|\(\?", text):
+            yield text
+
+
+def known_names() -> dict[str, set[str]]:
+    """Public names and members of public classes, with the parameters of those that are called."""
+    known: dict[str, set[str]] = {}
     for name in rocksteady.__all__:
         value = getattr(rocksteady, name)
-        members = vars(value) if isinstance(value, type) else {name: value}
-        known |= set(members)
-        for each in filter(inspect.isfunction, members.values()):
-            known |= set(inspect.signature(each).parameters)
-    unknown = {
-        (file.name, word)
-        for file in SOURCE.rglob("*.py")
-        for call in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-        if isinstance(call, ast.Call) and getattr(call.func, "id", "") in ERRORS
-        for part in ast.walk(call)
-        if isinstance(part, ast.Constant) and isinstance(part.value, str)
-        for word in re.findall(r"`([a-z_]\w*)[`(]", part.value)
-        if word not in known
-    }
-    assert unknown == set()
+        members = dict(inspect.getmembers_static(value)) if isinstance(value, type) else {}
+        for each, member in {name: value, **members}.items():
+            function = getattr(member, "__func__", member)
+            if (callable(function) and not isinstance(function, type | property)) or each == name:
+                with contextlib.suppress(TypeError, ValueError):
+                    known.setdefault(each, set()).update(inspect.signature(function).parameters)
+            known.setdefault(each, set())
+    return known
+
+
+def flags_of(command: Any) -> set[str]:
+    """The flags of a command and of those below it."""
+    own = {flag for each in command.params for flag in (*each.opts, *each.secondary_opts)}
+    return own.union(*map(flags_of, getattr(command, "commands", {}).values()))
+
+
+NO_MESSAGES = {"_worker.py", "knet.py"}
+"""Modules whose texts with brackets are code, or keys of a header."""
+CALLED = re.compile(
+    r"(?<![\w.{/<-])(?P<name>(?:[A-Za-z_]\w*\.)*[A-Za-z_]\w{2,})\((?P<given>[^()]*)\)?"
+)
+FORMULAS = {
+    *("sin", "cos", "tan", "atan", "sqrt", "exp", "abs", "min", "max", "Dh²", "S_e", "S_D"),
+    *("magnitude", "curve.extended", "found.isel", "found.sel", "summary.isel"),
+}
+"""Functions and factors of formulas; methods of objects that have no public class."""
+
+
+def test_names_in_messages_exist() -> None:
+    """Whatever a text names as a function, a keyword, a member or a flag is there to be used."""
+    known = known_names()
+    parameters = set().union(*known.values())
+    flags = {"--help"} | flags_of(get_command(app))
+    unknown = set()
+    for file in SOURCE.rglob("*.py"):
+        if "machine_code" in file.parts or file.name in NO_MESSAGES:  # C in texts
+            continue
+        for text in texts_of(ast.parse(file.read_text(encoding="utf-8"))):
+            words = re.findall(r"(?<![\w-])--[a-z][a-z0-9-]+", text)
+            unknown |= {(file.name, word) for word in words if word not in flags}
+            ticked = re.findall(r"(?<!`)`([a-z_]\w*)[`(]", text)
+            members = re.findall(r"(?<!\d)\)\.([a-z_]\w+)", text) + re.findall(r"\brs\.(\w+)", text)
+            unknown |= {
+                (file.name, word)
+                for word in (*ticked, *members)
+                if word not in known.keys() | parameters | FORMULAS
+            }
+            for call in CALLED.finditer(text):
+                name = call["name"].rpartition(".")[2]
+                if call["name"].startswith(("numpy.", "dataclasses.")) or call["name"] in FORMULAS:
+                    continue
+                given = re.findall(r"(\w+)=\.\.\.", call["given"])
+                if name not in known or not set(given) <= known[name]:
+                    unknown.add((file.name, call[0]))
+    assert sorted(unknown) == []

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from rocksteady.dynamics.history.start import ImpactState, Rest, Start, Steady
+from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, Steady, start_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -74,7 +74,7 @@ class ExplorerView:
 
     block: Block | DimensionlessBlock | None = None
     motion: Harmonic | None = None
-    start: Start | None = None
+    start: Start | HasStart | None = None
     model: Model | None = None
     tab: str | None = None
     scale: float = 1.0
@@ -224,9 +224,10 @@ def _check_model(model: Model, block: Block | DimensionlessBlock | None) -> None
             raise ModelError("tolerance", model.tolerance, valid, "leave it out")
 
 
-def _start_text(start: Start | None) -> str:
+def _start_text(given: Start | HasStart | None) -> str:
     """Return a start as in the link of the page."""
-    if start is None or isinstance(start, Rest):
+    start = start_of(given)
+    if isinstance(start, Rest):
         return "rest"
     if isinstance(start, Steady):
         if start != Steady():

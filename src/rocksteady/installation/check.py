@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.results.description import Description, Fact, Table
@@ -178,6 +178,7 @@ class Installation(Result):
         return Description(verdict, facts, (Table("checks", rows),), notes)
 
 
+@with_call_errors
 def check_installation(*, repeat_calls: bool = True) -> Installation:
     """Repeat recorded calls of every kernel and compare all values bit for bit.
 

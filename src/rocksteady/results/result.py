@@ -5,7 +5,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.errors import ModelError, Words
+from rocksteady.errors import ModelError, Words, with_call_errors
 from rocksteady.results.description import Description
 from rocksteady.results.rendering import as_html, as_text
 
@@ -25,18 +25,22 @@ class Result(ABC):
     def describe(self) -> Description:
         """Return the facts, tables and notes of the result."""
 
+    @with_call_errors
     def summary(self) -> str:
         """Return the result as text of 80 columns, as the command prints it."""
         return as_text(self.describe())
 
+    @with_call_errors
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain values under the names of the command's JSON."""
         return self.describe().to_dict()
 
+    @with_call_errors
     def to_dataframe(self) -> "pd.DataFrame":
         """Return the rows of the result; without a table one row, of its plain facts."""
         return self.describe().to_dataframe()
 
+    @with_call_errors
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the result; arguments and axes are those of the function `plot_*` of its kind."""
         return plotting_function(type(self).__name__)(self, *arguments, **options)

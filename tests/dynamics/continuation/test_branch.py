@@ -195,7 +195,7 @@ def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> Non
         if point.type in ("grazing", "fold") or max(point.chain.durations) > 12.0:
             continue
         assert least_height(point) > -1e-12
-        orbit = point.orbit()
+        orbit = point.orbit
         size = max(1.0, orbit.largest_multiplier)
         assert orbit.residual <= 1e-11 * size
         assert (orbit.period, orbit.impacts) == (point.period, point.impacts)
@@ -254,7 +254,7 @@ def test_stability_is_what_kicked_motions_say(leaning: list[BranchPoint]) -> Non
         if not point.admissible or 0.9 < size < 1.1 or size > 1e3:
             continue
         checked += 1
-        orbit = point.orbit()
+        orbit = point.orbit
         assert point.stable is keeps(orbit)
         assert point.stable is not loses(orbit)
     assert checked >= 4
@@ -263,7 +263,7 @@ def test_stability_is_what_kicked_motions_say(leaning: list[BranchPoint]) -> Non
 def test_stable_points_attract(leaning: list[BranchPoint]) -> None:
     stable = [point for point in leaning if point.stable and abs(point.multipliers[0]) < 0.9]
     for point in stable[::3]:
-        orbit = point.orbit()
+        orbit = point.orbit
         found = find_attractor(orbit.block, orbit.motion, start=orbit.start)
         assert found.orbit is not None
         assert found.period == point.period
@@ -315,7 +315,7 @@ def test_no_event_depends_on_the_size_of_the_steps_on_many_branches() -> None:
 
 def test_a_mirror_image_has_the_same_branch(leaning: list[BranchPoint]) -> None:
     begin = leaning[5]
-    orbit = begin.orbit()
+    orbit = begin.orbit
     for parameter in PARAMETERS:
         one, other = (
             list(follow_branch(each, parameter, RANGES[parameter], direction=-1, most_points=60))
@@ -355,7 +355,7 @@ def test_an_orbit_of_long_flights_is_followed_where_no_march_stays_on_it() -> No
     start = symmetric_start(1.0, 1.0, 0.8)
     *_, last = follow_branch(start, "frequency_ratio", (0.1, 1.0), direction=-1)
     assert (last.type, last.frequency_ratio) == ("end-of-range", 0.1)
-    orbit, exact = last.orbit(), symmetric_start(1.0, 0.1, 0.8)
+    orbit, exact = last.orbit, symmetric_start(1.0, 0.1, 0.8)
     assert math.isnan(orbit.residual)
     assert math.cos(orbit.states[0].phase - exact.states[0].phase) == pytest.approx(1.0, abs=1e-12)
     assert orbit.states[0].speed == pytest.approx(exact.states[0].speed, rel=1e-12)

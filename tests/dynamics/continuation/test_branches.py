@@ -159,7 +159,7 @@ def test_where_a_symmetric_orbit_grazes_orbits_that_lean_begin_too(
     ]
     both, leaning = sorted(begun, key=lambda branch: not branch.symmetric)
     assert [(each.impacts, each.symmetric) for each in (both, leaning)] == [(6, True), (4, False)]
-    orbit = leaning.points[len(leaning.points) // 2].orbit()
+    orbit = leaning.points[len(leaning.points) // 2].orbit
     assert (orbit.impacts, orbit.symmetric) == (4, False)
     assert orbit.residual < 1e-9 * max(1.0, orbit.largest_multiplier)
 

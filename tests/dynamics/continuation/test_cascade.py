@@ -59,7 +59,7 @@ def test_between_two_doublings_the_doubled_orbit_attracts(found: DoublingCascade
     for k in range(3):
         middle = 0.5 * (found.values[k] + found.values[k + 1])
         block, shaking = setting((2.0, middle, 0.8))
-        orbit = found.points[k].orbit()
+        orbit = found.points[k].orbit
         settled = find_attractor(block, shaking, start=orbit.start, max_cycles=20_000)
         # The start lies at a doubling nearby: what it settles to has the next period.
         if settled.orbit is not None:

@@ -188,7 +188,7 @@ def test_orbits_of_points_come_back_when_they_are_flown(leaning: tuple[Branch, .
         for point in branch.points[3::4]:
             if not point.admissible or point.type.value == "grazing":
                 continue
-            orbit = point.orbit()
+            orbit = point.orbit
             assert isinstance(orbit.model, Nonlinear)
             assert orbit.block == point.block
             assert orbit.residual < 1e-9
@@ -274,7 +274,7 @@ def test_over_restitution_the_block_has_that_of_each_point() -> None:
     points: list[BranchPoint] = list(follow_branch(start, "restitution", (0.7, 0.95)))
     assert all(point.block.dimensionless().restitution == point.restitution for point in points)
     assert points[-1].restitution == 0.95
-    assert points[-1].orbit().block == points[-1].block
+    assert points[-1].orbit.block == points[-1].block
 
 
 def test_a_block_without_slenderness_has_no_nonlinear_branches() -> None:

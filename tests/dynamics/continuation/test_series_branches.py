@@ -159,7 +159,7 @@ def test_the_series_turned_round_gives_the_mirror_images(model: Linear | Nonline
 def test_orbits_of_a_branch_repeat_in_simulation(model: Linear | Nonlinear) -> None:
     (start,) = starts(model, series(UNEVEN))[:1]
     point = list(follow_branch(start, "frequency_ratio", (2.0, 2.8)))[5]
-    orbit = point.orbit()
+    orbit = point.orbit
     assert isinstance(orbit.motion, FourierSeries)
     assert orbit.motion.harmonics == UNEVEN
     run = simulate(orbit.block, orbit.motion, start=orbit.start, cycles=2, model=model)

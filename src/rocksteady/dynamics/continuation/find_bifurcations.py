@@ -17,7 +17,14 @@ from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.continuation.resting.find_resting import find_resting_branches
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.history.start import Rest, Start, Steady, initial_march
+from rocksteady.dynamics.history.start import (
+    HasStart,
+    Rest,
+    Start,
+    Steady,
+    initial_march,
+    start_of,
+)
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep, sweep_attractor
 from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
@@ -46,7 +53,7 @@ def find_bifurcations(
     *,
     within: tuple[float, float] | None = None,
     values: ArrayLike | None = None,
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     search: BranchSearch | None = None,
     model: Model | None = None,
 ) -> BifurcationDiagram:
@@ -110,7 +117,7 @@ def find_bifurcations(
             shaken,
             parameter,
             way,
-            start or Steady(order=asked.orders[0]),
+            start_of(start or Steady(order=asked.orders[0])),
             max_cycles=asked.max_cycles,
             model=equations,
         )

@@ -31,6 +31,7 @@ from rocksteady.dynamics.continuation.chains.point_types import (
     REASONS,
     PointType,
 )
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.dynamics.parameters import SYMBOLS
@@ -193,10 +194,16 @@ class BranchPoint(Result):
         ModelError
             As `orbit`.
         """
-        return self.orbit().plot(*arguments, **options)
+        return self.orbit.plot(*arguments, **options)
 
+    @property
+    def start(self) -> ImpactState:
+        """The first state of its orbit, at which `rocksteady.simulate` sets off."""
+        return state_of(self.chain.sections[0])
+
+    @cached_property
     def orbit(self) -> Orbit:
-        """Return the orbit there.
+        """The orbit there.
 
         Its residual is nan where its flights are so long that none stays on it.
 

@@ -19,7 +19,15 @@ from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._outcomes import Outcome, Outcomes
 from rocksteady.dynamics.edges.edge_state import EdgeState
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle, find_hilltop_saddles
-from rocksteady.dynamics.history.start import Rest, Start, State, initial_march, set_going
+from rocksteady.dynamics.history.start import (
+    HasStart,
+    Rest,
+    Start,
+    State,
+    initial_march,
+    set_going,
+    start_of,
+)
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system
 from rocksteady.errors import InputError, ModelError, Words
@@ -92,8 +100,8 @@ def find_edge_state(
     block: Block | DimensionlessBlock,
     motion: Harmonic,
     *,
-    start: Start | None = None,
-    other: State | Rest | None = None,
+    start: Start | HasStart | None = None,
+    other: State | Rest | HasStart | None = None,
     kick: int = 1,
     max_periods: int | None = None,
     max_cycles: int = MOST_CYCLES,
@@ -167,7 +175,7 @@ def find_edge_state(
         hint = "give a number of forcing periods"
         limits[name] = whole_number(name, value, at_least=1, at_most=most, hint=hint)
     direction = side_value(kick, name="kick")
-    initial = Rest() if start is None else start
+    initial = start_of(start)
     flow = Flow(block, shaken, equations)
     tilted = flow.sides if isinstance(equations, Nonlinear) else None
     moved, begin = initial_march(initial, bare, shaken, tilted)
@@ -387,9 +395,9 @@ def _kind(saddle: Orbit | HilltopSaddle | None) -> str:
     return "hilltop" if isinstance(saddle, HilltopSaddle) else "orbit"
 
 
-def _second(other: State | Rest, block: DimensionlessBlock) -> Point:
+def _second(other: State | Rest | HasStart, block: DimensionlessBlock) -> Point:
     """Return the second state."""
-    given: object = other
+    given = start_of(other, name="other")
     if not isinstance(given, Rest | State) or getattr(given, "phase", None) is not None:
         raise InputError(
             "other",

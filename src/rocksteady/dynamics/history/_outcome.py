@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
@@ -21,6 +22,7 @@ DECIDED_BY_ROUNDING = 1e12
 """Growth of a small difference above which rounding decides how a run goes on."""
 
 
+@checked
 class Described(Physical, Result):
     """A run that describes itself."""
 

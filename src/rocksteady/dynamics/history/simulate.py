@@ -11,7 +11,7 @@ from rocksteady.dynamics.history.nonlinear_tables import (
     refuse_vertical,
     sides_of,
 )
-from rocksteady.dynamics.history.start import Rest, Start, initial_march
+from rocksteady.dynamics.history.start import HasStart, Start, initial_march, start_of
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import FREQUENCY, ROW_COLUMNS
@@ -50,7 +50,7 @@ def simulate(
     block: Block | DimensionlessBlock,
     motion: Motion | Record | BaseMotion,
     *,
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     cycles: float = 50.0,
     model: Model | None = None,
     max_flights: int = FLIGHT_LIMIT,
@@ -133,7 +133,7 @@ def simulate(
     bare = block.dimensionless()
     sides = sides_of(block, equations)
     tilted = sides if isinstance(equations, Nonlinear) else None
-    begun = Rest() if start is None else start
+    begun = start_of(start)
     shaken, begin = initial_march(begun, bare, across, tilted)
     if isinstance(equations, Nonlinear):
         segments = nonlinear_segment_table(shaken, block, vertical)

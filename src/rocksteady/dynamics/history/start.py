@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -190,6 +191,14 @@ class ImpactState:
 Start = Rest | State | Steady | ImpactState
 
 
+class HasStart(Protocol):
+    """A result at whose start a run sets off: `Orbit`, `Attractor`, `BranchPoint` and others."""
+
+    @property
+    def start(self) -> Start | None:
+        """Its start; None where it has none."""
+
+
 def _turned(value: float) -> float:
     """Return a phase from 0 to 2 pi."""
     phase = finite("phase", value, hint="give the phase of the shaking in radians")
@@ -197,22 +206,25 @@ def _turned(value: float) -> float:
     return turned if turned < 2.0 * math.pi else 0.0
 
 
-def validated_start(start: object) -> Start:
-    """Return a start.
+def start_of(start: object, *, name: str = "start") -> Start:
+    """Return a start: that of a result where one is given, at rest by default.
 
     Raises
     ------
     InputError
-        If the value is no start.
+        If the value is no start and has none.
     """
-    if not isinstance(start, Rest | State | Steady | ImpactState):
+    if start is None:
+        return Rest()
+    own = start if isinstance(start, Start) else getattr(start, "start", None)
+    if not isinstance(own, Start):
         raise InputError(
-            "start",
+            name,
             start,
-            "it must be a Rest, a State, a Steady or an ImpactState",
+            "it must be a Rest, a State, a Steady, an ImpactState, or a result that has a start",
             "give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
         )
-    return start
+    return own
 
 
 def refuse_behind_wall(
@@ -270,7 +282,7 @@ def initial_march(
         If a start that decides on the phase has no harmonic shaking, there is no admissible steady
         state, or the start of a block against a wall lies behind it.
     """
-    start = validated_start(start)
+    start = start_of(start)
     if isinstance(start, Steady):
         motion, state = _steady_state(start, block, motion, sides)
     elif isinstance(start, ImpactState):

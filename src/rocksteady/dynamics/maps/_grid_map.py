@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.batch.attractors import periods_value
-from rocksteady.dynamics.history.start import Rest, Start
+from rocksteady.dynamics.history.start import HasStart, Start, start_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
@@ -64,7 +64,7 @@ def map_of(
     motion: PeriodicMotion | None,
     *,
     axes: Mapping[str, ArrayLike],
-    start: Start | None,
+    start: Start | HasStart | None,
     cycles: int,
     refine: int | None,
     model: Model | None,
@@ -79,7 +79,7 @@ def map_of(
         axes=grid.names,
         block=block,
         motion=motion,
-        start=Rest() if start is None else start,
+        start=start_of(start),
         fixed=fixed,
         housner=housner,
         model=chosen_model(model, block),

@@ -20,7 +20,7 @@ from rocksteady.dynamics.history.start import (
     State,
     Steady,
     refuse_behind_wall,
-    validated_start,
+    start_of,
 )
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
 from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
@@ -135,7 +135,7 @@ class Scenario:
         bare_block(self.block)
         if self.motion is not None:
             periodic_motion(self.motion)
-        validated_start(self.start)
+        object.__setattr__(self, "start", start_of(self.start))
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()

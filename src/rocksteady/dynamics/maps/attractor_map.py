@@ -12,7 +12,7 @@ from rocksteady.dynamics.batch.attractors import (
     outputs_of_orbits,
     settled_cells,
 )
-from rocksteady.dynamics.history.start import Start
+from rocksteady.dynamics.history.start import HasStart, Start
 from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.blocks.block import Block
@@ -35,7 +35,7 @@ def map_attractors(
     motion: PeriodicMotion | None = None,
     *,
     axes: Mapping[str, ArrayLike],
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     max_cycles: int = 2000,
     refine: int | None = None,
     model: Model | None = None,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.fates import ENDS, batch_size, ends_of, load_kernel
-from rocksteady.dynamics.history.start import Start
+from rocksteady.dynamics.history.start import HasStart, Start
 from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.blocks.block import Block
@@ -31,7 +31,7 @@ def map_fates(
     motion: PeriodicMotion | None = None,
     *,
     axes: Mapping[str, ArrayLike],
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     cycles: int = 200,
     refine: int | None = None,
     model: Model | None = None,

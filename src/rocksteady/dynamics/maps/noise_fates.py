@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
 from rocksteady.dynamics.history.lowering import ceilings, samples_alike, segment_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, lifted_table, sides_of
-from rocksteady.dynamics.history.start import Rest, State, refuse_behind_wall
+from rocksteady.dynamics.history.start import HasStart, Rest, State, refuse_behind_wall, start_of
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
@@ -287,7 +287,7 @@ def compute_noise_fates(
     *,
     axes: Mapping[str, ArrayLike],
     draws: int = DRAWS,
-    start: Rest | State | None = None,
+    start: Rest | State | HasStart | None = None,
     model: Model | None = None,
     run: Run | None = None,
 ) -> NoiseFates:
@@ -343,9 +343,8 @@ def compute_noise_fates(
     [[ 0  1 14 23]]
     """
     chosen = chosen_model(model, block, motion)
-    begun = Rest() if start is None else start
-    checked_start: object = begun
-    if not isinstance(checked_start, Rest | State) or getattr(checked_start, "phase", None):
+    begun = start_of(start)
+    if not isinstance(begun, Rest | State) or getattr(begun, "phase", None) is not None:
         raise InputError(
             "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
         )

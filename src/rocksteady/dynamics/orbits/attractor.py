@@ -10,7 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import ImpactState, Rest, Start, State, initial_march
+from rocksteady.dynamics.history.start import (
+    HasStart,
+    ImpactState,
+    Rest,
+    Start,
+    State,
+    initial_march,
+    start_of,
+)
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits._orbit_facts import (
     case_facts,
@@ -299,7 +307,7 @@ def find_attractor(
     block: Block | DimensionlessBlock,
     motion: PeriodicMotion,
     *,
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     max_cycles: int = 2000,
     model: Model | None = None,
 ) -> Attractor:
@@ -348,7 +356,7 @@ def find_attractor(
     periods = cycles_value(max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
-    initial = Rest() if start is None else start
+    initial = start_of(start)
     moved, begin = initial_march(initial, bare, shaken, tilted)
     shaken = periodic_motion(moved)
     memory, table = (

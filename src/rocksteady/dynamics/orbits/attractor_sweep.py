@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.dynamics.history.start import ImpactState, Rest, Start
+from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, start_of
 from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.attractor import KINDS, Attractor, cycles_value, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -264,7 +264,7 @@ def sweep_attractor(
     parameter: str,
     values: ArrayLike,
     *,
-    start: Start | None = None,
+    start: Start | HasStart | None = None,
     max_cycles: int = 2000,
     model: Model | None = None,
 ) -> AttractorSweep:
@@ -324,7 +324,7 @@ def sweep_attractor(
         valid = "it must be a list of one value or more"
         raise InputError("values", values, valid, "use numpy.linspace")
     periods = cycles_value(max_cycles)
-    begin = Rest() if start is None else start
+    begin = initial = start_of(start)
     attractors: list[Attractor] = []
     carried: ImpactState | None = None
     for value in steps.tolist():
@@ -346,7 +346,7 @@ def sweep_attractor(
         peaks=tuple(flight_peaks(each) for each in attractors),
         block=block,
         motion=motion,
-        start=Rest() if start is None else start,
+        start=initial,
         model=equations,
     )
 

@@ -17,7 +17,7 @@ from rocksteady.dynamics.history.base_motion import (
 )
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import Rest, State
+from rocksteady.dynamics.history.start import HasStart, Rest, State, start_of
 from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates
 from rocksteady.dynamics.overturning.scan import MANY, Found, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -251,7 +251,7 @@ class FatalKicks(WindowLists):
 def find_fatal_kick(
     block: Block | DimensionlessBlock,
     *,
-    start: Rest | State | None = None,
+    start: Rest | State | HasStart | None = None,
     motion: Motion | Record | BaseMotion | None = None,
     times_pt: ArrayLike = 0.0,
     within: tuple[float, float] | None = None,
@@ -304,9 +304,8 @@ def find_fatal_kick(
     >>> print(kicks.signed.round(6))
     [[ 0.5      -0.696109]]
     """
-    begun: Rest | State = Rest() if start is None else start
-    checked_start: object = begun
-    if not isinstance(checked_start, Rest | State) or getattr(checked_start, "phase", None):
+    begun = start_of(start)
+    if not isinstance(begun, Rest | State) or getattr(begun, "phase", None) is not None:
         raise InputError(
             "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
         )

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
 from rocksteady.results.result import Result
@@ -30,6 +31,7 @@ class OverturningWindow(NamedTuple):
     """Whether the window reaches the end of the range, so that its own end is not known."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class WindowLists(Result):
     """Windows of some rows: frequencies, records or kicks.

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Side, same_shape
+from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
@@ -13,6 +14,7 @@ ROUNDED = 1e-6
 """Relative difference of moments of inertia that are the same."""
 
 
+@checked
 class Measured(Result):
     """A block of two sides as equations and descriptions see it."""
 

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, with_call_errors
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Restitution
@@ -52,6 +52,7 @@ SOURCES = {
 """What each named block is, and where it comes from."""
 
 
+@with_call_errors
 def named_block(
     name: str,
     *,

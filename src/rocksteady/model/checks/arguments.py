@@ -18,7 +18,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, with_call_errors
 from rocksteady.model.checks._signatures import readable
 from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
@@ -96,7 +96,8 @@ def _checked(target: Any, *, numbers: bool) -> Any:
 def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., Any]:
     """Return a function that checks its arguments first; the function itself if none has a type."""
     plan: list[tuple[str, int, bool, Fit]] | None = None
-    made = _plan  # the wrapper has the globals of the function's module, not of this one
+    # The wrapper has the globals of the function's module, not of this one.
+    made, inner = _plan, with_call_errors(function)
 
     def call(*args, **kwargs):  # type: ignore[no-untyped-def]
         nonlocal plan
@@ -113,7 +114,7 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
                 value = fit(name, given[place])
                 if value is not given[place]:
                     given = (*given[:place], value, *given[place + 1 :])
-        return function(*given, **kwargs)
+        return inner(*given, **kwargs)
 
     # Finders of doctests know a module's functions by their globals.
     local = types.FunctionType(
@@ -131,7 +132,8 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
             continue
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
-        chosen = parameter.name == "model" and parameter.default is None  # a text has its own hint
+        # A text for a model has its own hint, and a result stands for its start.
+        chosen = parameter.name in ("model", "start") and parameter.default is None
         measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
         if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
             fit = _kept
@@ -478,7 +480,7 @@ _MADE_BY: Final = {
     "Motion": "give a Harmonic, a Pulse, a Piecewise, a Record or a Still",
     "Record": "read one with read_record(path), or make a Record(acceleration_m_s2=..., dt_s=...)",
     "Trajectory": "give what simulate(...) returns",
-    "Orbit": "give what orbits(...) returns, or attractor(...).orbit",
+    "Orbit": "give one that find_orbits(...) returns, or find_attractor(...).orbit",
     "Harmonic": "make a Harmonic(amplitude=..., frequency_ratio=...)",
     "Axes": "give the axes of matplotlib, or leave it out for new ones",
     "Dataset": "give the dataset that the function named in the documentation returns",

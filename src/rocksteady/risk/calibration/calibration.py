@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent, plural
@@ -35,6 +36,7 @@ Folds = Literal["group", "record", "test", "session"]
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Calibration(Result):
     """Posteriors, verdicts and held-out scores, from `rocksteady.calibrate`.

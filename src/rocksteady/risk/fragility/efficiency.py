@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass
 
+from rocksteady.model.checks.arguments import checked
 from rocksteady.seismic.measures.scalar import Intensity
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Efficiency:
     """Efficiency of a measure of intensity in separating failures from survivals.

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import positive, whole_number
 from rocksteady.sweep.cases.spacing import in_equal_ratios
@@ -22,6 +23,7 @@ LONGEST_NAME: Final = 200
 """Characters of a name: a store keeps a folder for each."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Axis:
     """One coordinate of a grid.

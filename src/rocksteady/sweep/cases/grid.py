@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number, within_memory
 from rocksteady.sweep.cases.axes import Array, Axis, indices_of
 
@@ -15,6 +16,7 @@ MOST_CELLS = 10**12
 """Of a grid: the number of a cell is exact in every arithmetic that it meets."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Grid:
     """The cells that axes span, numbered in C order: the last axis runs fastest.

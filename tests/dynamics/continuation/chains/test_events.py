@@ -101,7 +101,7 @@ def branches_disagree(seed: int, most: int = 6) -> list[str]:
             assert np.isfinite(point.peaks).all()
             if max(point.chain.durations) < 8.0:
                 assert least_height(point) > -1e-12
-                assert point.orbit().residual <= 1e-9 * max(1.0, abs(point.multipliers[0]))
+                assert point.orbit.residual <= 1e-9 * max(1.0, abs(point.multipliers[0]))
         whole = max(point.chain.impacts for point in long)
         waiting += [
             point for point in long[1:] if point.type in GOES_ON and point.chain.impacts == whole

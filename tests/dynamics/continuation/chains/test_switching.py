@@ -62,7 +62,7 @@ def test_at_a_breaking_two_leaning_orbits_leave_like_a_root(leaning: list[Branch
         assert (point.period, point.impacts) == (1, 2)
         assert point.stable  # a supercritical pitchfork: it takes the stability over
     # What leans to the other side is the mirror image.
-    one, other = leaning[5].orbit(), leaning[5].orbit().mirrored
+    one, other = leaning[5].orbit, leaning[5].orbit.mirrored
     assert one.highest == pytest.approx(-other.lowest)
     assert abs(one.highest + one.lowest) > 0.01
 
@@ -76,7 +76,7 @@ def test_at_a_doubling_orbits_of_twice_the_period_leave_like_a_root(
     for point in doubled[1:6]:
         assert (point.period, point.impacts, point.symmetric) == (2, 4, False)
         assert point.stable
-        orbit = point.orbit()
+        orbit = point.orbit
         assert orbit.period == 2
         assert orbit.residual < 1e-11
         found = find_attractor(orbit.block, orbit.motion, start=orbit.start)
@@ -147,7 +147,7 @@ def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> No
     assert len(apart) > 10
     for point in apart[::5]:
         # Newton's method on the return map finds it again, from a place beside it.
-        orbit = point.orbit()
+        orbit = point.orbit
         begin, table = orbit.states[0], np.zeros((orbit.impacts or 0, periodic.ORBIT_COLUMNS))
         system = make_system(orbit.block.dimensionless(), orbit.motion, Linear())
         beside = replace(begin, speed=begin.speed * (1.0 + 1e-13))
@@ -187,7 +187,7 @@ def test_of_an_orbit_that_leans_a_merging_may_leave_a_symmetric_one() -> None:
             on = list(follow_branch(last, "frequency_ratio", (1.6, 4.5), switch=True))
             for point in on[1:-1:3]:
                 if max(point.chain.durations) < 8.0:
-                    assert point.orbit().kind == point.kind
+                    assert point.orbit.kind == point.kind
                     seen += 1
     assert seen > 3
 

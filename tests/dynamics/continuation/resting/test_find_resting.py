@@ -125,7 +125,7 @@ def test_sweeps_lie_on_the_branch(block: Block | DimensionlessBlock, model: Mode
         assert (point.period, point.rest_phases) == (orbit.period, orbit.rest_phases)
         assert point.highest == pytest.approx(orbit.highest, rel=1e-10)
         assert np.sort(point.peaks) == pytest.approx(np.sort(peaks), abs=1e-14)
-        assert point.orbit().highest == orbit.highest
+        assert point.orbit.highest == orbit.highest
 
 
 def test_of_an_asymmetric_block_the_mirror_image_has_the_mirrored_branches() -> None:
@@ -194,7 +194,7 @@ def test_an_orbit_is_followed_to_both_ends_of_its_branch() -> None:
     branch = follow_resting_orbit(orbit, "amplitude", (0.9, 1.1))
     other = first_branch(BLOCK, "amplitude", (0.99, 1.078))
     assert branch.within == other.within
-    assert branch.at(1.04).orbit().states == orbit.states
+    assert branch.at(1.04).orbit.states == orbit.states
 
 
 def test_what_cannot_be_is_refused() -> None:

@@ -178,8 +178,14 @@ class RestingPoint(Result):
         """Phase for which the block rests after each excursion [rad], shape (rest_phases,)."""
         return np.array([each.rest for each in self.excursions])
 
+    @property
+    def start(self) -> ImpactState:
+        """The first uplift of its orbit, at which `rocksteady.simulate` sets off."""
+        return state_of(self.legs[0].states[0])
+
+    @cached_property
     def orbit(self) -> Orbit:
-        """Return the orbit, as from `rocksteady.find_orbits`."""
+        """The orbit, as from `rocksteady.find_orbits`."""
         system = make_system(self.block, self.motion, self.model)
         passages = sum(len(leg.states) for leg in self.legs)
         table = np.zeros((passages, periodic.ORBIT_COLUMNS))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
@@ -23,6 +24,7 @@ Row = dict[str, Any]
 ROWS = ("calibrated", "untempered", "base rate", "logistic")
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Validation(Result):
     """Held-out scores of a calibration and of simpler rules.
