@@ -1,12 +1,19 @@
 """Outcomes: codes and labels, which stored results and kernels share."""
 
+import json
 import pickle
+from enum import Enum
+from typing import Any
 
+import msgspec
+import numpy as np
 import pytest
 
+import rocksteady
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
 from rocksteady.dynamics.maps.fate_map import FATES
+from rocksteady.errors import InputError
 from rocksteady.kernels.orbits import return_map
 from rocksteady.outcomes import NO_START, AttractorKind, Event, Status
 
@@ -63,3 +70,69 @@ def test_no_start_is_one_code_in_both_maps_and_no_outcome() -> None:
     assert [found[NO_START] for found in flags] == ["no-start"] * 2
     assert NO_START not in set(Status)
     assert [KIND_FLAGS[code] for code in range(6)] == [kind.value for kind in AttractorKind]
+
+
+OUTCOMES = (Status, AttractorKind, Event)
+
+
+@pytest.mark.parametrize("kinds", OUTCOMES)
+def test_an_outcome_equals_its_word_and_its_code_and_nothing_else(kinds: Any) -> None:
+    for place, outcome in enumerate(kinds):
+        assert outcome.code == place
+        assert outcome == np.int8(place)
+        for same in (outcome.label, place, outcome):
+            assert outcome == same
+            assert same == outcome
+            assert not outcome != same  # noqa: SIM202 - both operators are defined
+            assert kinds(same) is outcome
+        assert outcome in (outcome.label, "another")
+        for other in (outcome.label.upper(), "", "fallen", place + 1, -1, None, 0.5, [place]):
+            assert outcome != other
+            assert not outcome == other  # noqa: SIM201
+        assert [each for each in kinds if each == outcome] == [outcome]
+        assert {outcome: 1}[pickle.loads(pickle.dumps(outcome))] == 1
+        assert hash(outcome) == hash(outcome.value)
+        assert json.loads(json.dumps(outcome)) == msgspec.json.decode(msgspec.json.encode(outcome))
+        assert (np.array([place, place + 1]) == outcome.code).tolist() == [True, False]
+    with pytest.raises(InputError, match=f"must be one of {next(iter(kinds)).label}, "):
+        kinds("fallen")
+
+
+def test_outcomes_of_different_lists_compare_by_their_words() -> None:
+    assert Status.OVERTURNED == Event.OVERTURNED == AttractorKind.OVERTURNED
+    codes, words = np.array([0, 2]), np.array(["rest", "aperiodic"])
+    for array, outcome, other in (
+        (codes, Status.OVERTURNED, Status.ROCKING),
+        (words, AttractorKind.APERIODIC, AttractorKind.REST),
+    ):
+        found: Any
+        for found in (array == outcome, outcome == array, array != other, other != array):
+            assert found.tolist() == [False, True]
+    assert Status.AT_REST != Event.UPLIFT, "both have code 1"
+    assert Status.UNDECIDED != Event.AT_REST
+    assert AttractorKind.REST != Event.OVERTURNED
+
+
+def test_every_public_list_of_words_compares_with_its_words() -> None:
+    named = [getattr(rocksteady, name) for name in rocksteady.__all__]
+    lists = [each for each in named if isinstance(each, type) and issubclass(each, Enum)]
+    assert set(OUTCOMES) <= set(lists)
+    for each in lists:
+        for member in each:
+            assert member == getattr(member, "label", member.value)
+            assert isinstance(member.value, str) or each in OUTCOMES, "a code alone is no word"
+
+
+def test_a_run_compares_with_a_word() -> None:
+    block = rocksteady.DimensionlessBlock(restitution=0.9)
+    run = rocksteady.simulate(block, rocksteady.Harmonic(amplitude=9.0, frequency_ratio=1.0))
+    assert run.status == "overturned"
+    assert run.status in ("overturned", "at-rest")
+    assert run.status != "at-rest"
+    match run.status:
+        case "at-rest":
+            pytest.fail("another word")
+        case "overturned":
+            pass
+        case _:
+            pytest.fail("no word")

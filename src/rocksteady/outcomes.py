@@ -1,12 +1,60 @@
 """How computations end: the one list of statuses, kinds of attractors and events.
 
-This module is in the lowest layer: it imports nothing from the package, and nothing heavy.
+An outcome equals its word and its code: ``run.status == "overturned"`` and ``run.status == 2``.
+It equals nothing else: a word that is no label of it is unequal, as for any text, and outcomes of
+different lists compare by their words.  Arrays hold codes: ``batch.status == Status.OVERTURNED``,
+``kinds == AttractorKind.REST.code``.  In sets and as keys a `Status` or an `Event` is its code and
+an `AttractorKind` its word, since Python cannot hash both alike.
+
+This module lies low: it imports only the errors, and nothing heavy.
 """
 
-from enum import IntEnum, StrEnum
+from enum import Enum, IntEnum, StrEnum
+from numbers import Integral
+from typing import Self
+
+from rocksteady.errors import InputError
 
 
-class Status(IntEnum):
+class _Outcome(Enum):
+    """An outcome with a word and a code, which equals both."""
+
+    @property
+    def label(self) -> str:
+        """The word that stands in JSON output and in tables (``at-rest``)."""
+        return self.name.lower().replace("_", "-")
+
+    @property
+    def code(self) -> int:
+        """The whole number that stands in arrays."""
+        return self.value if isinstance(self.value, int) else list(type(self)).index(self)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether another is the same outcome, its word or its code."""
+        if isinstance(other, str | _Outcome):
+            return self.label == getattr(other, "label", other)
+        return self.code == int(other) if isinstance(other, Integral) else NotImplemented
+
+    def __ne__(self, other: object) -> bool:
+        """Return whether another is neither the same outcome nor its word or code."""
+        same = self.__eq__(other)
+        return same if same is NotImplemented else not same
+
+    def __hash__(self) -> int:
+        """Return the hash of the value: a code, or a word."""
+        return hash(self.value)
+
+    @classmethod
+    def _missing_(cls, value: object) -> Self:
+        """Return the outcome of a word or a code."""
+        for each in cls:
+            if each == value:
+                return each
+        words = ", ".join(each.label for each in cls)
+        raise InputError(cls.__name__, value, f"it must be one of {words}", "give one of them")
+
+
+class Status(_Outcome, IntEnum):
     """Outcome of a computation: an integer for kernels, a label for files, a sentence for people.
 
     The codes are part of every stored result: a code never changes its meaning, and a new status
@@ -18,11 +66,6 @@ class Status(IntEnum):
     OVERTURNED = 2
     LOST_CONTACT = 3
     UNDECIDED = 4
-
-    @property
-    def label(self) -> str:
-        """The word that stands in JSON output and in tables (``at-rest``)."""
-        return self.name.lower().replace("_", "-")
 
     @property
     def advice(self) -> str:
@@ -54,8 +97,8 @@ _ADVICE = {
 }
 
 
-class AttractorKind(StrEnum):
-    """Kind of attractor, or undecided."""
+class AttractorKind(_Outcome, StrEnum):
+    """Kind of attractor, or undecided; its label is its value."""
 
     SYMMETRIC = "symmetric"
     UNSYMMETRIC = "unsymmetric"
@@ -65,8 +108,11 @@ class AttractorKind(StrEnum):
     UNDECIDED = "undecided"
 
 
-class Event(IntEnum):
-    """Event that ends a passage of the return map, with the codes of its kernel."""
+class Event(_Outcome, IntEnum):
+    """Event that ends a passage of the return map, with the codes of its kernel.
+
+    The labels of the three ends are those of `Status`.
+    """
 
     IMPACT = 0
     """An impact follows; the map has a derivative there."""
@@ -80,11 +126,6 @@ class Event(IntEnum):
     """Chatter comes to rest, and the shaking never lifts the block again."""
     UNDECIDED = 5
     """The search for the next impact did not end."""
-
-    @property
-    def label(self) -> str:
-        """The word for tables; the three ends have those of `Status` (``at-rest``)."""
-        return self.name.lower().replace("_", "-")
 
 
 NO_START = -1

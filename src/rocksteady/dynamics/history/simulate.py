@@ -72,7 +72,8 @@ def simulate(
         anything else with segments, a `Record`, which needs a `Block`, or a `BaseMotion` of two.
     start
         `Rest` (default), `State`, `Steady`, a steady state of the model, or `ImpactState`; one
-        with a phase decides the phase of harmonic shaking.
+        with a phase decides the phase of harmonic shaking.  A result with a ``start``, such as an
+        `Orbit` or a `BranchPoint`, stands for it.
     cycles
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.

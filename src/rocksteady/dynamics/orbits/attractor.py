@@ -327,7 +327,7 @@ def find_attractor(
     motion
         Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.
     start
-        `Rest` (default), `State`, `Steady` or `ImpactState`.
+        `Rest` (default), `State`, `Steady`, `ImpactState` or a result that has a start.
     max_cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
     model
