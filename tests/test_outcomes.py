@@ -2,7 +2,9 @@
 
 import json
 import pickle
+import re
 from enum import Enum
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -136,3 +138,44 @@ def test_a_run_compares_with_a_word() -> None:
             pass
         case _:
             pytest.fail("no word")
+
+
+def test_no_change_of_a_block_its_shaking_or_its_start_is_safe_in_general() -> None:
+    """Counterexamples to advice: of each pair the first stands, the second should be safer."""
+    block, still = rocksteady.DimensionlessBlock(restitution=0.9), rocksteady.Rest()
+
+    def status(amplitude: float, ratio: float, start: rocksteady.State | None = None) -> Status:
+        pulse = rocksteady.Pulse(shape="one-sine", amplitude=amplitude, frequency_ratio=ratio)
+        return rocksteady.simulate(block, pulse, start=start or still).status
+
+    tilted = rocksteady.State(angle=0.1, velocity=0.0)
+    # The same pulse on a larger block has a larger omega/p, on a stockier one a smaller A.
+    assert [status(4.6, 3.6), status(4.4, 3.6)] == ["overturned", "overturned"]
+    assert [status(3.5, 3.0), status(3.5, 3.25)] == ["at-rest", "overturned"], "faster, larger"
+    assert [status(4.0, 3.25), status(3.5, 3.25)] == ["at-rest", "overturned"], "weaker, stockier"
+    assert [status(4.0, 3.6, tilted), status(4.0, 3.6)] == ["at-rest", "overturned"], "less tilted"
+
+
+def test_no_text_promises_that_a_change_keeps_a_block_standing() -> None:
+    root = Path(rocksteady.__file__).parents[2]
+    change = (
+        r"\b(?:weaker|stronger|faster|slower|larger|smaller|stockier|wider|heavier|lower|more)\b"
+    )
+    promise = re.compile(
+        rf"{change}[^.;:|]{{0,60}}\b(?:keeps?|makes?)\s+(?:it|them|a block|the block)\s+"
+        rf"(?:standing|safe|upright)|{change}\s+blocks?[^.;:|]{{0,40}}\b(?:is|are) (?:the )?safer"
+    )
+    files = [
+        *(file for end in ("py", "mjs") for file in root.glob(f"src/**/*.{end}")),
+        *root.glob("docs/**/*.md"),
+        root / "README.md",
+    ]
+    promises = [
+        (file.name, found[0])
+        for file in files
+        for found in promise.finditer(
+            re.sub(r'"?\s*\n\s*"?', " ", file.read_text(encoding="utf-8"))
+        )
+        if "as a rule" not in found.string[max(found.start() - 30, 0) : found.end()].lower()
+    ]
+    assert promises == []

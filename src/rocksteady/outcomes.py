@@ -76,15 +76,15 @@ class Status(_Outcome, IntEnum):
 _ADVICE = {
     Status.ROCKING: (
         "The block was still rocking when the run ended; where the shaking goes on, a longer run "
-        "shows whether it settles, comes to rest or falls."
+        "may show whether it settles, comes to rest or falls."
     ),
     Status.AT_REST: (
         "The block stands still on its base at the end; it lifts only where the base acceleration "
         "exceeds the uplift limit."
     ),
     Status.OVERTURNED: (
-        "The block falls: it is proved that it cannot come back to its base; a larger or stockier "
-        "block, weaker or faster shaking, or a smaller tilt at the start keeps it standing."
+        "The block falls: it is proved that it cannot come back to its base; run every change of "
+        "block, shaking or start again, as even weaker shaking may overturn what now stands."
     ),
     Status.LOST_CONTACT: (
         "The base dropped away at g or faster, so the block left it and the rocking model ends "

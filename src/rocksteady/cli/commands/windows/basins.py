@@ -87,8 +87,8 @@ AnglesFlag = Annotated[
         "--angles",
         metavar="AXIS",
         help="u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
-        "1 + A/sqrt(1 + W^2) on either side, beyond which a block falls at once; for an erosion up "
-        "to 1.5.  With --one-sided from 0.",
+        "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back falls; "
+        "for an erosion up to 1.5.  With --one-sided from 0.",
         rich_help_panel=WINDOW,
     ),
 ]

@@ -252,7 +252,7 @@ ENGLISH: Final[dict[str, str]] = {
     "assumed_balance": "A run beyond d₀ counts as overturning, even where {the} comes back.",
     "assumed_restitution": (
         "The coefficient of restitution is a choice: measured values of masonry scatter, and a "
-        "larger one prolongs the motion."
+        "larger one takes less from the motion at each impact."
     ),
     "not_covered": "Not covered",
     "not_rigid": (

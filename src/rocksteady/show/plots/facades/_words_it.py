@@ -256,7 +256,7 @@ ITALIAN: Final[dict[str, str]] = {
     "assumed_balance": "Un'analisi oltre d₀ conta come ribaltamento, anche se {the} ritorna.",
     "assumed_restitution": (
         "Il coefficiente di restituzione è una scelta: i valori misurati per la muratura sono "
-        "dispersi, e un valore maggiore prolunga il moto."
+        "dispersi, e un valore maggiore sottrae meno al moto a ogni urto."
     ),
     "not_covered": "Resta escluso",
     "not_rigid": (

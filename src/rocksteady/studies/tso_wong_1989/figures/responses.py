@@ -191,7 +191,7 @@ RESPONSES = (
     ),
     Responses(
         id="6a", quantity="p", order=1, ends=(0.05, 16.0),
-        says="At one frequency in Hz the peak grows with p: small blocks rock more.",
+        says="In this motion the peak at one frequency in Hz grows with p.",
         chosen=(P_ILLEGIBLE,),
     ),
     Responses(

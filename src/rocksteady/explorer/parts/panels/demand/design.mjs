@@ -237,10 +237,10 @@ export function makeDesignPanel(app) {
     let first = columns;
     while (first > 0 && isSafe(lookOf(near[first - 1]))) first -= 1;
     const high = `${numeral(state.h, 3)} m high`, end = numeral(axes.x.to, 3);
-    if (first === columns) return `No width up to ${end} m is safe ${high}.`;
-    if (first === 0) return `All widths from ${numeral(axes.x.from, 3)} m are safe ${high}.`;
+    if (first === columns) return `The widest, ${end} m, is not safe ${high}.`;
+    if (first === 0) return `All widths that were run, from ${numeral(axes.x.from, 3)} m, are safe ${high}.`;
     const step = (axes.x.to - axes.x.from) / columns, width = axes.x.from + first * step;
-    return `${high[0].toUpperCase()}${high.slice(1)}, all widths from ${width.toFixed(2)} to ${end} m are safe.`;
+    return `${high[0].toUpperCase()}${high.slice(1)}, all widths that were run from ${width.toFixed(2)} to ${end} m are safe.`;
   };
 
   /** Write how far the picture is. */
