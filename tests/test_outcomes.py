@@ -150,7 +150,6 @@ def test_no_change_of_a_block_its_shaking_or_its_start_is_safe_in_general() -> N
 
     tilted = rocksteady.State(angle=0.1, velocity=0.0)
     # The same pulse on a larger block has a larger omega/p, on a stockier one a smaller A.
-    assert [status(4.6, 3.6), status(4.4, 3.6)] == ["overturned", "overturned"]
     assert [status(3.5, 3.0), status(3.5, 3.25)] == ["at-rest", "overturned"], "faster, larger"
     assert [status(4.0, 3.25), status(3.5, 3.25)] == ["at-rest", "overturned"], "weaker, stockier"
     assert [status(4.0, 3.6, tilted), status(4.0, 3.6)] == ["at-rest", "overturned"], "less tilted"

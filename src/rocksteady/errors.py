@@ -236,25 +236,25 @@ def _call_error(
     owner, _, name = function.__qualname__.rpartition(".")
     called = owner if name == "__init__" else name
     parameters = list(signature.parameters.values())
-    own = [each for each in parameters if each.name not in {"self", "cls"}]
+    accepted = [each for each in parameters if each.name not in {"self", "cls"}]
     by_place = [each for each in parameters if each.kind is each.POSITIONAL_OR_KEYWORD]
-    names = ", ".join(each.name for each in own) or "none"
+    names = ", ".join(each.name for each in accepted) or "none"
     unknown = next((key for key in kwargs if key not in signature.parameters), None)
     if unknown is not None:
-        close = get_close_matches(unknown, [each.name for each in own], n=1)
+        close = get_close_matches(unknown, [each.name for each in accepted], n=1)
         hint = f"did you mean {close[0]}?" if close else f"its arguments are: {names}"
         return InputError(unknown, kwargs[unknown], f"{called} has no such argument", hint)
     if len(args) > len(by_place):
         extra = args[len(by_place)]
-        most = len(by_place) - (len(parameters) - len(own))
+        most = len(by_place) - (len(parameters) - len(accepted))
         valid = f"{called} takes {most or 'no'} argument{'s' * (most != 1)} without a name"
         return InputError(f"argument {most + 1}", extra, valid, f"name the others: {names}")
-    twice = next((each.name for each in by_place[: len(args)] if each.name in kwargs), None)
-    if twice is not None:
+    repeated = next((each.name for each in by_place[: len(args)] if each.name in kwargs), None)
+    if repeated is not None:
         valid = f"{called} takes it once"
-        return InputError(twice, Words("is given twice"), valid, "give it by place or by name")
+        return InputError(repeated, Words("is given twice"), valid, "give it by place or by name")
     needs = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
-    needed = [each.name for each in own if each.default is each.empty and each.kind in needs]
+    needed = [each.name for each in accepted if each.default is each.empty and each.kind in needs]
     given = {each.name for each in by_place[: len(args)]} | set(kwargs)
     missing = [each for each in needed if each not in given]
     verb = Words("is not given" if len(missing) == 1 else "are not given")

@@ -216,15 +216,15 @@ def start_of(start: object, *, name: str = "start") -> Start:
     """
     if start is None:
         return Rest()
-    own = start if isinstance(start, Start) else getattr(start, "start", None)
-    if not isinstance(own, Start):
+    state = start if isinstance(start, Start) else getattr(start, "start", None)
+    if not isinstance(state, Start):
         raise InputError(
             name,
             start,
             "it must be a Rest, a State, a Steady, an ImpactState, or a result that has a start",
             "give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
         )
-    return own
+    return state
 
 
 def refuse_behind_wall(

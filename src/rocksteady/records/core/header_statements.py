@@ -311,8 +311,8 @@ def interval_value(
 
 def _goes_on(rest: str) -> bool:
     """Return whether what follows a number, or its unit, belongs to it or is a second number."""
-    other = _ANOTHER_THING.match(rest)
-    if other is not None and in_seconds(other["word"]) is None:
+    thing = _ANOTHER_THING.match(rest)
+    if thing is not None and in_seconds(thing["word"]) is None:
         return False
     return _GOES_ON.match(rest) is not None
 

@@ -120,11 +120,11 @@ def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float 
         if len(values) > 1 and (pattern is _COUNT or given.dt_s is None):
             raise text.error("it is stated twice, with two values", "correct one of them", at=at)
     line = text.heads[at]
-    both = _NUMBERS_FIRST.match(line)
-    if both is not None:
-        written = f"{both['dt']} {both['after']}"
-        dt_s = interval_value(text, at, written, both["unit"], given.dt_s)
-        return count_value(text, at, both["count"]), dt_s, at
+    numbers_first = _NUMBERS_FIRST.match(line)
+    if numbers_first is not None:
+        written = f"{numbers_first['dt']} {numbers_first['after']}"
+        dt_s = interval_value(text, at, written, numbers_first["unit"], given.dt_s)
+        return count_value(text, at, numbers_first["count"]), dt_s, at
     alone = _COUNT.search(line)
     count = None if alone is None else count_value(text, at, alone["value"])
     # The interval may stand before the count, or on a line of its own beside it.
