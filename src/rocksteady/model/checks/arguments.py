@@ -50,6 +50,8 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("find_overturning_windows", "within"),
         ("find_steady_states", "order"),
         ("Scatter.__init__", "deviation"),
+        ("Axis.__init__", "values"),
+        ("Grid.__init__", "axes"),
         ("check_boundary", "labels"),
         ("compute_basin_entropy", "labels"),
         ("compute_uncertainty_exponent", "labels"),
