@@ -149,7 +149,17 @@ def test_chatter_that_is_said_to_settle_does(
     here = make_forcing(-1.0, 0.0, amplitude, frequency)
     there_phase = phase + math.pi if phase < 0.5 * math.pi else phase - math.pi
     said = settles(
-        restitution, math.inf, here, phase, velocity, 1.0, here, there_phase, velocity, 1.0, math.inf
+        restitution,
+        math.inf,
+        here,
+        phase,
+        velocity,
+        1.0,
+        here,
+        there_phase,
+        velocity,
+        1.0,
+        math.inf,
     )
     if not said:
         return

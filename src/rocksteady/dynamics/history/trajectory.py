@@ -141,14 +141,14 @@ class Trajectory(Described):
         """Pivot time at which the block came to rest where it stayed; None if it did not.
 
         The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha, or
-        at the limit of flights.  Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
-        after the last recorded impact and the base acceleration a towards the side of the next
-        bounce; what this leaves out is of the order of v times that on a moving base, of v^2 times
-        that on a still one.  For a block whose sides
-        differ 1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.
-        In the nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in
-        the vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side,
-        and those still to come last ``2 v/((1 - a) (1 - r))``.
+        at the limit of flights.  Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 -
+        r^2)``, with the velocity v after the last recorded impact and the base acceleration a
+        towards the side of the next bounce; what this leaves out is of the order of v times that on
+        a moving base, of v^2 times that on a still one.  For a block whose sides differ 1 - a is
+        the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.  In the
+        nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in the
+        vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side, and
+        those still to come last ``2 v/((1 - a) (1 - r))``.
         """
         if self.status is not Status.AT_REST:
             return None

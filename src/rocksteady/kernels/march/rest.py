@@ -256,9 +256,7 @@ def bounce_bounds(
 
 
 @compiled
-def impacts_on_still_base(
-    sides: Floats, side: int, speed: float, impacts: int, most: int
-) -> int:
+def impacts_on_still_base(sides: Floats, side: int, speed: float, impacts: int, most: int) -> int:
     """Return the impacts of chatter on a still base, those before it included.
 
     Parameters

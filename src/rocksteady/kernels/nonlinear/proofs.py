@@ -14,9 +14,10 @@ towards that position passes it, and one beyond that is slower does not come bac
 **Rest.**  The argument is that of `kernels.march.rest`.  With c > 0 the least of -r and K the
 largest of ``max(1, k + c alpha^2/2)`` over the window, ``y'' <= -c + K y`` while 0 <= y <= 1, since
 ``cos x >= 1 - x^2/2`` and ``sin x <= x``.  So a bounce with velocity v rises to ``Y = v^2/(c +
-sqrt(c^2 - K v^2))`` at most, for which v^2/c has to be below 1, and lasts no longer than ``2 v/sqrt(c^2 - K v^2)``; the square of its
-landing velocity exceeds v^2 by twice the integral of ``r' sin(alpha y)/alpha + k' (1 - cos(alpha
-y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration.
+sqrt(c^2 - K v^2))`` at most, for which v^2/c has to be below 1, and lasts no longer than ``2
+v/sqrt(c^2 - K v^2)``; the square of its landing velocity exceeds v^2 by twice the integral of ``r'
+sin(alpha y)/alpha + k' (1 - cos(alpha y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y``
+times the duration.
 """
 
 import math
