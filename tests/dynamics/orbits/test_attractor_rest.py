@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,12 +16,15 @@ from rocksteady import (
     ModelError,
     Rest,
     State,
+    Status,
     Steady,
     Still,
     find_attractor,
     find_orbits,
     find_steady_states,
+    simulate,
 )
+from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
@@ -321,3 +325,65 @@ def test_an_orbit_with_rest_draws_itself_as_it_is(point: tuple[float, float, flo
     assert angle.max() == pytest.approx(orbit.highest, rel=1e-3)
     assert angle.min() == pytest.approx(orbit.lowest, rel=1e-3)
     assert (np.diff(run.flights.pt) >= -1e-12).all()
+
+
+# ----------------------------------------------------------------- starts that lift at once
+
+
+def random_cases(seed: int, count: int, *, lifting: bool) -> list[tuple[float, Harmonic]]:
+    """Random restitutions and motions; `lifting` ones push a still block off at once."""
+    random, listed = np.random.default_rng(seed), []
+    while len(listed) < count:
+        restitution, amplitude, frequency, phase = random.uniform(
+            [0.3, 1.0, 2.0, 0.0], [0.95, 4.0, 9.0, math.pi]
+        ).tolist()
+        motion = Harmonic(amplitude=amplitude, frequency_ratio=frequency, phase=phase)
+        again = clock(phase + math.pi) == (1, phase)  # mirrored without rounding
+        if again and (not lifting or amplitude * math.sin(phase) > 1.0):
+            listed.append((restitution, motion))
+    return listed
+
+
+@pytest.mark.parametrize("one_sided", [True, False])
+def test_what_lifts_at_once_settles_to_what_a_time_history_comes_to(*, one_sided: bool) -> None:
+    decided = 0
+    for restitution, motion in random_cases(3, 150, lifting=True):
+        block = DimensionlessBlock(restitution=restitution, one_sided=one_sided)
+        found = find_attractor(block, motion, max_cycles=100)
+        if found.growth > 1e7 or found.kind in ("undecided", "aperiodic"):
+            continue
+        decided += 1
+        # What is left of the way there, and in the end a period of the orbit.
+        run = simulate(block, motion, cycles=found.after + 300)
+        assert (run.status == Status.OVERTURNED) == (found.kind == "overturned")
+        if found.orbit is None:
+            continue
+        assert found.orbit.stable
+        if found.orbit.largest_multiplier ** (300 / found.orbit.period) > 1e-6:
+            continue  # it comes there more slowly
+        last = 2.0 * math.pi * found.period / motion.frequency_ratio
+        ends = run(np.linspace(run.end_time_pt - last, run.end_time_pt, 4000)).angle
+        high, low = found.peaks
+        if not one_sided and abs(ends.max() - high) > abs(ends.max() + low):
+            high, low = -low, -high
+        assert [ends.max(), ends.min()] == pytest.approx([high, low], abs=2e-3)
+    assert decided > 40
+
+
+def test_a_mirrored_start_settles_to_the_mirror_image_bit_for_bit() -> None:
+    for restitution, motion in random_cases(5, 60, lifting=False):
+        block = DimensionlessBlock(restitution=restitution)
+        angle, velocity = motion.amplitude / 5.0 - 0.4, motion.frequency_ratio / 9.0 - 0.5
+        pair = [
+            (replace(motion, phase=motion.phase + k * math.pi), State(angle=u, velocity=v))
+            for k, u, v in ((0, angle, velocity), (1, -angle, -velocity))
+        ]
+        runs = [simulate(block, shaken, start=start, cycles=20) for shaken, start in pair]
+        ends = [(run.status, run.peak, run.end_time_pt) for run in runs]
+        assert ends[0] == ends[1]
+        found = [find_attractor(block, shaken, start=start) for shaken, start in pair]
+        told = [(each.kind, each.period, each.after, each.growth, each.reason) for each in found]
+        assert told[0] == told[1]
+        if found[0].peaks is not None:
+            high, low = found[1].peaks
+            assert found[0].peaks == (-low, -high)

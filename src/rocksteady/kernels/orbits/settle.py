@@ -196,7 +196,10 @@ def settle(
                         passed,
                         growth,
                     )
-            if row == 0:
+            # A block that lifts as it starts does so at any phase, to which no rest leads back.
+            if step.time == 0.0:
+                pass
+            elif row == 0:
                 lifted_half = (state.half_cycles, lifted_half[1])
                 lifted_count = (count, lifted_count[1])
                 on_the_way = (0.0, max(on_the_way[1], between))

@@ -111,7 +111,7 @@ class Side:
 
 
 def same_shape(one: Side, other: Side) -> bool:
-    """Return whether two sides are equal but for their restitutions."""
+    """Return whether two sides are equal, their restitutions aside."""
     return one == replace(other, restitution=one.restitution)
 
 
