@@ -126,6 +126,22 @@ format: .venv ## let ruff mend and format what it can
 	$(BIN)/python -m ruff check --fix
 	$(BIN)/python -m ruff format
 
+.PHONY: freeze
+freeze: .venv library ## record answers of the package in tests/frozen: those that frozen compares
+	$(BIN)/python -m tools.freeze record
+
+.PHONY: freeze-all
+freeze-all: .venv library ## the same, and the large set
+	$(BIN)/python -m tools.freeze record --all
+
+.PHONY: frozen
+frozen: .venv library ## compare the answers with their records: two minutes
+	$(BIN)/python -m tools.freeze compare
+
+.PHONY: frozen-all
+frozen-all: .venv library ## the same, and the large set: twenty minutes
+	$(BIN)/python -m tools.freeze compare --all
+
 .PHONY: bench
 bench: .venv library ## time the package; writes docs/benchmarks.md
 	@mkdir -p out docs

@@ -197,7 +197,7 @@ def shortened(line: str) -> str:
         few = {"--levels": "0.4,0.8,1.6", "--restitution": "0.9", "--replicates": "100"}
         line += "".join(f" {flag} {value}" for flag, value in few.items() if flag not in line)
     if line.startswith("calibrate"):
-        line += " --draws 30 --gains 2 --rounds 1 --model linear"
+        line = re.sub(r" --draws \d+", "", line) + " --draws 30 --gains 2 --rounds 1 --model linear"
     if line.startswith("back-analyse --survey"):
         line = re.sub(r" --draws \d+", "", line) + " --draws 2 --levels 8 --trials 8"
     return AXIS.sub(lambda axis: axis[1] + str(min(FEW, int(axis[2]))), line)
@@ -207,6 +207,12 @@ def shortened(line: str) -> str:
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Go to an empty folder with the files that the pages assume."""
     monkeypatch.chdir(tmp_path)
+    write_files(tmp_path)
+    return tmp_path
+
+
+def write_files(folder: Path) -> None:
+    """Write the files that the pages and the examples of the commands assume."""
     time = 0.01 * np.arange(400)
     swelling = 0.6 * np.sin(6.0 * time) * np.exp(-((time - 2.0) ** 2))  # g
     rows = [" ".join(f"{value: .7E}" for value in row) for row in swelling.reshape(-1, 5)]
@@ -214,15 +220,17 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere-01, 1/17/1994, Hut, 90\n"
         f"ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {len(time):6d}, DT=   .0100 SEC,\n"
     )
-    for name in ("RSN77_PUL164.AT2", "one.AT2", "two.AT2", "three.AT2", "FILE"):
-        (tmp_path / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
-    suite = tmp_path / "suite"
+    names = ("one.AT2", "two.AT2", "three.AT2", "quake.at2", "east.at2", "north.at2", "FILE")
+    for name in ("RSN77_PUL164.AT2", *names):
+        (folder / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
+    suite = folder / "suite"
     suite.mkdir()
     for number in range(1, 5):
         scaled = [" ".join(f"{float(x) / number: .7E}" for x in row.split()) for row in rows]
         text = header + "\n".join(scaled) + "\n"
-        (suite / f"{number}.AT2").write_text(text, encoding="ascii")
-    motions = tmp_path / "motions"
+        for place in (suite, folder):
+            (place / f"{number}.AT2").write_text(text, encoding="ascii")
+    motions = folder / "motions"
     motions.mkdir()
     for number in range(1, 5):
         for channel, name in (("90", "090"), ("UP", "-UP")):
@@ -230,18 +238,21 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
             scaled = [" ".join(f"{float(x) * share: .7E}" for x in row.split()) for row in rows]
             text = header.replace("Hut, 90", f"Hut {number}, {channel}") + "\n".join(scaled) + "\n"
             (motions / f"RSN{number}_HUT{name}.AT2").write_text(text, encoding="ascii")
-    (tmp_path / "statue.toml").write_text(
+    (folder / "statue.toml").write_text(
         'name = "statue"\n[geometry]\nwidth_m = 0.435\nheight_m = 1.8\noffset_m = 0.05\n'
         "[demand]\npga_g = 0.35\npgv_m_s = 0.3\n",
         "utf-8",
     )
-    np.savetxt(tmp_path / "column.txt", 9.80665 * swelling)
-    (tmp_path / "peaks.csv").write_text("peak_rad\n0.06\n0.05\n0.043\n0.038\n", encoding="ascii")
-    (tmp_path / "objects.csv").write_text("name,width_m,height_m\ncolumn,0.4,1.6\n", "utf-8")
+    np.savetxt(folder / "column.txt", 9.80665 * swelling)
+    (folder / "peaks.csv").write_text("peak_rad\n0.06\n0.05\n0.043\n0.038\n", encoding="ascii")
+    for name in ("objects.csv", "blocks.csv"):
+        (folder / name).write_text("name,width_m,height_m\ncolumn,0.4,1.6\n", "utf-8")
+    (folder / "floor.txt").write_text("# damping 0.05\n0 0.35\n0.4 0.8\n4 0.04\n", "utf-8")
+    (folder / "site.csv").write_text("PGV [m/s],rate [1/year]\n0.05,0.1\n5,0.00001\n", "utf-8")
     rows = ["test,record,object,outcome,gain,session"]
     for number, outcome in ((1, "fell"), (2, "stood"), (3, "stood")):
         rows += [f"{number},{number},column,{outcome},1,{number}"]
-    (tmp_path / "cemetery.csv").write_text(
+    (folder / "cemetery.csv").write_text(
         "name,outcome,width_m,height_m\na,fell,0.12,0.9\nb,stood,0.5,0.9\n", "utf-8"
     )
     facade = '[facade]\nname = "wall"\nthickness_m = {}\nheight_m = 3.0\nconfidence_factor = {}\n'
@@ -251,16 +262,22 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ("worked-1", facade.format(0.3, 1.0)),
         ("worked-2", facade.format(0.3, 1.35)),
     ):
-        (tmp_path / f"{name}.toml").write_text(text, "utf-8")
-    (tmp_path / "prior.toml").write_text("[noise]\nsigma_ln = 0.2\n", "utf-8")
+        (folder / f"{name}.toml").write_text(text, "utf-8")
+    (folder / "prior.toml").write_text("[noise]\nsigma_ln = 0.2\n", "utf-8")
     for name in ("tests.csv", "next.csv"):
-        (tmp_path / name).write_text("\n".join(rows) + "\n", "utf-8")
-    return tmp_path
+        (folder / name).write_text("\n".join(rows) + "\n", "utf-8")
 
 
 @pytest.fixture(scope="session", name="fit")
 def _fit(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the folder of a calibration."""
+    folder = tmp_path_factory.mktemp("calibrated") / "fit"
+    write_fit(folder)
+    return folder
+
+
+def write_fit(folder: Path) -> None:
+    """Write the folder of a calibration."""
     column = rs.Block.rectangle(width=0.15, height=0.6)
     made = rs.make_synthetic_tests(column, rs.make_synthetic_suite(2), model=rs.Linear())
     given = {"column": replace(next(iter(made.objects.values())), name="column")}
@@ -270,10 +287,8 @@ def _fit(tmp_path_factory: pytest.TempPathFactory) -> Path:
         sampling=rs.Sampling(draws=30, gains=2, rounds=1),
         model=rs.Linear(),
     )
-    folder = tmp_path_factory.mktemp("calibrated") / "fit"
     with without_pictures():
         rs.write_calibration(found, folder)
-    return folder
 
 
 def run_line(line: str) -> None:

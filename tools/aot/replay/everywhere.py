@@ -2,22 +2,52 @@
 
 import functools
 import platform
+import shutil
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from filelock import FileLock
+
 from rocksteady.installation._recorded import Call, differences, replayed, save
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.compilation import Kernel
-from rocksteady.kernels.machine_code.library import Library, targets
-from tools.aot.build import lowered
+from rocksteady.kernels.machine_code.library import Library, library, targets
+from rocksteady.kernels.machine_code.sources import sources_hash
+from tools.aot.build import LOWERED, build, lowered, tools_hash
 from tools.aot.emit import emit
+from tools.aot.link import compilers
 from tools.aot.replay import native, wasm
 from tools.aot.replay.outcome import MissingProgramError, Repeated
-from tools.aot.targets import TARGETS, WASM
+from tools.aot.targets import PAGE, TARGETS, WASM
 
 ARM = "linux-aarch64"
+
+
+def built_here() -> Path:
+    """Return the folder of what is built on this machine, the WebAssembly modules included.
+
+    Raises
+    ------
+    MissingProgramError
+        If there is no library, or what links the modules is not installed.
+    """
+    found = library()
+    if found is None:
+        raise MissingProgramError("no library of kernels is built here: `make library` builds it")
+    if not compilers(TARGETS[WASM]):
+        raise MissingProgramError("the package ziglang, which links the modules, is not installed")
+    folder = LOWERED / f"{sources_hash()}-{tools_hash()}"
+    folder.mkdir(parents=True, exist_ok=True)
+    with FileLock(folder / "module.lock"):
+        shutil.copyfile(found.path, folder / found.path.name)
+        page = found.path.with_name(TARGETS[PAGE].file)
+        if page.is_file():
+            shutil.copyfile(page, folder / page.name)
+        missing = [name for name in (WASM, PAGE) if not (folder / TARGETS[name].file).is_file()]
+        build(missing, folder)
+    return folder
 
 
 def by_library(target: str, built: Path, calls: list[Call]) -> list[Repeated]:

@@ -1,0 +1,1 @@
+"""A freeze of every answer: records of what the package prints, returns and writes."""

@@ -1,0 +1,111 @@
+"""Results: one of every public class and of every public call, and all public signatures."""
+
+import contextlib
+import enum
+import inspect
+import shutil
+import tempfile
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import rocksteady as rs
+from tests.public.calls import calls, close_pictures
+from tests.public.things import things
+from tools.freeze.files import files_of, left
+from tools.freeze.records import FILE
+from tools.freeze.values import plain, shown, tidy
+
+ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
+"""Things and calls whose answer is the machine's."""
+
+
+@cache
+def room() -> Path:
+    """Return the folder with the files of things, which are made there."""
+    folder = Path(tempfile.mkdtemp(prefix="frozen-things-"))
+    with contextlib.chdir(folder):
+        things()
+        calls()
+    return folder
+
+
+def freeze_things(_: str) -> Iterator[tuple[str, str]]:
+    """Yield what one of every class shows."""
+    with contextlib.chdir(room()):
+        for name, thing in things().items():
+            if name not in ELSEWHERE:
+                for facet, text in shown(thing):
+                    yield f"{name}: {facet}", tidy(text, room())
+
+
+def freeze_calls(_: str) -> Iterator[tuple[str, str]]:
+    """Yield what every public call returns and writes."""
+    with contextlib.chdir(room()):
+        for label, call in calls().items():
+            if label.partition(".")[0] not in ELSEWHERE:
+                for name, text in freeze_call(call):
+                    yield f"{label}{name}", text
+
+
+def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
+    """Yield what a call returns and the files that it leaves."""
+    with tempfile.TemporaryDirectory(prefix="frozen-call-") as name:
+        folder = Path(name)
+        shutil.copytree(room(), folder, dirs_exist_ok=True)
+        before = files_of(folder)
+        with contextlib.chdir(folder):
+            try:
+                found = call()
+                text = "axes" if hasattr(found, "get_xlim") else plain(found)
+            except Exception as error:  # noqa: BLE001 -- what is refused is an answer too
+                text = f"raises {type(error).__name__}: {error}"
+            yield "", tidy(text, folder)
+            for file, content in left(folder, before):
+                yield f"{FILE}{file}", content
+        close_pictures()
+
+
+def freeze_stores(_: str) -> Iterator[tuple[str, str]]:
+    """Yield the store of every call that takes a run."""
+    with contextlib.chdir(room()):
+        for label, call in calls().items():
+            if "run" in call.parameters and callable(getattr(rs, label, None)):
+                for name, text in freeze_call(lambda call=call: call(run=rs.Run(store="s.zarr"))):
+                    if name:
+                        yield f"{label}{name}", text
+
+
+def freeze_signatures(_: str) -> Iterator[tuple[str, str]]:
+    """Yield the signature of every public name, and those of its members."""
+    for name in rs.__all__:
+        thing = getattr(rs, name)
+        lines = [_signature(name, thing)]
+        if inspect.isclass(thing):
+            lines += [f"bases {', '.join(base.__name__ for base in thing.__mro__[1:-1])}"]
+            members = inspect.getmembers(thing)
+            if issubclass(thing, enum.Enum):
+                members = [(each.name, each.value) for each in thing]
+            lines += [
+                _signature(member, value)
+                for member, value in members
+                if not member.startswith("_") and not _inherited(thing, member)
+            ]
+        yield name, "\n".join(lines)
+
+
+def _inherited(kind: type, member: str) -> bool:
+    """Return whether a class has a member from outside of the package."""
+    holder = next((base for base in kind.__mro__ if member in vars(base)), kind)
+    return not holder.__module__.startswith("rocksteady")
+
+
+def _signature(name: str, thing: Any) -> str:
+    """Return how a name is called, or what it is."""
+    if isinstance(thing, property):
+        return f"{name}: property"
+    if callable(thing):
+        with contextlib.suppress(ValueError, TypeError):
+            return tidy(f"{name}{inspect.signature(thing)}")
+    return f"{name} = {plain(thing)}"
