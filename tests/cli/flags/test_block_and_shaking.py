@@ -221,6 +221,7 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
     block = BlockFlags(**sized, offset_m=0.05).described()
     assert isinstance(block, Block)
     assert block == Block.asymmetric(left=0.3, right=0.2, height=1.8)
+    assert isinstance(block, Block)
     outline = {"width_m": 0.5, "height_m": 1.8, "offset_m": 0.05}
     of_file = ObjectFile(values={"name": "statue", "geometry": outline}).block
     assert block.positive.distance == of_file.positive.distance

@@ -84,7 +84,7 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
         assert math.cos(here - states.phase[which]) == pytest.approx(1.0, abs=1e-12)
         assert point.peaks[0] == pytest.approx(np.asarray(states.peak)[which], abs=1e-9)
         pair = states.multipliers[which] ** 2
-        assert sorted(abs(point.multipliers)) == pytest.approx(sorted(abs(pair)), rel=1e-7)
+        assert sorted(abs(point.chain.multipliers)) == pytest.approx(sorted(abs(pair)), rel=1e-7)
         assert point.stable is bool(states.stable[which])
 
 
@@ -190,7 +190,10 @@ def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> Non
         # No orbit here loses stability through a complex pair: the product is known.
         first_one, second = point.multipliers
         loss = point.restitution ** (2 * point.impacts)
-        assert first_one * second == pytest.approx(loss, rel=1e-9)
+        if point.type == "grazing":
+            assert np.isnan(first_one)
+        else:
+            assert first_one * second == pytest.approx(loss, rel=1e-9)
         assert point.admissible
         if point.type in ("grazing", "fold") or max(point.chain.durations) > 12.0:
             continue
@@ -325,7 +328,8 @@ def test_a_mirror_image_has_the_same_branch(leaning: list[BranchPoint]) -> None:
         for point, image in zip(one, other, strict=True):
             assert values_of(image) == pytest.approx(values_of(point), abs=1e-9)
             assert sorted(image.peaks) == pytest.approx(sorted(-point.peaks), abs=1e-9)
-            assert image.multipliers[0] == pytest.approx(point.multipliers[0], rel=1e-6)
+            expected = point.multipliers[0]
+            assert image.multipliers[0] == pytest.approx(expected, rel=1e-6, nan_ok=True)
 
 
 def test_a_branch_followed_back_is_the_same() -> None:

@@ -332,7 +332,8 @@ def test_an_orbit_with_rest_draws_itself_as_it_is(point: tuple[float, float, flo
 
 def random_cases(seed: int, count: int, *, lifting: bool) -> list[tuple[float, Harmonic]]:
     """Random restitutions and motions; `lifting` ones push a still block off at once."""
-    random, listed = np.random.default_rng(seed), []
+    random = np.random.default_rng(seed)
+    listed: list[tuple[float, Harmonic]] = []
     while len(listed) < count:
         restitution, amplitude, frequency, phase = random.uniform(
             [0.3, 1.0, 2.0, 0.0], [0.95, 4.0, 9.0, math.pi]
@@ -361,9 +362,9 @@ def test_what_lifts_at_once_settles_to_what_a_time_history_comes_to(*, one_sided
         assert found.orbit.stable
         if found.orbit.largest_multiplier ** (300 / found.orbit.period) > 1e-6:
             continue  # it comes there more slowly
-        last = 2.0 * math.pi * found.period / motion.frequency_ratio
+        last = 2.0 * math.pi * found.orbit.period / motion.frequency_ratio
         ends = run(np.linspace(run.end_time_pt - last, run.end_time_pt, 4000)).angle
-        high, low = found.peaks
+        high, low = found.orbit.highest, found.orbit.lowest
         if not one_sided and abs(ends.max() - high) > abs(ends.max() + low):
             high, low = -low, -high
         assert [ends.max(), ends.min()] == pytest.approx([high, low], abs=2e-3)
@@ -384,6 +385,6 @@ def test_a_mirrored_start_settles_to_the_mirror_image_bit_for_bit() -> None:
         found = [find_attractor(block, shaken, start=start) for shaken, start in pair]
         told = [(each.kind, each.period, each.after, each.growth, each.reason) for each in found]
         assert told[0] == told[1]
-        if found[0].peaks is not None:
-            high, low = found[1].peaks
-            assert found[0].peaks == (-low, -high)
+        peaks, images = (each.peaks for each in found)
+        if peaks is not None and images is not None:
+            assert peaks == (-images[1], -images[0])

@@ -229,7 +229,7 @@ def _impacts(course: Course, impacts: Impacts) -> dict[int, tuple[float, float]]
     forces = segments[rows[ended, columns.ROW_SEGMENT].astype(np.int64)]
     shaking = forces[:, [columns.AMPLITUDE, columns.FREQUENCY]].tolist()
     speeds = np.abs(impacts.velocity_before)
-    grazing = [grazes(speed, *own) for speed, own in zip(speeds.tolist(), shaking, strict=True)]
+    grazing = [grazes(speed, *force) for speed, force in zip(speeds.tolist(), shaking, strict=True)]
     kinks = np.full(len(ended), math.inf)
     np.divide(
         after - ratios * before, impacts.velocity_before, out=kinks, where=~np.array(grazing, bool)

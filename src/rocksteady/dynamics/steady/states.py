@@ -122,8 +122,7 @@ class SteadyStates(OfLinear, Result):
     velocity_tau
         du/d(omega t) just after that impact (eq 19), u = theta/alpha.
     trace
-        Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.  nan
-        where the orbit grazes: no derivative exists there.
+        Trace of the half-cycle map of (phase, velocity), whose determinant is restitution^2.
     peak, extrema
         Largest u among the extrema of the positive half cycle, and their number; None without
         `shapes`.  For an inadmissible orbit that begins downwards it may be negative.
@@ -166,8 +165,7 @@ class SteadyStates(OfLinear, Result):
         """Multipliers of the half cycle, shape ``(2, *grid, 2)``, the larger in modulus first.
 
         They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
-        the positive imaginary part first.  The full orbit's are their squares.  nan where the orbit
-        grazes: no derivative exists there.
+        the positive imaginary part first.  The full orbit's are their squares.  nan at a graze.
         """
         half = 0.5 * self.trace
         product = np.broadcast_to(self.restitution * self.restitution, half.shape)
@@ -196,8 +194,7 @@ class SteadyStates(OfLinear, Result):
     def stable(self) -> Bools:
         """Whether the orbit is admissible and both multipliers lie inside the unit circle.
 
-        That is so where ``|trace| < 1 + restitution^2``; a neutral orbit is not stable, nor is one
-        that grazes.
+        That is so where ``|trace| < 1 + restitution^2``; not of neutral ones, or with a graze.
         """
         inside: Bools = np.abs(self.trace) < 1.0 + self.restitution * self.restitution
         stable: Bools = inside & (self.restitution < 1.0) & self._allowed

@@ -10,10 +10,7 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from functools import partial
-from math import isclose
 
-from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
 from rocksteady.model.blocks._sizes import (
@@ -32,7 +29,7 @@ from rocksteady.model.blocks.sides import (
     alpha_value,
     check_one_body,
     gravity_value,
-    housner_pair,
+    has_factor,
     housner_restitution,
     length_value,
     one_restitution,
@@ -48,8 +45,6 @@ from rocksteady.model.blocks.sides import (
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 
-SAME_RATIO = 1e-9
-"""Relative difference of a restitution from a factor of Housner's that is rounding."""
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
 
@@ -119,7 +114,9 @@ class Block(Measured):
             object.__setattr__(self, "wall_restitution", wall)
         object.__setattr__(self, "gravity", gravity_value(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
-        if self.housner_factor is not None and not self._has_factor(self.housner_factor):
+        factor, wall_side = self.housner_factor, self.wall_restitution
+        sides = self.positive, self.negative, self.gravity
+        if factor is not None and not has_factor(factor, *sides, wall_side):
             object.__setattr__(self, "housner_factor", None)
 
     @property
@@ -137,19 +134,6 @@ class Block(Measured):
     def __hash__(self) -> int:
         """Return the same number for blocks that move alike."""
         return hash(self._identity)
-
-    def _has_factor(self, factor: float) -> bool:
-        """Return whether its restitutions are a factor of Housner's."""
-        sides = self.positive, self.negative, self.gravity
-        if self.wall_restitution is None:
-            given = [self.positive.restitution, self.negative.restitution]
-            values = [*housner_pair(*sides)]
-        else:
-            try:
-                given, values = [self.wall_restitution], [wall_ratio(*sides)]
-            except InputError:  # so stocky that it has none
-                return False
-        return all(map(partial(isclose, rel_tol=SAME_RATIO), given, (factor * v for v in values)))
 
     @classmethod
     def rectangle(
