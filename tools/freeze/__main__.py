@@ -11,11 +11,8 @@ import sys
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
-SCRATCH = ROOT / "build" / "frozen"
-"""Folder for what is moved, whole."""
-
-
+SCRATCH = Path("build", "frozen").absolute()
+"""Folder for what has moved, whole."""
 ENVIRONMENT = {
     "COLUMNS": "80",
     "LC_ALL": "C.UTF-8",
@@ -61,7 +58,7 @@ def main(words: list[str]) -> int:
         (SCRATCH / f"{part.part}.txt").write_text(whole, encoding="utf-8")
         count += len(found)
     if count:
-        print(f"{count} items have moved; {SCRATCH.relative_to(ROOT)} has what they are now, whole")
+        print(f"{count} items have moved; {SCRATCH} has what they are now, whole")
     print(f"{time.perf_counter() - began:.0f} s")
     return int(count > 0)
 

@@ -17,10 +17,9 @@ from rocksteady import write_explorer
 from tests.explorer.browser.conftest import FLAGS, PROGRAMS
 from tests.explorer.browser.watched import Explorer, Watch, values
 from tools.aot.replay.outcome import MissingProgramError
-from tools.freeze.records import digest
+from tools.freeze.records import ROOT, digest
 from tools.freeze.values import of_json
 
-ROOT = Path(__file__).parents[2]
 ASKING = sorted(
     str(file.relative_to(ROOT))
     for file in (ROOT / "tests" / "explorer").rglob("test_*.py")

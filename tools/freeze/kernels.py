@@ -36,8 +36,6 @@ ROOM = {"march": LIMIT, "series_settle": MEMORY, "settle": MEMORY}
 """Rows that the empty tables of a call have at least: another motion may need more of them."""
 AS_RECORDED = {"last_crossing", "peaks_until_overturning"}
 """Entries whose arguments are results of others, and only as such consistent."""
-QUICK = 0.05
-"""Share of the cells of large calls: 5,000 of the linear model and 250 of the nonlinear one."""
 
 
 @cache
@@ -121,9 +119,9 @@ def of_bits(leaf: Leaf) -> bytes:
     return np.ascontiguousarray(array).tobytes()
 
 
-def freeze_cells(part: str) -> Iterator[tuple[str, str]]:
+def freeze_cells(_: str) -> Iterator[tuple[str, str]]:
     """Yield what calls of many cells fill, an item per call and a line per array."""
-    for number, call in enumerate(large_calls(ENTRIES, float(part))):
+    for number, call in enumerate(large_calls(ENTRIES)):
         lines = [
             of_array(after)
             for before, after in zip(call.before, call.after, strict=True)

@@ -35,18 +35,17 @@ PARTS = {
     "calls": Part(_once, results.freeze_calls),
     "things": Part(_once, results.freeze_things),
     "kernels": Part(_entries, kernels.freeze_entry),
-    "cells": Part(lambda: [str(kernels.QUICK)], kernels.freeze_cells),
+    "cells": Part(_once, kernels.freeze_cells),
     "commands": Part(lambda: commands.lines(long=False), commands.freeze_line),
     "stores": Part(_once, results.freeze_stores),
     "refusals": Part(lambda: list(COMMANDS), commands.freeze_refusals),
     "help": Part(commands.paths, commands.freeze_help),
     "signatures": Part(_once, results.freeze_signatures),
     "long-commands": Part(lambda: commands.lines(long=True), commands.freeze_line),
-    "all-cells": Part(lambda: ["1"], kernels.freeze_cells),
     "targets": Part(lambda: list(targets.TARGETS), targets.freeze_target),
     "physics": Part(lambda: explorer.ASKING, explorer.freeze_physics),
     "views": Part(lambda: list(TABS), explorer.freeze_view),
 }
 """All parts, those that take longest first."""
-LARGE = {"long-commands", "all-cells", "targets", "physics", "views"}
+LARGE = {"long-commands", "targets", "physics", "views"}
 """Parts of the large set alone."""

@@ -5,7 +5,8 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
-FOLDER = Path(__file__).parents[2] / "tests" / "frozen"
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "tests" / "frozen"
 LONGEST, HEAD = 200, 24
 """Lines of an item that are kept whole, and first lines that are kept of a longer one."""
 WIDEST = 160

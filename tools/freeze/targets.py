@@ -1,5 +1,6 @@
 """Calls of many cells on every target that runs here: WebAssembly, and a GPU in emulation."""
 
+import contextlib
 from collections.abc import Iterator
 from typing import Any
 
@@ -17,6 +18,7 @@ from tools.aot.link import LinkError
 from tools.aot.replay.everywhere import RUNS, built_here
 from tools.aot.replay.outcome import MissingProgramError
 from tools.freeze.kernels import of_bits
+from tools.freeze.records import ROOT
 
 EMULATED = "emulated GPU"
 TARGETS = ("node", "wasmtime", EMULATED)
@@ -25,9 +27,12 @@ TARGETS = ("node", "wasmtime", EMULATED)
 
 def freeze_target(target: str) -> Iterator[tuple[str, str]]:
     """Yield how many values of each call are those of this processor's library."""
-    if target == EMULATED:
-        yield from _emulated()
-        return
+    with contextlib.chdir(ROOT):  # where the tools are found that build what is missing
+        yield from _emulated() if target == EMULATED else _repeated(target)
+
+
+def _repeated(target: str) -> Iterator[tuple[str, str]]:
+    """Yield how many values of each call differ in WebAssembly."""
     built = built_here()
     for number, call in enumerate(large_calls(ENTRIES)):
         (found,) = RUNS[target](built, [call])
