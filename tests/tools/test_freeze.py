@@ -93,7 +93,7 @@ def test_a_store_is_its_chunks_and_its_metadata(tmp_path: Path) -> None:
         rs.map_fates(block, axes=axes, cycles=5, run=rs.Run(store=path))
         found.append(files.of_store(path))
     assert found[0] == found[1] != found[2]
-    assert re.search(r"^impacts/c\S+ \d+ bytes, [0-9a-f]{16}$", found[0], re.MULTILINE)
+    assert re.search(r"^fate/c\S+ \d+ bytes, [0-9a-f]{16}$", found[0], re.MULTILINE)
 
 
 def test_a_line_is_frozen_with_its_streams_and_files() -> None:

@@ -396,18 +396,8 @@ class Chatter(NamedTuple):
             *(base.constant, base.slope, base.amplitude, base.frequency),
             *(0.0, base.lift, base.lift_slope),
         ]
-        return bounces_end(
-            segments,
-            0,
-            self.sides,
-            self.side,
-            0.0,
-            speed,
-            self.phase_here,
-            self.phase_there,
-            span,
-            math.inf,
-        )
+        phases = self.phase_here, self.phase_there
+        return bounces_end(segments, 0, self.sides, self.side, 0.0, speed, *phases, span, math.inf)
 
     def fastest(self) -> float:
         """Return the largest speed of which the kernel proves that the bounces end."""

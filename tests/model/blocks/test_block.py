@@ -190,7 +190,7 @@ def test_every_restitution_up_to_1_is_accepted(constructor: str, value: float) -
 @pytest.mark.parametrize("constructor", CONSTRUCTORS)
 def test_constructors_take_keywords_only(constructor: str) -> None:
     make, values = CONSTRUCTORS[constructor]
-    with pytest.raises(TypeError):
+    with pytest.raises(InputError, match="takes no arguments without a name"):
         make(*values.values())
 
 

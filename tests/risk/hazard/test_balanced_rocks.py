@@ -119,5 +119,5 @@ def test_what_cannot_be_tested_is_refused(changed: dict[str, Any], line: str) ->
 
 
 def test_an_age_is_required() -> None:
-    with pytest.raises(TypeError, match="age_years"):
+    with pytest.raises(InputError, match="age_years"):
         reject_branches((MEDIAN, BETA), [branch(1e-4)])  # type: ignore[call-arg]

@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.grazing import grazes
 from rocksteady.dynamics.history.base_motion import lift
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.forcing import grazes
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, exp, log, sin
 from rocksteady.kernels.march.replay import fill_states

@@ -81,9 +81,8 @@ def simulate(
         `Linear()`, for slender blocks, or `Nonlinear()`, the full equations, which need a `Block`.
         By default nonlinear where a `Block` meets another motion than a `Harmonic`.
     max_flights
-        Flights after which the run ends: at rest where it is on a still base, the bounces to come
-        are proved to die out, and the impacts among them are counted; else as undecided.  Up to a
-        hundred million, which fill 6.4 GB.
+        Flights after which the run ends, at rest where the bounces to come on a still base are
+        proved to die out, else undecided; up to a hundred million, which fill 6.4 GB.
 
     Returns
     -------

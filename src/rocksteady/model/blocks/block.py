@@ -115,6 +115,8 @@ class Block(Measured):
         object.__setattr__(self, "gravity", gravity_value(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
         factor, wall_side = self.housner_factor, self.wall_restitution
+        if factor is not None:
+            housner_factor(("housner", factor))  # refuses what is none
         sides = self.positive, self.negative, self.gravity
         if factor is not None and not has_factor(factor, *sides, wall_side):
             object.__setattr__(self, "housner_factor", None)

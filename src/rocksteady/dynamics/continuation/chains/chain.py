@@ -7,11 +7,11 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.grazing import grazes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
 from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.forcing import grazes
 from rocksteady.kernels.orbits import chains as kernel
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.systems import SeriesSystem, make_series_system
