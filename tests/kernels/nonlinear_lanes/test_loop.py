@@ -323,7 +323,6 @@ def test_bounces_without_end_are_given_up(leaping: bool) -> None:
         assert np.isnan(found.final[-1]).all()
 
 
-@pytest.mark.xfail(reason="lanes tell periods by impacts, of which the march leaves the slow out")
 def test_after_an_impact_without_rebound_the_side_lifts_that_the_base_lifts() -> None:
     """It is not always the one that the block would have bounced to."""
     count = sample_size(4000, 24)
@@ -335,8 +334,8 @@ def test_after_an_impact_without_rebound_the_side_lifts_that_the_base_lifts() ->
     cells = with_unlike_sides(cells, rng, 0.5)
     lanes, plain = by_lanes(cells, 2), one_by_one(cells, 2)
     assert np.count_nonzero(lanes.status != plain.status) <= 1
-    assert not plain.impacts.any()  # those that leave with nothing count in lanes alone
-    assert np.count_nonzero(lanes.impacts > 0) > count // 3
+    assert np.count_nonzero(lanes.impacts != plain.impacts) <= 4
+    assert np.count_nonzero(plain.impacts > 1) > count // 3
 
 
 @pytest.mark.skipif(PLAIN, reason="many bounces need compiled code")

@@ -99,6 +99,8 @@ def march_in_model(
     scattered, free = is_scattered(sides), free_side(sides)
     last = len(segments) - 1
     summed = rest_velocity >= COUNTED  # impacts on a still base are, and need no flights
+    # Lanes, which leave chatter out at any speed, tell periods by the number of all impacts.
+    slowest = COUNTED if rest_velocity < math.inf else 0.0
     rest_velocity = max(rest_velocity, STILL)
     still = False  # the base, for ever
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
@@ -362,7 +364,7 @@ def march_in_model(
                 restitution = restitution_of(sides, row, impacts + 1)
             velocity = restitution * side * zero.velocity * lean * rate
             there = sides[next_row, LEAN] * sides[next_row, RATE]
-            if abs(velocity) >= COUNTED * there:
+            if abs(velocity) >= slowest * there:
                 impacts += 1
             angle = 0.0
             side = next_side
@@ -403,7 +405,7 @@ def march_in_model(
                 if scattered:
                     turned_back = restitution_of(sides, row, impacts + 1)
                 velocity *= turned_back
-                if abs(velocity) >= COUNTED * (lean * rate):
+                if abs(velocity) >= slowest * (lean * rate):
                     impacts += 1
                 side = free if velocity != 0.0 else 0
         if abs(angle) > beyond and velocity * side >= 0.0:
