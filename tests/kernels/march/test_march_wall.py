@@ -306,8 +306,7 @@ def test_an_impulse_at_the_instant_of_lift_off_strikes_the_wall(
     start, rows = March(free, 0.0, 0.2 * free, 0, 0, 1.0, 0, 0), np.zeros((2, ROW_COLUMNS))
     _, end = march(segments, sides, start, 0, 9.0, math.inf, 2, rows, NONE)
     struck = 0.7 * math.cos(alpha) - 0.2
-    # An impact that leaves no velocity does not count.
-    assert end.impacts >= 1 if restitution else end.impacts == 0
+    assert end.impacts >= 1
     assert rows[1, ROW_SIDE] == (free if restitution else 0)
     assert rows[1, ROW_VELOCITY] == pytest.approx(free * restitution * struck, rel=1e-15)
     wide = scattered(sides, 0.1, 5)

@@ -55,7 +55,7 @@ def march(
         Chatter slower than this, in du/d(pt) with the alpha and p of either side, ends in rest as
         soon as the bound of `rocksteady.kernels.march.rest` proves that it does.  From COUNTED on,
         impacts on a still base are counted without flights; those left out on a moving base are
-        not.
+        not.  If infinite, impacts slower than COUNTED count too.
     limit
         Flights and rests after which the march gives up as UNDECIDED, as it does before a
         nonlinear flight whose steps come to nothing (`kernels.nonlinear.flight.is_stuck`).  A still
@@ -72,8 +72,8 @@ def march(
     Returns
     -------
     tuple
-        Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state, whose
-        impacts are those that leave with COUNTED or more.
+        Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state.  Its
+        `impacts` counts those of at least COUNTED after impact, on the side the block leaves to.
     """
     if segments.shape[1] > ORDERS:
         orders = (segments.shape[1] - SHARES) // 2
