@@ -272,3 +272,16 @@ def test_a_study_replaces_no_folder_and_no_pipe(tmp_path: Path) -> None:
         fill_folder(tmp_path, lambda stage: save_text("out", stage / "dangling", "new"))
         assert (tmp_path / "dangling").is_symlink()
         assert (tmp_path / "nothing").read_text(encoding="utf-8") == "new"
+
+
+def test_one_file_has_many_names(tmp_path: Path) -> None:
+    file, new = tmp_path / "a.csv", tmp_path / "new.csv"
+    file.write_text("a", encoding="utf-8")
+    (tmp_path / "link.csv").symlink_to(file)
+    (tmp_path / "folder").symlink_to(tmp_path)
+    os.link(file, tmp_path / "hard.csv")
+    for name in ("link.csv", "hard.csv", "folder/a.csv", "folder/../" + tmp_path.name + "/a.csv"):
+        assert durable.same_file(file, tmp_path / name)
+    assert durable.same_file(new, tmp_path / "folder" / "NEW.csv"), "where case is ignored"
+    for one, other in ((file, new), (file, tmp_path / "A.csv"), (new, tmp_path / "b.csv")):
+        assert durable.same_file(one, other) == (other.exists() and one.samefile(other))

@@ -6,6 +6,7 @@ forced to the disk, and moved; then the folder that holds it is forced to the di
 
 import os
 import stat
+import unicodedata
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -54,6 +55,22 @@ def obstacle(file: Path) -> tuple[str, str] | None:
 def place_of(file: Path) -> Path:
     """Return the path that a file has without links."""
     return Path(os.path.realpath(file))
+
+
+def same_file(one: Path, other: Path) -> bool:
+    """Return whether two paths lead to one file, through links and other spellings too.
+
+    Of two files that do not exist yet, names that differ in case alone count as one: some file
+    systems ignore it.
+    """
+    try:
+        return one.samefile(other)
+    except (OSError, ValueError):
+        places = place_of(one), place_of(other)
+        if any(os.path.lexists(place) for place in places):
+            return False
+        spelled = {unicodedata.normalize("NFC", str(place)).casefold() for place in places}
+        return len(spelled) == 1
 
 
 def write(file: Path, fill: Callable[[Path], object]) -> None:

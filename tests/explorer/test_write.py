@@ -147,3 +147,12 @@ def test_another_ending_is_refused_and_no_file_of_that_name_is_touched(
     with pytest.raises(OutputError, match=r"the extension \.html"):
         write.write_explorer(file)
     assert file.read_text(encoding="utf-8") == "somebody's table"
+
+
+def test_a_recording_is_not_replaced_by_its_page(tmp_path: Path) -> None:
+    file = tmp_path / "quake.html"
+    file.write_text("a record", encoding="utf-8")
+    recording = Recording(record=record(), format="table", path=file, units_in_file="g")
+    with pytest.raises(OutputError, match="this file is read"):
+        write.write_explorer(tmp_path / ".." / tmp_path.name / "quake.html", records=[recording])
+    assert file.read_text(encoding="utf-8") == "a record"

@@ -11,7 +11,7 @@ from rocksteady.explorer.view import ExplorerView, state_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
-from rocksteady.show.export.files import save_text
+from rocksteady.show.export.files import refuse_read, save_text
 
 ENDINGS = (".html", ".htm")
 """Of a page's file, in any case."""
@@ -50,7 +50,7 @@ def write_explorer(
     InputError
         If the records are too large.
     OutputError
-        If the file has another ending, or cannot be written.
+        If the file has another ending, is one of the records, or cannot be written.
 
     Examples
     --------
@@ -65,6 +65,7 @@ def write_explorer(
     """
     file = Path(path)
     check_ending("path", file)
+    refuse_read("path", file, [each.path for each in records or () if isinstance(each, Recording)])
     motions = motions_of(records or ())
     state = state_of(view or ExplorerView(), on_records=bool(motions))
     text = document(state=state, motions=motions, module=page_module().read_bytes())

@@ -1,6 +1,7 @@
 """Outputs in odd places: nothing that is there is replaced unasked, and no device ever."""
 
 import os
+import random
 import stat
 from collections.abc import Callable
 from pathlib import Path
@@ -124,7 +125,7 @@ def test_a_record_that_is_read_is_not_written_over(tmp_path: Path) -> None:
         ("record", (link,)),
     ):
         line = refused(command, *read, "--csv", file, "--force")
-        assert "the command reads this file" in line
+        assert "this file is read" in line
     assert file.read_bytes() == before
 
 
@@ -137,3 +138,60 @@ def test_nothing_is_written_into_a_store(tmp_path: Path) -> None:
         line = refused(command, store, "--resume", flag, store / name)
         assert "it lies in --out" in line
     assert sorted(store.rglob("*")) == before
+
+
+def other_path(draw: random.Random, file: Path, folder: Path) -> Path:
+    """Return a path to a file: its own, through folders or links, or a second name."""
+    through, link, second = (folder / f"{kind}{file.suffix}" for kind in ("to", "soft", "hard"))
+    through.symlink_to(file.parent)
+    link.symlink_to(file)
+    os.link(file, second)
+    around = file.parent / ".." / file.parent.name / file.name
+    return draw.choice([file, around, through / file.name, link, second])
+
+
+def test_no_combination_of_outputs_replaces_an_input(tmp_path: Path) -> None:
+    draw = random.Random(29)
+    wall, statue, record = (tmp_path / name for name in ("wall.toml", "statue.toml", "a.at2"))
+    wall.write_text('[facade]\nname = "a"\nthickness_m = 0.3\nheight_m = 3.0\n')
+    statue.write_text('name = "a"\n[geometry]\nwidth_m = 0.3\nheight_m = 1.5\n')
+    text = at2(record, samples()).read_text(encoding="utf-8")
+    rows = "name,width_m,height_m\na,0.3,1.5\n"
+    commands = (
+        (f"facade {wall} --records", ("runs.csv", "report.html", "run.json"), text),
+        (f"assess {statue} --records", ("results.csv", "report.html", "fragility.xml"), text),
+        (f"assess --pgv-m-s 0.4 --records {record}", ("answers.csv", "results.csv"), rows),
+        ("calibrate --tests", ("predictions.csv", "posterior.csv"), "name\n"),
+        ("calibrate --example --prior", ("predictions.csv", "report.html"), "name\n"),
+        ("study facade-checks --records", ("facade-checks.html", "facade-checks.json"), text),
+        ("explore --no-browser --record", ("page.html",), text),
+    )
+    for number in range(50):
+        command, names, content = draw.choice(commands)
+        out = tmp_path / str(number) / "out"
+        out.mkdir(parents=True)
+        file = out / draw.choice(names)
+        file.write_text(content, encoding="utf-8")
+        target = file if command.startswith("explore") else out
+        read = other_path(draw, file, out.parent)
+        line = refused(command, read, "--out", target, "--force")
+        assert "this file is read" in line, (command, read)
+        assert [(each, each.read_text()) for each in out.iterdir()] == [(file, content)]
+
+
+def test_no_output_lies_in_the_folder_of_another(tmp_path: Path) -> None:
+    (tmp_path / "wall.toml").write_text('[facade]\nname = "a"\nthickness_m = 0.3\nheight_m = 3.0\n')
+    out = tmp_path / "out"
+    out.mkdir()
+    block = "--width-m 0.3 --height-m 1.5 --pga-g 0.4 --pgv-m-s 0.4"
+    for command, flag, path in (
+        (f"facade {tmp_path / 'wall.toml'}", "--csv", out / "checks.csv"),
+        (f"facade {tmp_path / 'wall.toml'}", "--plot", out / "sub" / ".." / "a.png"),
+        ("calibrate --example", "--csv", out / "predictions.csv"),
+        ("assess --example", "--runs", out / "runs.zarr"),
+        ("assess --example", "--runs", out),
+        (f"assess {block}", "--csv", out / "answers.csv"),
+    ):
+        line = refused(command, flag, path, "--out", out, "--force")
+        assert "it lies in --out" in line or "writes the same file" in line, (command, flag)
+        assert list(out.iterdir()) == []

@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from rocksteady.cli.console.refusals import FlagError
-from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped, same_file
+from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import InputError, OutputError
 from tests.cli.program import refused, rocksteady
@@ -110,22 +110,17 @@ def test_a_command_gets_its_groups_whole_and_shows_their_flags() -> None:
     }
 
 
-def test_one_file_has_many_names(tmp_path: Path) -> None:
-    file = tmp_path / "a.csv"
-    assert same_file(file, tmp_path / "b" / ".." / "a.csv")
-    assert not same_file(file, tmp_path / "b.csv")
-    assert not same_file(None, None)
-
-
 def test_what_a_command_reads_is_not_written_over(tmp_path: Path) -> None:
-    read = tmp_path / "a.csv"
-    output = OutputFlags(csv=tmp_path / "b.csv", plot=tmp_path / "a.png")
-    output.refuse_read([read], animate=tmp_path / "a.gif")
-    with pytest.raises(OutputError, match="the command reads this file") as refused:
-        output.refuse_read([read], animate=read)
+    read = tmp_path / "a.gif"
+    read.touch()
+    output = OutputFlags(csv=tmp_path / "b.csv", plot=tmp_path / "a.png", force=True)
+    output.check([read])
+    AnimationFlags(animate=tmp_path / "b.gif").check(output, [read])
+    with pytest.raises(OutputError, match="this file is read") as refused:
+        AnimationFlags(animate=read).check(output, [read])
     assert refused.value.name == "--animate"
-    with pytest.raises(OutputError, match="the command reads this file"):
-        OutputFlags(csv=read, force=True).refuse_read([read])
+    with pytest.raises(OutputError, match="this file is read"):
+        OutputFlags(csv=read, force=True).check([read])
 
 
 @pytest.mark.parametrize(

@@ -77,3 +77,11 @@ def test_tables_of_others_are_replaced_when_that_is_wanted_alone(tmp_path: Path)
     assert {file.name: file.read_bytes() for file in tmp_path.iterdir()} == before
     with pytest.raises(OutputError):
         write_tests(tmp_path / "no" / "such", made)
+
+
+def test_the_files_that_tests_were_read_from_are_kept(tmp_path: Path) -> None:
+    table = write_tests(tmp_path, everything())
+    before = {file: file.read_bytes() for file in tmp_path.iterdir()}
+    with pytest.raises(OutputError, match="this file is read; name another folder"):
+        write_tests(tmp_path, read_tests(table), force=True)
+    assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before

@@ -109,3 +109,16 @@ def test_what_fails_leaves_nothing_half_written(
     with pytest.raises(OutputError, match="No space left"):
         write_facade_folder(alone(), tmp_path / "answer")
     assert names(tmp_path) == []
+
+
+@pytest.mark.usefixtures("no_page")
+@pytest.mark.parametrize("name", ["runs.csv", "checks.csv"])
+def test_a_file_that_was_read_is_neither_replaced_nor_removed(name: str, tmp_path: Path) -> None:
+    out, link = tmp_path / "out", tmp_path / "link.csv"
+    out.mkdir()
+    (out / name).write_text("a record", encoding="utf-8")
+    link.symlink_to(out / name)
+    with pytest.raises(OutputError, match="this file is read; name another folder"):
+        write_facade_folder(alone(), out, files=[link], force=True)
+    assert (out / name).read_text(encoding="utf-8") == "a record"
+    assert names(out) == [name]

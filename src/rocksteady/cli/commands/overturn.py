@@ -175,10 +175,9 @@ def overturn(
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
-    sweep.check(output)
+    sweep.check(output, [*recorded.files, *(suite.files if suite.records else [])])
     arguments = context.find_root().obj
     shaken = bool(recorded.record or suite.records)
-    output.refuse_read([*recorded.files, *(suite.records or [])])
     conflicting: dict[str, object] = {
         "--pulse": pulse.pulse,
         "-A": amplitude,

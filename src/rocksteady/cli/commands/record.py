@@ -91,8 +91,7 @@ def record(
     units_out: UnitsOutFlag = None,
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
-    output.check()
-    output.refuse_read(files)
+    output.check(files)
     body = sized(block)
     unit = unit_of(units_out, output)
     periods = None if periods_s is None else axis("--periods-s", periods_s)

@@ -104,7 +104,7 @@ def simulate(
     tolerance: options.Tolerance = None,
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
-    output.check()
+    output.check(recorded.files)
     film.check(output, recorded.files)
     of_record = recorded.given(reading, pulse=pulse.given)
     body = recorded.block(block) if of_record else block.described()

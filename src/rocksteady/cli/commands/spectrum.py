@@ -150,10 +150,9 @@ def spectrum(
     tolerance: options.Tolerance = None,
 ) -> None:
     """Run `rocksteady spectrum`; `HELP` is what its users read."""
-    sweep.check(output)
+    sweep.check(output, recorded.files)
     refuse_records(recorded, reading, model)
     equations = named_model("nonlinear" if model is None else model, tolerance)
-    output.refuse_read(recorded.files, netcdf=sweep.netcdf)
     ratio = _restitution(restitution)
     gravity = STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2
     blocks: list[Block] = []

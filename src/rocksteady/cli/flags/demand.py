@@ -13,9 +13,9 @@ from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import in_range
-from rocksteady.show.export.files import check_writable
 
 if TYPE_CHECKING:
+    from rocksteady.cli.flags.groups import OutputFlags
     from rocksteady.risk.screens.demand import Demand
 
 DEMAND = "Demand"
@@ -192,20 +192,12 @@ class RowFlags:
     csv: options.Csv = None
     force: options.Force = False
 
-    def check(self, read: list[Path]) -> None:
-        """Refuse, before anything is computed, a table that could not be written afterwards.
-
-        Raises
-        ------
-        OutputError
-            If it exists and --force is off, cannot be written, or is one of the files that are
-            read.
-        """
+    @property
+    def files(self) -> "OutputFlags":
+        """The table as output of any command, with checks."""
         from rocksteady.cli.flags.groups import OutputFlags
 
-        OutputFlags(csv=self.csv, force=self.force).refuse_read(read)
-        if self.csv is not None:
-            check_writable("--csv", self.csv, force=self.force)
+        return OutputFlags(csv=self.csv, force=self.force)
 
 
 def sized_block(flags: BlockFlags) -> Block:

@@ -131,6 +131,11 @@ class Suite:
     files: list[Path]
     left_out: list[tuple[Path, str]] = field(default_factory=list)
 
+    @property
+    def read(self) -> list[Path]:
+        """All files that were opened, those left out too."""
+        return [*self.files, *(file for file, _ in self.left_out)]
+
 
 @dataclass(frozen=True, kw_only=True)
 class SuiteFlags:

@@ -14,10 +14,9 @@ from typing import Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
-from rocksteady.durable import place_of
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
-from rocksteady.show.export.files import check_writable
+from rocksteady.show.export.files import check_apart, check_writable
 from rocksteady.show.style.legends import checked_place
 from rocksteady.show.style.page import Page, width_mm_of
 
@@ -35,14 +34,21 @@ class OutputFlags:
     csv: options.Csv = None
     force: options.Force = False
 
-    def check(self) -> None:
+    def check(self, read: Sequence[Path] = (), *, out: Path | None = None) -> None:
         """Refuse, before anything is computed, what could not be written afterwards.
+
+        Parameters
+        ----------
+        read
+            Files that the command reads.
+        out
+            Folder that it fills.
 
         Raises
         ------
         OutputError
             If a file exists and --force is off, its folder is missing or not writable, a figure's
-            format is unknown, or one file is given twice.
+            format is unknown, or one file is given twice, is read, or lies in `out`.
         InputError
             If a width or the place of legends is not valid.
         ModelError
@@ -64,32 +70,15 @@ class OutputFlags:
                 "the extension sets the format: " + ", ".join(FIGURE_FORMATS),
                 "rename it",
             )
-        if same_file(self.plot, self.csv):
-            raise OutputError("--csv", self.csv, "--plot writes the same file", "rename one")
-        for flag, file in (("--plot", self.plot), ("--csv", self.csv)):
+        check_apart(self.files, {"--out": out}, read)
+        for flag, file in self.files.items():
             if file is not None:
                 check_writable(flag, file, force=self.force)
 
-    def refuse_read(self, read: Sequence[Path], **more: Path | None) -> None:
-        """Refuse to write over a file that the command reads.
-
-        Parameters
-        ----------
-        read
-            Files that are read.
-        more
-            Further files that are written, by the names of their flags.
-
-        Raises
-        ------
-        OutputError
-            If one of them is written too.
-        """
-        for name, file in {"plot": self.plot, "csv": self.csv, **more}.items():
-            if any(same_file(file, earlier) for earlier in read):
-                raise OutputError(
-                    f"--{name}", file, "the command reads this file", "name another one"
-                )
+    @property
+    def files(self) -> dict[str, Path | None]:
+        """The files that are written, by their flags."""
+        return {"--plot": self.plot, "--csv": self.csv}
 
     @property
     def page(self) -> Page:
@@ -133,7 +122,6 @@ class AnimationFlags:
         InputError
             If there is a speed and no film.
         """
-        output.refuse_read(read, animate=self.animate)
         if self.speed is not None:
             positive("speed", self.speed, hint="give 1 for real time or one period a second")
         if self.animate is None:
@@ -149,17 +137,8 @@ class AnimationFlags:
             raise OutputError(
                 "--animate", self.animate, "the extension sets the format: .gif", "rename it"
             )
-        for flag, file in (("--plot", output.plot), ("--csv", output.csv)):
-            if same_file(self.animate, file):
-                raise OutputError(
-                    "--animate", self.animate, f"{flag} writes the same file", "rename one"
-                )
+        check_apart({**output.files, "--animate": self.animate}, read=read)
         check_writable("--animate", self.animate, force=output.force)
-
-
-def same_file(one: Path | None, other: Path | None) -> bool:
-    """Return whether two flags name one file."""
-    return one is not None and other is not None and place_of(one) == place_of(other)
 
 
 def grouped(command: Callable[..., None]) -> Callable[..., None]:

@@ -2,10 +2,9 @@
 
 import shlex
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, ClassVar
 
@@ -13,11 +12,10 @@ import typer
 
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags, same_file
-from rocksteady.durable import place_of
+from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.results.rendering import printable
-from rocksteady.show.export.files import check_writable, impossible_name
+from rocksteady.show.export.files import check_apart, check_writable, impossible_name
 
 if TYPE_CHECKING:
     from rocksteady.studies.parts import Parts
@@ -117,10 +115,21 @@ class SweepFlags:
     chunk: Chunk = None
     netcdf: NetCdf = None
 
-    def check(self, output: OutputFlags) -> None:
+    def check(
+        self, output: OutputFlags, read: Sequence[Path] = (), *, out: Path | None = None
+    ) -> None:
         """Refuse, before anything is computed, a file that could not be written afterwards.
 
         With --resume existing files are written again: the command is given again as it was.
+
+        Parameters
+        ----------
+        output
+            What else is written.
+        read
+            Files that the command reads.
+        out
+            Folder that it fills, beside a store.
 
         Raises
         ------
@@ -128,16 +137,9 @@ class SweepFlags:
             As for `OutputFlags.check`; if two flags name one file, or --netcdf names no .nc file,
             or one that could not be written.
         """
-        replace(output, force=output.force or self.resume).check()
-        files = {"--plot": output.plot, "--csv": output.csv, "--netcdf": self.netcdf}
-        files["--out"] = self.out
-        for (flag, file), (earlier_flag, its) in combinations(files.items(), 2):
-            if same_file(file, its):
-                raise OutputError(earlier_flag, its, f"{flag} writes the same file", "rename one")
-        for flag, file in files.items():
-            inside = None if file is None or self.out is None else place_of(file).parents
-            if inside is not None and self.out is not None and place_of(self.out) in inside:
-                raise OutputError(flag, file, "it lies in --out", "name another folder")
+        replace(output, force=output.force or self.resume).check(read)
+        files = {**output.files, "--netcdf": self.netcdf}
+        check_apart(files, {"--out": out, self.STORE: self.out}, read)
         if self.netcdf is None:
             return
         if self.netcdf.suffix.lower() != ".nc":

@@ -56,12 +56,15 @@ class FacadeFile(Result):
         Name of the file.
     sha256
         Hash of the file.
+    files
+        The file, and the tables of spectra that it names.
     """
 
     facade: Facade
     demand: FacadeDemand
     source: str = "facade"
     sha256: str | None = None
+    files: tuple[Path, ...] = ()
 
     def describe(self) -> Description:
         """Return the sizes, what acts, and which limit states have a demand."""
@@ -136,6 +139,7 @@ def read_facade(path: Path | str) -> FacadeFile:
         demand=_demand(given, source, file.parent),
         source=source,
         sha256=hashlib.sha256(content).hexdigest(),
+        files=(file, *_tables(given, file.parent)),
     )
 
 
@@ -198,6 +202,12 @@ def _demand(given: FacadeInput, source: str, folder: Path) -> FacadeDemand:
         if keys is not None
     }
     return _made(FacadeDemand, spectra, f"{source}: [demand] ")
+
+
+def _tables(given: FacadeInput, folder: Path) -> list[Path]:
+    """Return the tables of spectra that a file names."""
+    states = [getattr(given.demand, name) for name in given.demand.__struct_fields__]
+    return [folder / keys.table for keys in states if keys is not None and keys.table is not None]
 
 
 def _spectrum(keys: SpectrumKeys, source: str, table: str, folder: Path) -> DemandSpectrum:

@@ -66,7 +66,8 @@ def write_assessment(
     Raises
     ------
     OutputError
-        If the folder holds anything else, or cannot be written.
+        If the folder holds anything else, one of the files that were read would be replaced, or it
+        cannot be written.
 
     Examples
     --------
@@ -84,19 +85,28 @@ def write_assessment(
     ['report.html', 'run.json']
     """
     return fill_own_folder(
-        folder, OURS, KIND, lambda stage: _fill(assessment, stage, command, files), force=force
+        folder,
+        OURS,
+        KIND,
+        lambda stage: _fill(assessment, stage, command, files),
+        force=force,
+        read=files,
+        hashes=[] if isinstance(assessment, ObjectsTable) else [assessment.described.sha256],
     )
 
 
-def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
+def check_assessment_folder(
+    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
+) -> None:
     """Refuse, before anything is computed, a folder that could not be filled.
 
     Raises
     ------
     OutputError
-        If it holds anything but files of an assessment, or those without `force`.
+        If it holds anything but files of an assessment, or those without `force`, or one that is
+        read.
     """
-    check_own_folder(folder, OURS, KIND, force=force)
+    check_own_folder(folder, OURS, KIND, force=force, read=read)
 
 
 def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:

@@ -1,6 +1,7 @@
 """The folder of a calibration: page, fit, posterior, predictions and parameters."""
 
 import hashlib
+from collections.abc import Sequence
 from pathlib import Path
 
 from rocksteady.model.checks.arguments import checked
@@ -46,7 +47,8 @@ def write_calibration(
     Raises
     ------
     OutputError
-        If the folder holds anything else, or cannot be written.
+        If the folder holds anything else, one of the files that were read would be replaced, or it
+        cannot be written.
 
     Examples
     --------
@@ -76,15 +78,19 @@ def write_calibration(
         page = calibration_html(calibration, make_manifest(command=command))
         save_text("out", stage / "report.html", page)
 
-    return fill_own_folder(folder, OURS, KIND, write, force=force)
+    sources = {**calibration.tests.sources, **calibration.prior.sources}
+    return fill_own_folder(folder, OURS, KIND, write, force=force, hashes=sources.values())
 
 
-def check_calibration_folder(folder: Path | str, *, force: bool = False) -> None:
+def check_calibration_folder(
+    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
+) -> None:
     """Refuse, before anything is computed, a folder that could not be filled.
 
     Raises
     ------
     OutputError
-        If it holds anything but files of a calibration, or those without `force`.
+        If it holds anything but files of a calibration, or those without `force`, or one that is
+        read.
     """
-    check_own_folder(folder, OURS, KIND, force=force)
+    check_own_folder(folder, OURS, KIND, force=force, read=read)

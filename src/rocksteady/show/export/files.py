@@ -4,7 +4,8 @@ import csv
 import json
 import math
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -44,6 +45,51 @@ def check_writable(name: str, file: Path, *, force: bool) -> None:
         durable.expect(file, replace=force)
         return
     raise OutputError(name, file, valid, hint)
+
+
+def check_apart(
+    files: Mapping[str, Path | None],
+    folders: Mapping[str, Path | None] | None = None,
+    read: Iterable[Path] = (),
+) -> None:
+    """Refuse outputs of which one would overwrite another, or a file that is read.
+
+    Parameters
+    ----------
+    files, folders
+        What is written, by the names of the flags; None where a flag is not given.
+    read
+        Files that are read. What a folder holds of them is refused where it is checked.
+
+    Raises
+    ------
+    OutputError
+        If two names lead to one file, a file is read, or it lies in a folder of `folders`.
+    """
+    single = {name: file for name, file in files.items() if file is not None}
+    filled = {name: folder for name, folder in (folders or {}).items() if folder is not None}
+    outputs = single | filled
+    for (earlier, its), (name, path) in combinations(outputs.items(), 2):
+        if durable.same_file(its, path):
+            raise OutputError(name, path, f"{earlier} writes the same file", "rename one")
+    for folder_name, folder in filled.items():
+        for name, path in outputs.items():
+            if any(durable.same_file(folder, each) for each in durable.place_of(path).parents):
+                raise OutputError(name, path, f"it lies in {folder_name}", "name another folder")
+    for name, file in single.items():
+        refuse_read(name, file, read)
+
+
+def refuse_read(name: str, file: Path, read: Iterable[Path]) -> None:
+    """Refuse to write a file that is read too, by whatever path.
+
+    Raises
+    ------
+    OutputError
+        If it is one of these.
+    """
+    if any(durable.same_file(file, each) for each in read):
+        raise OutputError(name, file, "this file is read", "name another one")
 
 
 def impossible_name(file: Path) -> str | None:

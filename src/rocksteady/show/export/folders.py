@@ -1,9 +1,10 @@
 """Output folders: checked before computing, written whole or left unchanged."""
 
+import hashlib
 import os
 import re
 import shutil
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -15,7 +16,14 @@ KILLED = r"\.(partial|rocksteady)-\w{8}"
 """Names of the hidden folders that a run leaves which was killed while it wrote."""
 
 
-def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
+def check_folder(
+    folder: Path | str,
+    ours: str,
+    *,
+    force: bool = False,
+    read: Iterable[Path | str] = (),
+    hashes: Collection[str | None] = (),
+) -> None:
     """Refuse, before anything is computed, a folder that could not be filled.
 
     Parameters
@@ -26,12 +34,17 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
         Regular expression of the names of the files that are written.
     force
         Whether files of such names are replaced.
+    read
+        Files that are read.
+    hashes
+        SHA-256 of files that were read, where their paths are not known.
 
     Raises
     ------
     OutputError
         If its parent is missing or not writable, it is a file, or it holds files of these names and
-        `force` is off; with `force`, if one of these names is that of a folder, a device or a pipe.
+        `force` is off; with `force`, if one of these names is that of a folder, a device, a pipe
+        or a file that is read.
     """
     target = Path(folder)
     parent = target.absolute().parent
@@ -47,6 +60,8 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
             problem = durable.obstacle(file)
             if problem is not None:
                 raise OutputError("out", file, problem[0], "move it, or name another folder")
+            if _was_read(file, [Path(each) for each in read], hashes):
+                raise OutputError("out", file, "this file is read", "name another folder")
         held = [] if force else [file.name for file in named]
         if held:
             raise OutputError(
@@ -66,12 +81,31 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     raise OutputError("out", target, valid, hint)
 
 
-def check_own_folder(folder: Path | str, ours: str, kind: str, *, force: bool = False) -> None:
+def _was_read(file: Path, read: Iterable[Path], hashes: Collection[str | None]) -> bool:
+    """Return whether a file is one of those that are read, by its path or by its content."""
+    if any(durable.same_file(file, each) for each in read):
+        return True
+    if not hashes:
+        return False
+    with suppress(OSError), file.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest() in hashes
+    return False
+
+
+def check_own_folder(
+    folder: Path | str,
+    ours: str,
+    kind: str,
+    *,
+    force: bool = False,
+    read: Iterable[Path | str] = (),
+    hashes: Collection[str | None] = (),
+) -> None:
     """Refuse, before anything is computed, a folder that is not wholly ours.
 
     Parameters
     ----------
-    folder, ours, force
+    folder, ours, force, read, hashes
         As for `check_folder`.
     kind
         What the folder is of, as "an assessment".
@@ -82,7 +116,7 @@ def check_own_folder(folder: Path | str, ours: str, kind: str, *, force: bool = 
         As for `check_folder`; and if the folder holds anything else.
     """
     target = Path(folder)
-    check_folder(target, ours, force=force)
+    check_folder(target, ours, force=force, read=read, hashes=hashes)
     held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
     foreign = [name for name in held if not re.fullmatch(f"{ours}|{KILLED}", name)]
     if foreign:
@@ -95,13 +129,20 @@ def check_own_folder(folder: Path | str, ours: str, kind: str, *, force: bool = 
 
 
 def fill_own_folder(
-    folder: Path | str, ours: str, kind: str, write: Callable[[Path], None], *, force: bool = False
+    folder: Path | str,
+    ours: str,
+    kind: str,
+    write: Callable[[Path], None],
+    *,
+    force: bool = False,
+    read: Iterable[Path | str] = (),
+    hashes: Collection[str | None] = (),
 ) -> list[Path]:
     """Fill a folder that is wholly ours, and remove what an earlier answer left in it.
 
     Parameters
     ----------
-    folder, ours, kind, force
+    folder, ours, kind, force, read, hashes
         As for `check_own_folder`.
     write
         As for `fill_folder`.
@@ -116,7 +157,7 @@ def fill_own_folder(
     OutputError
         As for both.
     """
-    check_own_folder(folder, ours, kind, force=force)
+    check_own_folder(folder, ours, kind, force=force, read=read, hashes=hashes)
     written = fill_folder(folder, write)
     fresh = {each.name for each in written}
     for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this one

@@ -47,7 +47,8 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
     Raises
     ------
     OutputError
-        If the folder cannot be written, or holds CSV files and `force` is off.
+        If the folder cannot be written, or holds CSV files and `force` is off, or one of the files
+        that the tests were read from.
 
     Examples
     --------
@@ -62,7 +63,7 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
     >>> again.fell.tolist() == made.fell.tolist(), again.tests[0].record == made.tests[0].record
     (True, True)
     """
-    check_folder(folder, r".*\.csv", force=force)
+    check_folder(folder, r".*\.csv", force=force, hashes=observations.sources.values())
     files = _names(observations.tests)
     texts = {
         "tests.csv": _csv(_HEADER, [_row(test, files) for test in observations.tests]),

@@ -71,7 +71,8 @@ def write_facade_folder(
     InputError
         If there is no such language, or a file that was read cannot be read again.
     OutputError
-        If the folder holds anything else, or cannot be written.
+        If the folder holds anything else, one of the files that were read would be replaced, or it
+        cannot be written.
 
     Examples
     --------
@@ -90,18 +91,20 @@ def write_facade_folder(
     def write(stage: Path) -> None:
         _fill(check, stage, manifest, words)
 
-    return fill_own_folder(out, OURS, KIND, write, force=force)
+    return fill_own_folder(out, OURS, KIND, write, force=force, read=files)
 
 
-def check_facade_folder(folder: Path | str, *, force: bool = False) -> None:
+def check_facade_folder(
+    folder: Path | str, *, force: bool = False, read: Sequence[Path] = ()
+) -> None:
     """Refuse, before anything is computed, a folder that could not be filled.
 
     Raises
     ------
     OutputError
-        If it holds anything but files of a facade, or those without `force`.
+        If it holds anything but files of a facade, or those without `force`, or one that is read.
     """
-    check_own_folder(folder, OURS, KIND, force=force)
+    check_own_folder(folder, OURS, KIND, force=force, read=read)
 
 
 def _fill(check: "FacadeCheck", stage: Path, manifest: dict[str, object], words: Language) -> None:

@@ -264,7 +264,7 @@ def test_a_file_that_exists_needs_force_and_a_record_is_never_written_over(
     assert rocksteady("explore --force --out", page).code == 0
     assert view_in(page)
     html = file.rename(tmp_path / "record.html")
-    assert "the command reads this file" in refused("explore --force --record", html, "--out", html)
+    assert "this file is read" in refused("explore --force --record", html, "--out", html)
 
 
 def test_a_page_that_cannot_be_made_leaves_no_folder(

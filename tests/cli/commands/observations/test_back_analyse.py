@@ -79,7 +79,7 @@ def test_what_is_not_valid_is_refused_before_anything_runs(place: Path, tmp_path
     copy = tmp_path / "cemetery.csv"
     copy.write_text(TABLE)
     words = refused(f"{FEW} --survey {copy} {suite} --csv {copy} --force")
-    assert "the command reads this file" in words
+    assert "this file is read" in words
     assert copy.read_text() == TABLE
     copy.write_text(TABLE.replace("stood", "stod"))
     assert "line 3, outcome = 'stod'" in refused(f"{FEW} --survey {copy} {suite}")

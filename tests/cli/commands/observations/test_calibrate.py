@@ -124,5 +124,5 @@ def test_no_file_that_is_read_is_written_over(table: Path) -> None:
         before = file.read_bytes()
         ran = rocksteady(f"calibrate {FEW} --force --tests", table, "--csv", file)
         assert ran.code == 2
-        assert "the command reads this file" in ran.err
+        assert "this file is read" in ran.err
         assert file.read_bytes() == before

@@ -58,7 +58,7 @@ def test_text_table_and_picture_are_written(peaks: Path, tmp_path: Path) -> None
         (("--peaks", "peaks.csv"), "an object needs a size"),
         (("--peaks", "peaks.csv", *SIZE, "-r", "0.9"), "is what this command finds"),
         (("--peaks", "none.csv", *SIZE), "none.csv"),
-        (("--peaks", "peaks.csv", *SIZE, "--csv", "peaks.csv", "--force"), "reads this file"),
+        (("--peaks", "peaks.csv", *SIZE, "--csv", "peaks.csv", "--force"), "this file is read"),
         (("--peaks", "peaks.csv", *SIZE, "--model", "cubic"), "two equations of motion"),
         (("--peaks", "peaks.csv", "--width-m", "0.01", "--height-m", "0.5"), "--peaks = 0"),
     ],

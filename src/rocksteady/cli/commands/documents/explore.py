@@ -21,7 +21,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     equations_for,
     named_model,
 )
-from rocksteady.cli.flags.groups import grouped, same_file
+from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.parsing import single
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, Scale, warn
 from rocksteady.cli.flags.start import StartFlags
@@ -30,7 +30,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.rendering import print_description
-from rocksteady.show.export.files import check_writable
+from rocksteady.show.export.files import check_writable, refuse_read
 
 if TYPE_CHECKING:
     from rocksteady.explorer.view import ExplorerView
@@ -163,8 +163,7 @@ def check_file(out: Path | None, read: Sequence[Path], *, force: bool) -> None:
     from rocksteady.explorer.write import check_ending
 
     check_ending("--out", out)
-    if any(same_file(out, each) for each in read):
-        raise OutputError("--out", out, "the command reads this file", "name another one")
+    refuse_read("--out", out, read)
     check_writable("--out", out, force=force)
 
 

@@ -16,7 +16,6 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import Workers, resumable_study
 
 if TYPE_CHECKING:
-    from rocksteady.model.motions.record import Record
     from rocksteady.studies.atlas.study import Atlas
     from rocksteady.studies.facade_checks.study import FacadeChecks
 
@@ -201,6 +200,7 @@ def facade_checks(
     as_json: options.Json = False,
 ) -> None:
     """Run `rocksteady study facade-checks`; `FACADE_HELP` is what its users read."""
+    from rocksteady.seismic.spectra.grounds import grounds_of
     from rocksteady.show.export.folders import check_folder
     from rocksteady.studies.facade_checks import study as module
     from rocksteady.sweep.run import Run
@@ -215,9 +215,11 @@ def facade_checks(
         if text is not None
     }
     how = Run(workers=workers)
-    check_folder(out, module.OURS, force=force or resume)
+    suite = SuiteFlags(records=records).suite(ReadingFlags()) if records else None
+    read = [] if suite is None else suite.read
+    check_folder(out, module.OURS, force=force or resume, read=read)
     plane = module.plane_of(
-        _motions(records),
+        [] if suite is None else [ground.record for ground in grounds_of(suite.motions)],
         **axes,
         confidence_factor=number("--confidence-factor", confidence_factor),
     )
@@ -234,16 +236,6 @@ def facade_checks(
         print_json("facade-checks", {**result.values(), "out": str(out), "files": names})
     else:
         print_checks(result, out, files)
-
-
-def _motions(paths: list[Path] | None) -> "list[Record]":
-    """Return the horizontal records of files; none without any."""
-    if not paths:
-        return []
-    from rocksteady.seismic.spectra.grounds import grounds_of
-
-    suite = SuiteFlags(records=paths).suite(ReadingFlags())
-    return [ground.record for ground in grounds_of(suite.motions)]
 
 
 def print_checks(checks: "FacadeChecks", out: Path, files: list[Path]) -> None:

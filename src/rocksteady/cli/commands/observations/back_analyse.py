@@ -23,6 +23,7 @@ from rocksteady.cli.flags.shaking_tests import flags_of, temper_of
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
@@ -169,9 +170,7 @@ def back_analyse(
     """Run `rocksteady back-analyse`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run
 
-    output.check()
-    read = [path for path in (survey, prior) if path is not None]
-    output.refuse_read(read)
+    output.check([path for path in (survey, prior) if path is not None])
     scan = _scan(
         limits=_limits(limits), levels=levels, draws=draws, temper=temper, trials=trials, seed=seed
     )
@@ -182,7 +181,7 @@ def back_analyse(
     else:
         objects = _survey(survey)
         suite = recorded.suite(reading)
-        output.refuse_read([*read, *suite.files])
+        check_apart(output.files, read=suite.read)
         motions, left_out = suite.motions, suite.left_out
 
     announce_compilation("records.record_fates")

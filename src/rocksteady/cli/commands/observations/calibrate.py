@@ -1,6 +1,7 @@
 """`rocksteady calibrate`: from what fell and what stood to a block that predicts."""
 
 import shlex
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -29,6 +30,7 @@ from rocksteady.cli.flags.shaking_tests import (
 )
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.calibration import Calibration
@@ -116,12 +118,9 @@ def calibrate(
     """Run `rocksteady calibrate`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run
 
-    output.check()
-    output.refuse_read([*table.files, *([] if prior is None else [prior])])
-    if out is not None:
-        from rocksteady.show.calibration.calibration_folder import check_calibration_folder
-
-        check_calibration_folder(out, force=output.force)
+    read = [*table.files, *([] if prior is None else [prior])]
+    output.check(read, out=out)
+    _check_folder(out, output, read)
     if example:
         table, sampled = _refuse_files(table, prior), _example_draws(context, sampled)
     sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
@@ -129,7 +128,8 @@ def calibrate(
     equations = None if model == "nonlinear" else named_model(model)
     run = Run(executor=executor, workers=workers)
     tests, known = _tests(table, example=example), _prior(prior)
-    output.refuse_read(table.record_files(tests))
+    read += table.record_files(tests)
+    _check_folder(out, output, read)
 
     announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
@@ -157,6 +157,21 @@ def calibrate(
     if out is not None:
         notes.append(f"Pictures, method, guarantees and inputs stand in {out / 'report.html'}.")
     print_description(replace(description, notes=notes), terminal.console())
+
+
+def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
+    """Refuse, before anything is computed, outputs that would replace a file that is read.
+
+    Raises
+    ------
+    OutputError
+        As for `check_calibration_folder`, and where --plot or --csv is one of the files.
+    """
+    check_apart(output.files, read=read)
+    if out is not None:
+        from rocksteady.show.calibration.calibration_folder import check_calibration_folder
+
+        check_calibration_folder(out, force=output.force, read=read)
 
 
 def _refuse_files(table: TableFlags, prior: Path | None) -> TableFlags:

@@ -20,6 +20,7 @@ from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlag
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.stored import StoredPosterior
@@ -76,7 +77,7 @@ def predict(
     """Run `rocksteady predict`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run
 
-    output.check()
+    output.check(recorded.files)
     if fit is None:
         raise missing(
             "--fit",
@@ -88,14 +89,15 @@ def predict(
         tests=tests, objects=objects, records=records, units=reading.units, dt_s=reading.dt_s
     )
     _refuse_idle(table, recorded, reading, object)
-    output.refuse_read([*table.files, *recorded.files])
-    from rocksteady.risk.calibration.stored import read_posterior
+    from rocksteady.risk.calibration.stored import FILES, read_posterior
+
+    check_apart(output.files, read=[*table.files, *(fit / name for name in FILES)])
 
     with flags_of({"folder": "--fit"}):
         stored = read_posterior(fit)
     if tests is not None:
         observed = table.observations()
-        output.refuse_read(table.record_files(observed))
+        check_apart(output.files, read=table.record_files(observed))
         shaken: Sequence[ShakingTest] = observed.tests
     else:
         shaken = _tests_of(recorded, reading, _object(stored, object))

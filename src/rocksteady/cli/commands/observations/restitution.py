@@ -60,7 +60,7 @@ def restitution(
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady restitution`; `HELP` is what its users read."""
-    output.check()
+    output.check([] if peaks is None else [peaks])
     if peaks is None:
         raise missing(
             "--peaks",
@@ -80,7 +80,6 @@ def restitution(
             "leave the flag out: between equal sides both lose alike, and the peaks are the same",
         )
     body = sized_block(block)
-    output.refuse_read([peaks])
     from rocksteady.risk.free_rocking.fit_restitution import fit_restitution
     from rocksteady.risk.observations.read_peaks import read_peaks
 

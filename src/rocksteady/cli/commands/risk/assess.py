@@ -25,6 +25,7 @@ from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import RunsFlags
 from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.results.description import Description
@@ -129,7 +130,7 @@ def assess(
     target: TargetFlag = None,
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
-    output.check([each for each in (file, hazard) if each is not None])
+    kept.sweep.check(output.files, [each for each in (file, hazard) if each is not None], out=out)
     most = None if target is None else probability("--target", target)
     table = file is not None and file.suffix.lower() == ".csv"
     _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
@@ -141,13 +142,13 @@ def assess(
         assert file is not None
         with kept.sweep.resumable(context.find_root().obj):
             answer = _answers(
-                context, file, peaks, recorded, reading, kept, out, most, force=output.force
+                context, file, peaks, recorded, reading, kept, out, most, output=output
             )
         shares = [row["probability"] for row in answer.rows]
     else:
         with kept.sweep.resumable(context.find_root().obj):
             answer = _answer(
-                context, file, recorded, reading, kept, hazard, out, most, force=output.force
+                context, file, recorded, reading, kept, hazard, out, most, output=output
             )
         shares = [answer.probability]
         most = answer.described.given.assessment.target_probability
@@ -200,7 +201,7 @@ def _answer(
     out: Path | None,
     target: float | None,
     *,
-    force: bool,
+    output: RowFlags,
 ) -> "Assessment":
     """Return the whole assessment of one object, and write its folder.
 
@@ -211,16 +212,16 @@ def _answer(
     """
     from rocksteady.risk.assess.assessment import assess_object
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
-    from rocksteady.show.assessment.folder import check_assessment_folder
 
-    if out is not None:
-        check_assessment_folder(out, force=force)
-    run = kept.sweep.run(force=force)
+    _check_folder(out, output)
+    run = kept.sweep.run(force=output.force)
     described = read_object(EXAMPLE if file is None else file)
     if target is not None:
         described = described.with_target(target)
     curves = _hazard_curves(hazard)
     suite = _suite(file, recorded, reading, described)
+    read = [each for each in (file, hazard, *suite.read) if each is not None]
+    _check_folder(out, output, read)
     announce_compilation("records.record_fates")
     with sweeping("running the object", _cells(described, suite)) as meter:
         assessment = assess_object(
@@ -228,7 +229,7 @@ def _answer(
         )
     if out is not None:
         files = [each for each in (file, hazard, *suite.files) if each is not None]
-        _write_folder(context, assessment, out, files, force=force)
+        _write_folder(context, assessment, out, files, force=output.force)
     return assessment
 
 
@@ -254,7 +255,7 @@ def _answers(
     out: Path | None,
     target: float | None,
     *,
-    force: bool,
+    output: RowFlags,
 ) -> "ObjectsTable":
     """Return the answers of a table of objects, and write its folder.
 
@@ -265,7 +266,6 @@ def _answers(
     """
     from rocksteady.risk.assess.described.tables import read_objects
     from rocksteady.risk.assess.objects_table import assess_objects
-    from rocksteady.show.assessment.folder import check_assessment_folder
 
     if peaks.pga_g is None and peaks.pgv_m_s is None:
         raise missing(
@@ -273,11 +273,11 @@ def _answers(
             valid="objects are assessed under one demand",
             hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
         )
-    if out is not None:
-        check_assessment_folder(out, force=force)
-    run = kept.sweep.run(force=force)
+    _check_folder(out, output)
+    run = kept.sweep.run(force=output.force)
     objects = read_objects(file)
     suite = recorded.suite(reading)
+    _check_folder(out, output, [file, *suite.read])
     announce_compilation("records.record_fates")
     ways = 1 if all(each.block.symmetric for each in objects) else 2
     with sweeping("running objects", ways * len(objects) * len(suite.motions)) as meter:
@@ -290,8 +290,23 @@ def _answers(
             run=replace(run, progress=meter),
         )
     if out is not None:
-        _write_folder(context, table, out, [file, *suite.files], force=force)
+        _write_folder(context, table, out, [file, *suite.files], force=output.force)
     return table
+
+
+def _check_folder(out: Path | None, output: RowFlags, read: Sequence[Path] = ()) -> None:
+    """Refuse, before anything is computed, outputs that would replace a file that is read.
+
+    Raises
+    ------
+    OutputError
+        As for `check_assessment_folder`, and where --csv is one of the files.
+    """
+    check_apart(output.files.files, read=read)
+    if out is not None:
+        from rocksteady.show.assessment.folder import check_assessment_folder
+
+        check_assessment_folder(out, force=output.force, read=read)
 
 
 def _write_folder(

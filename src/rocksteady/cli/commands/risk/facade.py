@@ -1,6 +1,7 @@
 """`rocksteady facade`: checks of a facade against overturning, static and dynamic."""
 
 import shlex
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
@@ -24,6 +25,7 @@ from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
@@ -209,19 +211,16 @@ def facade(
             "it is that of --out and --plot, and neither is given",
             "add --out DIR, or leave it out",
         )
-    output.check()
-    if out is not None:
-        from rocksteady.show.facade.facade_folder import check_facade_folder
-
-        check_facade_folder(out, force=output.force)
+    output.check([] if file is None else [file], out=out)
+    _check_folder(out, output)
     described = read_facade(EXAMPLE if file is None else file)
     wall = _with_restitution(described.facade, restitution)
-    demand, runs, files = described.demand, None, [] if file is None else [file]
+    demand, runs, files = described.demand, None, [] if file is None else [*described.files]
     suite = Suite(motions=[], files=[])
     if recorded.records or example:
         suite = _suite(recorded, reading, example=example)
         files += suite.files
-    output.refuse_read(files)
+    _check_folder(out, output, [*files, *suite.read])
     if suite.motions:
         announce_compilation("records.record_fates")
         runs = run_facade(
@@ -251,6 +250,21 @@ def facade(
         print_description(_in_text(facade_check, example=example), terminal.console())
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
+
+
+def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
+    """Refuse, before anything is computed, outputs that would replace a file that is read.
+
+    Raises
+    ------
+    OutputError
+        As for `check_facade_folder`, and where --plot or --csv is one of the files.
+    """
+    check_apart(output.files, read=read)
+    if out is not None:
+        from rocksteady.show.facade.facade_folder import check_facade_folder
+
+        check_facade_folder(out, force=output.force, read=read)
 
 
 def _chosen(flag: str, text: str, names: dict[str, T]) -> T:

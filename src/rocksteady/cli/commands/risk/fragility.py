@@ -121,7 +121,7 @@ def fragility(
     fitting = _fitting(states, family, confidence, replicates, ensemble.seed)
     run = sweep.run(force=output.force)
     suite = _suite(recorded, reading, example=example)
-    output.refuse_read(suite.files, netcdf=sweep.netcdf)
+    sweep.check(output, suite.read)
 
     announce_compilation("records.record_fates")
     from rocksteady.risk.fragility.fit_fragility import compute_fragility

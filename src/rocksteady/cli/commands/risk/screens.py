@@ -49,7 +49,7 @@ def screens(
     check: CheckFlag = False,
 ) -> None:
     """Run `rocksteady screens`; `HELP` is what its users read."""
-    output.check(spectra.files)
+    output.files.check(spectra.files)
     body = sized_block(block)
     demand = spectra.demand(peaks, reading)
     from rocksteady.risk.screens.screens import screen_block

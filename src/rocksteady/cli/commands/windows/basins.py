@@ -191,8 +191,7 @@ def basins(
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
-    sweep.check(output)
-    output.refuse_read(recorded.files)
+    sweep.check(output, recorded.files)
     if recorded.given(reading, pulse=pulse.given) or pulse.given:
         refuse_others(
             {
