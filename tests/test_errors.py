@@ -65,6 +65,20 @@ def test_the_line_of_missing_kernels() -> None:
     )
 
 
+def test_a_message_is_one_short_printable_line_of_whatever_it_is_made() -> None:
+    deep: list[Any] = []
+    for _ in range(3_000):
+        deep = [deep]
+    name = "a" * 5_000 + "\n\udcff\x1b"
+    for part in (name, f"it must be {name}"):
+        for value in (deep, {1: deep}, name, Words(name), Path(name), 1.0):
+            line = str(InputError(part, value, part, part))
+            assert line.isprintable(), line
+            assert len(line) < 600
+            line.encode()
+    assert "[0] = <list> is not valid" in str(InputError("[0]", deep, "a", "b"))
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_error_is_caught_as_a_rocksteady_error(kind: type[RocksteadyError]) -> None:
     with pytest.raises(RocksteadyError):

@@ -70,7 +70,7 @@ class RocksteadyError(Exception):
         self.valid = valid
         self.hint = hint
         given = f"{value}" if isinstance(value, Words) else f"= {_shown(value)} {self._verdict}"
-        super().__init__(f"{_cut(name)} {given}: {valid}; {hint}")
+        super().__init__(one_line(f"{name} {given}: {valid}; {hint}"))
 
     def __reduce__(self) -> tuple[object, ...]:
         # pickle would rebuild it from the message; it has to come back whole from a worker
@@ -262,21 +262,39 @@ def _call_error(
     return InputError(", ".join(missing), verb, valid, f"its arguments are: {names}")
 
 
+def one_line(text: str) -> str:
+    """Return a message as one printable line: long words without their middle.
+
+    A word may be a name of thousands of letters, which a file or a caller has given.
+    """
+    words = " ".join(_cut(word) for word in text.split())
+    if words.isprintable():
+        return words
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode()
+        for letter in words
+    )
+
+
 def _shown(value: object) -> str:
-    """Return `value` as one short line: numbers and paths without their type, the rest by repr."""
-    if isinstance(value, Number):
-        text = str(value)  # of a NumPy scalar the number alone, where repr is "np.float64(1.2)"
-    elif isinstance(value, PathLike):
-        text = repr(fspath(value))
-    else:
-        plain = str(value) if isinstance(value, str) else value  # of NumPy, repr is "np.str_('a')"
-        text = " ".join(repr(plain).split())
-    return _cut(text)
+    """Return `value` as one short line: numbers and paths without their type, the rest by repr.
+
+    A value that has no text, as a list nested thousands deep, is shown as its class.
+    """
+    try:
+        if isinstance(value, Number):
+            text = str(value)  # of a NumPy scalar the number alone, where repr names its class
+        elif isinstance(value, PathLike):
+            text = repr(fspath(value))
+        else:  # of a text of NumPy, repr is "np.str_('a')"
+            text = repr(str(value) if isinstance(value, str) else value)
+        return _cut(" ".join(text.split()))
+    except Exception:  # noqa: BLE001 -- its own code fails, or Python nests no deeper
+        return f"<{type(value).__name__}>"
 
 
-def _cut(name: object) -> str:
+def _cut(text: str) -> str:
     """Return a text without the middle of a long one."""
-    text = str(name)
     if len(text) <= _LONGEST_VALUE:
         return text
     half = (_LONGEST_VALUE - len(" ... ")) // 2

@@ -89,6 +89,21 @@ def itself() -> list[Any]:
     return items
 
 
+def deep() -> list[Any]:
+    """Return a list nested deeper than Python nests calls."""
+    items: list[Any] = []
+    for _ in range(3_000):
+        items = [items]
+    return items
+
+
+class Unshowable:
+    """An object that has no text."""
+
+    def __repr__(self) -> str:
+        raise RuntimeError("no text")
+
+
 def read_only() -> Any:
     """Return an array that cannot be written to."""
     array = np.array([0.5, 1.0])
@@ -160,6 +175,8 @@ SCALARS: tuple[Callable[[], Any], ...] = tuple(
         "é\u202e\U0001f600",
         "a\0b",
         "x" * 5000,
+        "\n",
+        "a\udcff",
         b"abc",
         bytearray(b"abc"),
         range(3),
@@ -182,6 +199,10 @@ MADE: tuple[Callable[[], Any], ...] = (
     Nonsense,
     endless,
     itself,
+    deep,
+    Unshowable,
+    lambda: [Unshowable()],
+    lambda: {Unshowable(): deep()},
     read_only,
     list,
     tuple,

@@ -278,6 +278,13 @@ def test_results_are_compared_by_identity_and_can_be_kept_in_sets() -> None:
         ("RestitutionFit.peaks_of", {"ratios": (0.9,)}, "there are two impacts"),
         ("ElasticSpectrum", {"tc_star_s": None}, "tc_star_s = None is not valid"),
         ("StoredPosterior.predict", {"tests": range(10**12)}, "tests = range("),
+        ("Calibration.predict", {"tests": range(10**12)}, "tests = range("),
+        ("HilltopSaddle.at", {"phase": math.inf}, "phase = inf is not valid: it must"),
+        ("HilltopSaddle.at", {"phase": [0.0, math.nan]}, "phase = nan is not valid: it must"),
+        ("Manifold.nearest", {"angle": -1e300}, "angle = -1e+300 is not valid: it must lie in"),
+        ("read_prior", {"path": "\n"}, "\\n"),
+        ("simulate", {"block": junk.deep()}, "block = <list> is not valid"),
+        ("simulate", {"motion": junk.Unshowable()}, "motion = <Unshowable> is not valid"),
     ],
 )
 def test_the_line_names_what_is_wrong(label: str, changed: dict[str, Any], line: str) -> None:

@@ -25,8 +25,8 @@ def validated_grid(
     InputError
         If a value is outside its range, or the shapes do not broadcast.
     """
-    amplitudes = _checked("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
-    ratios = _checked(
+    amplitudes = checked_array("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
+    ratios = checked_array(
         "frequency_ratio",
         frequency_ratio,
         LOWEST_FREQUENCY_RATIO,
@@ -98,7 +98,7 @@ def real_array(name: str, values: ArrayLike) -> Floats:
         ) from None
 
 
-def _checked(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:
+def checked_array(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:
     """Return a float array whose values lie in an interval; the first that does not is reported."""
     array = real_array(name, values)
     valid = (array >= low) & (array <= high)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, TypeVar
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.validation import finite, is_pair
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 
@@ -17,6 +18,8 @@ SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitutio
 """The same, as texts and titles have them."""
 SIZES = ("width", "height", "alpha", "radius", "p")
 """Of a homogeneous rectangle."""
+NARROWEST = 1e-9
+"""Of a range in which orbits are followed, its width over the size of its larger end."""
 ASYMMETRY = ("negative_restitution", "alpha_ratio", "p_ratio")
 """By what the sides of a dimensionless block differ."""
 
@@ -163,3 +166,24 @@ def moved_to(
         return block.with_restitution(value), shaking
     moved: Any = {parameter: value}
     return block, replace(shaking, **moved)
+
+
+def range_of(within: object, parameter: str) -> tuple[float, float]:
+    """Return both ends of a range of a parameter, the lower one first.
+
+    Raises
+    ------
+    InputError
+        If they are not two finite numbers in this order, or nearly equal: steps of a search in it
+        would be those of rounding.
+    """
+    hint = f"give a pair (low, high) of {parameter}"
+    if not is_pair(within):
+        raise InputError("within", within, "it must be two numbers", hint)
+    low, high = (finite("within", end, hint=hint) for end in within)
+    if not low < high:
+        raise InputError("within", within, "its lower end must be below its upper end", hint)
+    if high - low < NARROWEST * max(abs(low), abs(high)):
+        valid = f"its ends must differ by {NARROWEST:g} of the larger one or more"
+        raise InputError("within", within, valid, "widen it")
+    return low, high

@@ -9,7 +9,7 @@ from typing import Any
 
 from typer.core import TyperCommand
 
-from rocksteady.errors import ModelError
+from rocksteady.errors import ModelError, one_line
 from rocksteady.model.checks.arguments import LONGEST_NAME
 
 PATHS = {"FILE", "DIR", "STORE"}
@@ -44,7 +44,7 @@ class FlagError(ModelError):
     ) -> None:
         super().__init__(name, value, valid, hint)
         if finding is not None:
-            self.args = (f"{finding}: {valid}; {hint}",)
+            self.args = (one_line(f"{finding}: {valid}; {hint}"),)
 
 
 def missing(flag: str, *, valid: str, hint: str) -> FlagError:

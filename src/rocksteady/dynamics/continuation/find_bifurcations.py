@@ -27,12 +27,12 @@ from rocksteady.dynamics.history.start import (
 )
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep, sweep_attractor
 from rocksteady.dynamics.orbits.return_map import periodic_motion
-from rocksteady.dynamics.parameters import PARAMETERS, moved_to
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to, range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import is_pair, whole_number
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
@@ -197,11 +197,7 @@ def _range_of(
         else:
             here = float(getattr(motion, parameter))
             within = (0.5 * here, 2.0 * here)
-    if not is_pair(within) or not float(within[0]) < float(within[1]):
-        raise InputError(
-            "within", within, "its lower end must be below its upper end", "give a pair (low, high)"
-        )
-    low, high = (float(end) for end in within)
+    low, high = range_of(within, parameter)
     for end in (low, high):
         moved_to(block, motion, parameter, end)  # refuses what is outside its range
     if not count:

@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.dynamics.edges._courses import (
     Course,
     extrema_of,
@@ -28,7 +28,7 @@ from rocksteady.kernels.elementary.arrays import exp, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import finite
+from rocksteady.model.checks.validation import LARGEST, finite
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.segments import Harmonic
@@ -99,7 +99,7 @@ class HilltopSaddle(Result):
         Raises
         ------
         InputError
-            If a phase is not a finite number.
+            If a phase is not a finite number, 1e50 at most.
         """
         lean, rate = self._scale
         turned = self._seen(phase)
@@ -131,7 +131,8 @@ class HilltopSaddle(Result):
         return 1.0 / size, slope / size
 
     def _seen(self, phase: ArrayLike) -> Floats:
-        return real_array("phase", phase) + (0.0 if self.side > 0 else math.pi)
+        phases = checked_array("phase", phase, -LARGEST, LARGEST, "a phase in radians")
+        return phases + (0.0 if self.side > 0 else math.pi)
 
     @property
     def start(self) -> State:

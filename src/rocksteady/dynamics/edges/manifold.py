@@ -17,7 +17,7 @@ from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.checks.validation import finite
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -159,13 +159,16 @@ class Manifold(Result):
         Raises
         ------
         InputError
-            If a number is not finite.
+            If a number is not finite, or beyond 1e50.
         ModelError
             If the manifold is over impacts, or has no points.
         """
         hint = "give a state at the phase of the manifold"
         here = np.array(
-            [finite("angle", angle, hint=hint), finite("velocity", velocity, hint=hint)]
+            [
+                in_range(name, value, -LARGEST, LARGEST, "[]", hint=hint)
+                for name, value in (("angle", angle), ("velocity", velocity))
+            ]
         )
         if self.over != "phase" or not self.points:
             raise ModelError(

@@ -126,12 +126,15 @@ def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
         If there is none.
     """
     rows = tests.tests if isinstance(tests, Observations) else tests
-    given = list(rows) if isinstance(rows, Sequence) else []  # type: ignore[redundant-expr]
-    if not given or not all(isinstance(test, ShakingTest) for test in given):
+    if (
+        not isinstance(rows, Sequence)  # type: ignore[redundant-expr]
+        or not rows
+        or not all(isinstance(test, ShakingTest) for test in rows)  # before they are listed
+    ):
         raise InputError(
             "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"
         )
-    return given
+    return list(rows)
 
 
 def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) -> HeldOut:

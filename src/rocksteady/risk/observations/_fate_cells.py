@@ -55,7 +55,8 @@ class Shaken:
 
 def streams_of(seed: int, names: Sequence[str]) -> NDArray[np.uint64]:
     """Return the seed of each test's random numbers, from the seed of all and its name."""
-    digests = (hashlib.sha256(f"{seed} {name}".encode()).digest() for name in names)
+    texts = (f"{seed} {name}".encode(errors="surrogatepass") for name in names)
+    digests = (hashlib.sha256(text).digest() for text in texts)
     return np.array([int.from_bytes(d[:STREAM_BYTES], "little") for d in digests], dtype=np.uint64)
 
 

@@ -12,6 +12,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.show.export.files import STRAY
 from rocksteady.show.export.folders import check_folder, fill_folder
 
 TABLES: Final = ("tests.csv", "objects.csv")
@@ -76,7 +77,7 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
 
     def write(stage: Path) -> None:
         for name, text in texts.items():
-            (stage / name).write_bytes(text.encode())
+            (stage / name).write_bytes(text.encode(errors=STRAY))
 
     fill_folder(folder, write)
     return Path(folder) / TABLES[0]

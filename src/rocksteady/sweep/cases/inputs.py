@@ -281,7 +281,8 @@ def _axis(axis: Axis) -> dict[str, Any]:
 def digest_of(array: np.ndarray[Any, Any]) -> str:
     """Return a hash of the values of an array."""
     if array.dtype.kind == "U":
-        return hashlib.sha256("\0".join(array.tolist()).encode()).hexdigest()[:HEX]
+        text = "\0".join(array.tolist()).encode(errors="surrogatepass")  # names of files
+        return hashlib.sha256(text).hexdigest()[:HEX]
     return hashlib.sha256(np.ascontiguousarray(array).tobytes()).hexdigest()[:HEX]
 
 

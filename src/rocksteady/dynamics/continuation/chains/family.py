@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.predictor_corrector import gradient
-from rocksteady.dynamics.parameters import PARAMETERS
+from rocksteady.dynamics.parameters import PARAMETERS, range_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.checks.validation import (
     LARGEST,
     Ends,
     in_range,
-    is_pair,
     side_value,
     whole_number,
 )
@@ -184,14 +183,11 @@ def checked_ranges(
 
 def _checked_range(index: int, ends: object) -> tuple[float, float]:
     name = PARAMETERS[index]
-    hint = f"give two values of {name}, the lower one first"
-    if not is_pair(ends):
-        raise InputError("within", ends, "it must be two numbers", hint)
     least, most, interval = LIMITS[index]
-    low, high = (in_range(name, end, least, most, interval, hint=hint) for end in ends)
-    if not low < high:
-        valid = "the first must be less than the second"
-        raise InputError("within", ends, valid, hint)
+    hint = f"give two values of {name}, the lower one first"
+    low, high = range_of(ends, name)
+    for end in (low, high):
+        in_range(name, end, least, most, interval, hint=hint)
     return low, high
 
 

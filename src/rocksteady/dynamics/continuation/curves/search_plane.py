@@ -30,12 +30,11 @@ from rocksteady.dynamics.continuation.curves.bifurcation_curves import (
 from rocksteady.dynamics.continuation.curves.loci import follow_curve
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.return_map import harmonic
-from rocksteady.dynamics.parameters import PARAMETERS, moved_to
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to, range_of
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import is_pair
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.numbers import plural
@@ -156,10 +155,7 @@ def _checked_plane(
         raise InputError("within", within, "there must be a range for each of the two", hint)
     ranges = []
     for name, ends in zip(parameters, within, strict=True):
-        if not is_pair(ends) or not float(ends[0]) < float(ends[1]):
-            hint = f"give a pair (low, high) of {name}"
-            raise InputError("within", ends, "its lower end must be below its upper end", hint)
-        low, high = float(ends[0]), float(ends[1])
+        low, high = range_of(ends, name)
         for end in (low, high):
             moved_to(block, motion, name, end)  # refuses what is outside its range
         ranges.append((low, high))

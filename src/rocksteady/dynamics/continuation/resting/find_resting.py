@@ -21,12 +21,12 @@ from rocksteady.dynamics.continuation.resting.resting_facts import (
 from rocksteady.dynamics.continuation.resting.resting_types import NoRest, RestingPointType
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
-from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS
+from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, range_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import is_pair, positive, whole_number
+from rocksteady.model.checks.validation import positive, whole_number
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -301,11 +301,7 @@ def _asked(
     if moving.parameter not in PARAMETERS:
         valid = "orbits are followed over " + ", ".join(PARAMETERS)
         raise InputError("parameter", moving.parameter, valid, "name one of them")
-    if not is_pair(within) or not float(within[0]) < float(within[1]):
-        raise InputError(
-            "within", within, "its lower end must be below its upper end", "give a pair (low, high)"
-        )
-    low, high = (float(end) for end in within)
+    low, high = range_of(within, moving.parameter)
     for end in (low, high):
         moving.moved(end)  # refuses what is outside its range
     step = STEP * (high - low)
