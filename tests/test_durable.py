@@ -63,6 +63,8 @@ while True:
     if os.WIFEXITED(status):
         assert os.WEXITSTATUS(status) == 0 and there[-1] and not rest
         break
+    write(place / name, 2.0)
+    assert [path.name for path in place.iterdir()] == [name], "the next write removes what is left"
     moment += step
 assert there == sorted(there)
 print(moment)

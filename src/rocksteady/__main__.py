@@ -1,5 +1,5 @@
 """The program as `python -m rocksteady`."""
 
-from rocksteady.cli.app import main
+from rocksteady.cli.start import main
 
 main()

@@ -5,11 +5,13 @@ forced to the disk, and moved; then the folder that holds it is forced to the di
 """
 
 import os
+import re
+import shutil
 import stat
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -89,8 +91,8 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
         If it cannot be written; FileExistsError if there is a file that may not be replaced.
     """
     place = place_of(file)
-    with TemporaryDirectory(prefix=PREFIX, dir=place.parent, ignore_cleanup_errors=True) as folder:
-        staged = Path(folder) / place.name
+    with private_folder(place.parent) as folder:
+        staged = folder / place.name
         fill(staged)
         with suppress(FileNotFoundError):
             staged.chmod(stat.S_IMODE(place.stat().st_mode))
@@ -101,6 +103,69 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
             _missing.discard(place)
         else:
             move(staged, place)
+
+
+@contextmanager
+def private_folder(parent: Path, prefix: str = PREFIX) -> Iterator[Path]:
+    """Make a private folder, remove it at the end, and those that killed programs have left.
+
+    A program holds a lock on its folder, which the system drops when the program ends in any way.
+
+    Parameters
+    ----------
+    parent
+        Where it is made.
+    prefix
+        Begins its name.
+
+    Raises
+    ------
+    OSError
+        If it cannot be made.
+    """
+    _remove_left(parent, prefix)
+    while True:
+        made = TemporaryDirectory(prefix=prefix, dir=parent, ignore_cleanup_errors=True)
+        with made as folder:
+            held = _locked(Path(folder), wait=True)
+            try:
+                if not Path(folder).is_dir():  # another program came between and removed it
+                    continue
+                yield Path(folder)
+                return
+            finally:
+                if held is not None:
+                    os.close(held)
+
+
+def _remove_left(parent: Path, prefix: str) -> None:
+    """Remove private folders that no running program holds."""
+    with suppress(OSError):
+        for folder in parent.glob(f"{prefix}*"):
+            if not re.fullmatch(rf"{re.escape(prefix)}\w{{8}}", folder.name) or folder.is_symlink():
+                continue
+            held = _locked(folder, wait=False)
+            if held is not None:
+                shutil.rmtree(folder, ignore_errors=True)
+                os.close(held)
+
+
+def _locked(folder: Path, *, wait: bool) -> int | None:
+    """Return the descriptor of a folder that is locked now; None where it is not, or never is."""
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        return None
+    try:
+        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError:
+        return None
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # another program holds it, or the file system has no locks
+        os.close(descriptor)
+        return None
+    return descriptor
 
 
 def _move_to_nothing(staged: Path, place: Path) -> None:

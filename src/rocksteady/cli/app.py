@@ -4,6 +4,8 @@ Exit codes: 0 done, 1 negative verdict with --check, 2 usage or input, 3 incompl
 101 internal error, 130 interrupted (Ctrl-C), and 143 and 129 by SIGTERM and SIGHUP.
 """
 
+import errno
+import re
 import signal
 import sys
 import traceback
@@ -37,14 +39,15 @@ from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import no_number
-from rocksteady.errors import RocksteadyError, UnfinishedError
+from rocksteady.cli.start import INTERRUPTED
+from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
 
 HELP = (
     "Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.\n\n"
     "Results go to standard output, messages to standard error. Every command has --json; "
     "rocksteady COMMAND --help shows its flags, their units and examples."
 )
-USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
+USAGE, INTERNAL = 2, 101
 OUTPUT_LOST = "standard output cannot be written"
 LONGEST_MESSAGE = 400
 """Characters of what typer finds wrong, which shows arguments whole."""
@@ -207,10 +210,11 @@ def _surroundings_error(error: OSError | MemoryError | UnicodeError) -> int:
         return _complain(f"a name or a file cannot be read as text ({error}); rename or mend it")
     if isinstance(error, BrokenPipeError):  # its reader has left, as above
         return 0
-    about = f"{error.filename} cannot be read or written" if error.filename else OUTPUT_LOST
-    if not error.filename:
-        terminal.abandon_output()
-    return _complain(f"{about}: {error.strerror or error}")
+    if error.filename:
+        return _complain(f"{error.filename} cannot be read or written: {error.strerror or error}")
+    terminal.abandon_output()
+    why = "it is closed" if error.errno == errno.EBADF else error.strerror or error
+    return _complain(f"{OUTPUT_LOST}: {why}; lead it into a file, a pipe or /dev/null")
 
 
 def _code(result: object) -> int:
@@ -219,11 +223,14 @@ def _code(result: object) -> int:
 
 
 def _usage_error(error: TyperException, arguments: list[str]) -> int:
-    """Report what typer found wrong with the command line, with where to look next."""
+    """Report what typer found wrong with the command line: what, what is valid, what to do."""
     if not error.format_message():  # help has been shown
         return 0
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else _command_of(arguments)
+    wrong = _unknown(error, path)
+    if wrong is not None:
+        return _complain(wrong)
     message = " ".join(error.format_message().split()).rstrip(".")
     flags = getattr(getattr(error, "param", None), "opts", [])
     values = _given(flags, arguments)
@@ -235,6 +242,29 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
     if len(message) > LONGEST_MESSAGE:
         message = f"{message[: LONGEST_MESSAGE // 2]} ... {message[-LONGEST_MESSAGE // 2 :]}"
     return _complain(f"{message}; see {path} --help")
+
+
+def _unknown(error: TyperException, path: str) -> str | None:
+    """Return the line of a word that is no flag, no command or too much; None of other errors."""
+    option = getattr(error, "option_name", None)
+    if option is not None and not hasattr(error, "possibilities"):
+        return one_line(f"{option} is given without a value: it takes one; see {path} --help")
+    if option is not None:
+        near = sorted(error.possibilities or ())  # type: ignore[attr-defined]
+        lists, hint = f"{path} --help lists its flags", "leave it out, or give one of these"
+        hint = f"did you mean {' or '.join(near)}?" if near else hint
+        return one_line(f"{option} is no flag of {path}: {lists}; {hint}")
+    found = re.match(
+        r"No such command '(.*?)'\.(.*)|Got unexpected .*\((.*)\)", error.message, re.DOTALL
+    )
+    if found is None:
+        return None
+    command, suggestions, extra = found.groups()
+    if extra is not None:
+        return one_line(f"{extra} is too much: {path} --help lists what it takes; leave it out")
+    near = re.findall(r"'(.*?)'", suggestions)
+    hint = f"did you mean {' or '.join(near)}?" if near else "give one of these"
+    return one_line(f"{command} is no command: {path} --help lists them; {hint}")
 
 
 def _command_of(arguments: list[str]) -> str:

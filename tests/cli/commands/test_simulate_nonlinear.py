@@ -149,4 +149,6 @@ def test_erosion_leaves_out_what_the_model_has_no_closed_form_of(tmp_path: Path)
 
 
 def test_what_is_linear_alone_has_no_such_flag() -> None:
-    assert "No such option: --model" in refused("steady -A 2 -W 2 -r 0.8 --model nonlinear")
+    assert "--model is no flag of rocksteady steady" in refused(
+        "steady -A 2 -W 2 -r 0.8 --model nonlinear"
+    )

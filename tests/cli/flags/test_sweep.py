@@ -103,7 +103,7 @@ def test_an_end_says_what_is_kept_and_how_it_goes_on(
     with pytest.raises(ended), SweepFlags(out=store).resumable(arguments):
         raise error
     kept, command = capsys.readouterr().err.splitlines()
-    assert kept == f"4 of 4 cells are kept in {store}; to go on:"
+    assert kept == f"all 4 cells are kept in {store}; to see the answer:"
     assert shlex.split(command) == ["rocksteady", *arguments[:-1], "--resume"]
     with pytest.raises(ended), SweepFlags().resumable(arguments):
         raise error

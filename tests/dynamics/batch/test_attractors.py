@@ -11,7 +11,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import find_attractor
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ModelError,
+    find_attractor,
+    find_attractors,
+    simulate,
+)
 from rocksteady.dynamics.batch.attractors import (
     KIND_FLAGS,
     Attractors,
@@ -180,3 +188,30 @@ def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
         204,
         4,
     ]
+
+
+def test_a_start_is_that_of_a_motion_with_an_orbit_and_no_other() -> None:
+    found = find_attractors([2.0, 0.5, 2.5], 4.0, 0.8)
+    assert found.labels.tolist() == ["symmetric", "rest", "symmetric"]
+    for index in (0, 2):  # the last one too
+        start = found.start(index)
+        assert (start.side, start.phase, start.speed) == (
+            found.side[index],
+            found.phase[index],
+            found.speed[index],
+        )
+        run = simulate(
+            DimensionlessBlock(restitution=0.8),
+            Harmonic(amplitude=[2.0, 0.5, 2.5][index], frequency_ratio=4.0),
+            start=start,
+            cycles=1,
+        )
+        again = np.abs(run.impacts.velocity_after)
+        assert np.any(np.isclose(again, start.speed, rtol=1e-9)), "the orbit is closed"
+    with pytest.raises(ModelError, match="that motion has no orbit: it is rest; choose one whose"):
+        found.start(1)
+    for index in (3, -1):
+        with pytest.raises(InputError, match="index"):
+            found.start(index)
+    with pytest.raises(ModelError, match="that motion has no orbit; choose one"):
+        find_attractors([], [], []).start(0)

@@ -57,12 +57,14 @@ def say(words: str) -> None:
 def open_streams() -> None:
     """Make the standard streams such that no text and no closed or full one raises an error.
 
-    Characters without a code in the encoding of a stream are escaped, a stream that was closed
-    leads nowhere, and messages that cannot be written are dropped.
+    Characters without a code in the encoding of a stream are escaped, messages that cannot be
+    written are dropped, and a result that cannot be written is an error: of a standard output that
+    was closed too.
     """
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         if getattr(sys, name) is None:  # or print would write messages into standard output
-            stream = open(os.open(os.devnull, os.O_RDWR), mode, encoding="utf-8")  # noqa: PTH123, SIM115
+            access = os.O_RDONLY if name == "stdout" else os.O_RDWR  # which refuses what is written
+            stream = open(os.open(os.devnull, access), mode, encoding="utf-8")  # noqa: PTH123, SIM115
             setattr(sys, name, stream)
             setattr(sys, f"__{name}__", stream)
     if isinstance(sys.stdout, io.TextIOWrapper):

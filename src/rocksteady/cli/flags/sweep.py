@@ -211,11 +211,10 @@ class SweepFlags:
             if self.out is not None and is_store(self.out):
                 finished, cells = finished_cells(self.out)
                 where = printable(self.out)
-                print(
-                    f"{finished:,} of {cells:,} cells are kept in {where}; to go on:\n"
-                    f"  {printable(resuming(arguments))}",
-                    file=sys.stderr,
-                )
+                kept = f"{finished:,} of {cells:,} cells are kept in {where}; to go on:"
+                if finished == cells:
+                    kept = f"all {cells:,} cells are kept in {where}; to see the answer:"
+                print(f"{kept}\n  {printable(resuming(arguments))}", file=sys.stderr)
             raise
 
 

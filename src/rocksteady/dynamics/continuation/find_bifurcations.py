@@ -117,7 +117,7 @@ def find_bifurcations(
             shaken,
             parameter,
             way,
-            start_of(start or Steady(order=asked.orders[0])),
+            start_of(Steady(order=asked.orders[0]) if start is None else start),
             max_cycles=asked.max_cycles,
             model=equations,
         )

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.results.cells import read_cell
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -154,7 +155,7 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
             for name, spreads in fit["inputs"]["objects"].items()
         }
         _refuse_changed(contents, fit["files"])
-        rows = list(csv.DictReader(io.StringIO(texts["posterior.csv"], newline="")))
+        rows = _rows(texts["posterior.csv"])
         predictions = _predictions(texts["predictions.csv"])
         if list(predictions.test) != list(fit["trained"]):
             raise ValueError("predictions.csv has other tests than fit.json")
@@ -204,9 +205,15 @@ def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Po
     )
 
 
+def _rows(text: str) -> list[dict[str, str]]:
+    """Return the lines of a table by their columns."""
+    header, *rows = csv.reader(io.StringIO(text, newline=""))
+    return [dict(zip(header, map(read_cell, row), strict=True)) for row in rows if row]
+
+
 def _predictions(text: str) -> Predictions:
     """Return the predictions of the training tests."""
-    rows = list(csv.DictReader(io.StringIO(text, newline="")))
+    rows = _rows(text)
     outcomes = {word: fell for fell, word in OUTCOMES.items()}
 
     def numbers(key: str) -> Floats:

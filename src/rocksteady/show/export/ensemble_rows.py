@@ -28,8 +28,6 @@ HEAD = (
     "impacts",
     "uplift_time_s",
 )
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""Beginnings of a text that a spreadsheet runs as a formula."""
 
 
 @checked
@@ -101,12 +99,11 @@ def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
                 for key in ("status", "peak_angle", "impacts", "uplift_time_s")
             )
             scale = part["scale"].values.tolist()
-            shown = f"'{name}" if name.startswith(FORMULA) else name
             for d, v, r, k in np.ndindex(part["status"].shape):
                 time = lifted[d][v][r][k]
                 yield (
                     number,
-                    shown,
+                    name,
                     names["direction"][d],
                     names["vertical"][v],
                     levels[k],

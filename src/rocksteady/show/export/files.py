@@ -5,12 +5,13 @@ import json
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from itertools import combinations
+from itertools import chain, combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TextIO
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
+from rocksteady.results.cells import written_cell
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -162,15 +163,23 @@ def save_figure(name: str, file: Path, figure: "Figure") -> None:
 def save_csv(
     name: str, file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]
 ) -> None:
-    """Save a table; floats are written so that reading them gives the same number."""
+    """Save a table as `write_rows` writes it."""
 
     def save(target: Path) -> None:
         with target.open("w", newline="", encoding="utf-8", errors=STRAY) as stream:
-            writer = csv.writer(stream, lineterminator="\n")
-            writer.writerow(header)
-            writer.writerows(rows)
+            write_rows(stream, header, rows)
 
     save_whole(name, file, save)
+
+
+def write_rows(stream: TextIO, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Write a table as CSV, which reads back as it was.
+
+    Floats keep all their digits; texts that a spreadsheet would run have an apostrophe.
+    """
+    writer = csv.writer(stream, lineterminator="\n")
+    for row in chain([header], rows):
+        writer.writerow([written_cell(cell) for cell in row])
 
 
 def save_text(name: str, file: Path, text: str) -> None:

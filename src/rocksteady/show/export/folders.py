@@ -7,7 +7,6 @@ import shutil
 from collections.abc import Callable, Collection, Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
@@ -196,13 +195,13 @@ def fill_folder(
         target.mkdir(exist_ok=True)
         durable.sync_folder(target.absolute().parent)
         # Inside the target, so that moving never crosses from one disk to another.
-        with TemporaryDirectory(prefix=".partial-", dir=within or target) as stage:
+        with durable.private_folder(within or target, ".partial-") as stage:
             try:
-                write(Path(stage))
+                write(stage)
             except OutputError as error:  # whose path is one that goes away with this folder
                 raise OutputError("out", target, error.valid, error.hint) from error
             made = False  # from here on it holds something
-            return _move(sorted(Path(stage).iterdir()), target)
+            return _move(sorted(stage.iterdir()), target)
     except OSError as error:
         raise OutputError(
             "out",

@@ -1,6 +1,5 @@
 """Shaking tests as a folder: the table of tests, the table of objects and the records."""
 
-import csv
 import io
 import re
 from collections.abc import Mapping, Sequence
@@ -12,7 +11,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.show.export.files import STRAY
+from rocksteady.show.export.files import STRAY, write_rows
 from rocksteady.show.export.folders import check_folder, fill_folder
 
 TABLES: Final = ("tests.csv", "objects.csv")
@@ -143,7 +142,5 @@ def _samples(record: Record) -> str:
 def _csv(header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     """Return a table as text."""
     stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(header)
-    writer.writerows(rows)
+    write_rows(stream, header, rows)
     return stream.getvalue()

@@ -22,8 +22,6 @@ OURS = r"report\.html|(checks|runs)\.csv|(facade|run)\.json"
 """Names of the files of a facade."""
 KIND = "a facade"
 SCHEMA = "rocksteady/facade/1"
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""Beginnings of a text that a spreadsheet runs as a formula."""
 
 
 @checked
@@ -118,9 +116,5 @@ def _fill(check: "FacadeCheck", stage: Path, manifest: dict[str, object], words:
 
 
 def _save_rows(file: Path, table: "Table") -> None:
-    """Save the rows of a table; a name that a spreadsheet would run has an apostrophe."""
-    rows = (
-        [f"'{cell}" if isinstance(cell, str) and cell.startswith(FORMULA) else cell for cell in row]
-        for row in table.records()
-    )
-    save_csv("out", file, table.header, rows)
+    """Save the rows of a table."""
+    save_csv("out", file, table.header, table.records())

@@ -21,6 +21,8 @@ RADIUS = 20
 """Default radius of a ball in cells, that of Attractors.jl."""
 BALLS, FEWEST_BALLS = 1000, 100
 """Default number of balls, and the least."""
+MOST_BALLS = 100_000
+"""Above which an answer takes longer than its digits are worth."""
 TRIES = 2000
 """Centres that are drawn for each ball before it is given up."""
 AT_ONCE = 4096
@@ -146,7 +148,9 @@ def check_boundary(
     hint = "give a radius in cells below half of the window's width"
     most = max(1, (min(array.shape) - 1) // 2)
     reach = whole_number("ball", ball, at_least=1, at_most=most, hint=hint)
-    balls_drawn = whole_number("balls", balls, at_least=FEWEST_BALLS, hint="give 1000")
+    balls_drawn = whole_number(
+        "balls", balls, at_least=FEWEST_BALLS, at_most=MOST_BALLS, hint="give 1000"
+    )
     source = whole_number("seed", seed, at_least=0, hint="give a seed, as 1")
     entropies = _ball_entropies(array, reach, balls_drawn, np.random.default_rng(source))
     mean = float(entropies.mean())

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from rocksteady.errors import InputError, Words
+from rocksteady.results.cells import read_cell
 from rocksteady.risk.observations.files.small_files import content_of, text_of
 
 NEAR: Final = 0.8
@@ -151,7 +152,7 @@ def _rows(
     header: list[str] = []
     try:
         for cells in reader:
-            row = tuple(cell.strip() for cell in cells)
+            row = tuple(read_cell(cell.strip()) for cell in cells)
             if not any(row):
                 continue
             if not header:

@@ -67,6 +67,13 @@ class TomlTables:
             return msgspec.convert(dict(values), kind)
         except msgspec.ValidationError as error:
             raise self._translated(str(error), values, source) from None
+        except UnicodeError:
+            raise InputError(
+                source,
+                Words("has a text that is no UTF-8"),
+                "its texts are kept in UTF-8",
+                "leave out what no encoding has",
+            ) from None
 
     def keys_of(self, table: str) -> tuple[str, ...]:
         """Return the keys of a table, in the order of the documentation."""

@@ -1,0 +1,25 @@
+"""The program's entry: it can be interrupted from its first moment, without a traceback."""
+
+import os
+import signal
+import sys
+from types import FrameType
+
+INTERRUPTED = 130
+"""Exit code after Ctrl-C."""
+
+
+def main() -> None:
+    """Load the program and run it."""
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, _leave)  # until the program has handlers of its own
+    from rocksteady.cli.app import main as run
+
+    run()
+
+
+def _leave(_: int, __: FrameType | None) -> None:
+    """End the process at once: nothing has begun, and an import would report the signal."""
+    if sys.stderr is not None:
+        os.write(2, b"rocksteady: interrupted\n")
+    os._exit(INTERRUPTED)
