@@ -2,6 +2,7 @@
 
 import contextlib
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -12,7 +13,7 @@ from matplotlib.axes import Axes
 
 import rocksteady as rs
 from rocksteady.results import result as results
-from rocksteady.results.gridded import describers, kind_of
+from rocksteady.results.gridded import described, describers, kind_of
 from rocksteady.results.result import Result
 from tests.public.things import things
 
@@ -69,6 +70,32 @@ def test_every_result_has_rows_and_no_column_mixes_numbers_with_other_things(
         for column in (column for column in frame if frame[column].dtype.kind == "O"):
             kinds = {type(value) for value in frame[column].dropna()}
             assert kinds <= {str} or kinds == {bool}, (name, column, kinds)
+
+
+def test_a_table_of_any_result_that_is_cut_keeps_its_worst_rows(made: dict[str, Any]) -> None:
+    ranked, counted = set(), set()
+    for name, result in made.items():
+        content = described(result) if isinstance(result, xr.Dataset) else None
+        if isinstance(result, Result):
+            content = result.describe()
+        for whole in content.tables if content else ():
+            if len(whole.rows) < 2:
+                continue
+            table = replace(whole, most=len(whole.rows) // 2, alarm="")
+            left = len(whole.rows) - table.most
+            assert f"{left:,} more row" in table.remark, name
+            if table.severity is None:
+                assert table.shown == list(table.rows[: table.most]), name
+            else:
+                ranked.add(name)
+                expected = sorted(map(table.severity, table.rows), reverse=True)[: table.most]
+                assert list(map(table.severity, table.shown)) == expected, name
+            if table.kind is not None:
+                counted.add(name)
+                kinds = table.remark.partition(": ")[2].split(", ")
+                assert sum(int(each.split()[0].replace(",", "")) for each in kinds) == left, name
+    assert {"facade runs", "spectrum", "windows"} <= ranked, ranked
+    assert {"facade runs", "spectrum"} <= counted, counted
 
 
 def test_a_result_without_a_table_is_one_row_of_its_plain_facts(made: dict[str, Any]) -> None:

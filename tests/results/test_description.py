@@ -97,13 +97,42 @@ def test_html_has_what_text_has_and_escapes_it() -> None:
     assert page == as_html(WHOLE)
 
 
-def test_a_long_table_shows_its_ends_and_says_how_many_are_left_out() -> None:
+def test_a_long_table_shows_its_first_rows_and_says_how_many_are_left_out() -> None:
     table = WHOLE.tables[0]
-    assert len(table.shown) == table.most == 24
-    assert (table.shown[0], table.shown[-1]) == (ROWS[0], ROWS[-1])
-    assert "16 more rows" in as_text(WHOLE)
+    assert table.shown == ROWS[: table.most] == ROWS[:24]
+    assert "16 more rows in the file and in JSON" in as_text(WHOLE)
     assert list(table.records()) == [list(row.values()) for row in ROWS]
     assert Table("rows", ROWS[:24]).remark == ""
+
+
+def test_a_long_table_shows_the_worst_first_and_counts_the_others_by_kind() -> None:
+    def table(rows: list[dict[str, int]], most: int) -> Table:
+        return Table(
+            "rows",
+            rows,
+            most=most,
+            severity=lambda row: row["level"] // 10,
+            kind=lambda row: "red" if row["level"] >= 70 else "green",
+            alarm="red",
+        )
+
+    rows = [{"level": 37 * n % 101} for n in range(101)]  # 0 to 100 in a mixed order
+    for count, most in ((101, 40), (101, 5), (60, 3), (9, 8), (9, 9)):
+        part = rows[:count]
+        reds = sum(row["level"] >= 70 for row in part)
+        shown = table(part, most).shown
+        expected = sorted(part, key=lambda row: -(row["level"] // 10))  # ties keep their order
+        length = min(count, max(most, min(reds, 20)))
+        assert shown == (expected if length < count else part)[:length]
+        left = [row["level"] >= 70 for row in expected[length:]]
+        words = table(part, most).remark
+        if not left:
+            assert words == ""
+            continue
+        kinds = (f"{n} {word}" for n, word in ((sum(left), "red"), (left.count(False), "green")))
+        listed = ", ".join(each for each in kinds if not each.startswith("0 "))
+        plural = "row" if len(left) == 1 else "rows"
+        assert words == f"{len(left)} more {plural} in the file and in JSON: {listed}"
 
 
 def test_the_header_has_each_key_once_and_a_row_without_it_has_nothing() -> None:

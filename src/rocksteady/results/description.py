@@ -1,17 +1,20 @@
 """Content of a result: facts, tables and notes, from which every rendering is made."""
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, plural
 
 if TYPE_CHECKING:
     import pandas as pd
 
 MOST_ROWS = 24
 """Default largest number of rows of a table that a text or a page shows."""
+MOST_ALARMS = 20
+"""Rows of an alarm that are shown however few rows a table has."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,13 @@ class Table:
     title
         A line above it.
     most
-        The most rows that people read; of more, some are picked evenly, ends included.
+        The most rows that people read: of more the worst ones, the worst first.
+    severity
+        Returns what is larger the worse a row is, never nan; by default the first rows are shown.
+    kind
+        Returns what a row counts as among those left out, as "red".
+    alarm
+        The kind of the worst rows: up to 20 of these are shown, whatever `most` is.
     """
 
     key: str
@@ -79,20 +88,36 @@ class Table:
     columns: Sequence[Column] = ()
     title: str = ""
     most: int = MOST_ROWS
+    severity: Callable[[Mapping[str, Any]], Any] | None = None
+    kind: Callable[[Mapping[str, Any]], str] | None = None
+    alarm: str = ""
 
     @property
     def shown(self) -> list[Mapping[str, Any]]:
         """The rows that people read."""
-        count = len(self.rows)
-        if count <= self.most:
-            return list(self.rows)
-        return [self.rows[round(k * (count - 1) / (self.most - 1))] for k in range(self.most)]
+        return self._parts[0]
 
     @property
     def remark(self) -> str:
-        """How many rows are left out; empty where none are."""
-        left_out = len(self.rows) - len(self.shown)
-        return f"{left_out:,} more rows: in the file and in JSON" if left_out else ""
+        """How many rows are left out, of each kind; empty where none are."""
+        left_out = self._parts[1]
+        if not left_out:
+            return ""
+        counts = Counter(map(self.kind, left_out)) if self.kind else {}
+        kinds = ", ".join(f"{count:,} {kind}" for kind, count in counts.items())
+        rest = f"{plural(len(left_out), 'more row')} in the file and in JSON"
+        return f"{rest}: {kinds}" if kinds else rest
+
+    @property
+    def _parts(self) -> tuple[list[Mapping[str, Any]], list[Mapping[str, Any]]]:
+        """The rows that people read, and those left out; the worst first where some are."""
+        rows, most = list(self.rows), self.most
+        if self.alarm and self.kind:
+            alarms = sum(self.kind(row) == self.alarm for row in rows)
+            most = max(most, min(alarms, MOST_ALARMS))
+        if len(rows) > most and self.severity:
+            rows.sort(key=self.severity, reverse=True)
+        return rows[:most], rows[most:]
 
     @property
     def header(self) -> list[str]:

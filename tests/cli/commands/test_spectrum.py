@@ -136,9 +136,8 @@ def test_the_table_has_a_row_a_size(files: list[Path]) -> None:
 def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:
     several = [part for file in files for part in ("--record", file)]
     ran = rocksteady("spectrum --alpha-deg 8:20:7", *several)
-    assert "76 more rows" in ran.out
+    assert "more rows in the file and in JSON: " in ran.out
     assert all(len(line) <= 80 for line in ran.out.splitlines())
-    assert "20°" in ran.out
 
 
 def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:

@@ -209,3 +209,25 @@ def test_objects_against_a_wall_have_their_own_share_and_change_no_curve(
     assert (row["fitted"], row["closed_form"]) == (None, None)
     for one, other in zip(found.rows[:-1], table.rows, strict=True):
         assert one["probability"] == other["probability"]
+
+
+def test_of_forty_objects_the_worst_are_on_the_screen() -> None:
+    """The probability of each is another in its own line; ten are red, spread over the file."""
+    sizes = {f"rack {n}": (0.2 + 0.02 * (7 * n % 40), 1.8) for n in range(40)}
+    table = assess_objects(
+        [
+            ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
+            for name, (b, h) in sizes.items()
+        ],
+        SUITE,
+        pga_g=0.4,
+        pgv_m_s=0.45,
+    )
+    worst = sorted(table.rows, key=lambda row: -row["probability"])
+    text = table.summary().splitlines()
+    named = [line.split()[1] for line in text if line.startswith("rack ")]
+    assert named == [row["name"].split()[1] for row in worst[:24]]
+    assert sum(row["colour"] == "red" for row in worst[:24]) >= 10
+    colours = [row["colour"] for row in worst[24:]]
+    kinds = ", ".join(f"{colours.count(kind)} {kind}" for kind in dict.fromkeys(colours))
+    assert f"16 more rows in the file and in JSON: {kinds}" in text

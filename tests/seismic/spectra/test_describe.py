@@ -9,7 +9,7 @@ import xarray
 
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many, summarise_spectra
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import MOST_COLUMNS, describe
+from rocksteady.seismic.spectra.describe import describe
 from tests.seismic.grounds import ground
 
 ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
@@ -81,17 +81,29 @@ def test_the_table_of_a_suite_has_medians_and_shares() -> None:
         assert f", {100.0 * share:.3g} %" in text
 
 
-def test_of_many_blocks_some_are_shown_the_first_and_the_last_included() -> None:
-    alpha, periods = np.linspace(0.1, 0.3, 11), np.linspace(1.0, 4.0, 50)
-    spectrum = compute_rocking_spectrum(ground(1, 2.0), alpha=alpha, periods_s=periods)
-    described = describe(spectrum)
-    assert len(described.to_dict()["values"]) == 550
-    lines = as_text(described).splitlines()
-    assert max(map(len, lines)) <= 80
-    assert lines[-1].startswith("26 more rows")
-    heading = next(line for line in lines if "2 pi/p" in line)
-    assert heading.count("°") == MOST_COLUMNS
-    assert heading.endswith("17.2°")
+def test_of_many_blocks_those_that_fall_are_shown_first() -> None:
+    periods = np.linspace(1.0, 4.0, 50)
+    suite = [ground(1, 4.0), ground(2, 3.0, name="other")]
+    for columns, grounds in ((5, suite[:1]), (6, suite[:1]), (3, suite), (4, suite)):
+        spectrum = compute_rocking_spectrum(
+            grounds, alpha=np.linspace(0.1, 0.3, columns), periods_s=periods
+        )
+        described = describe(spectrum)
+        assert len(described.to_dict()["values"]) == spectrum["status"].size
+        lines = as_text(described).splitlines()
+        assert max(map(len, lines)) <= 80
+        fell = (spectrum["status"].values == Status.OVERTURNED).any(axis=0)  # of any record
+        rows = fell.any(axis=0) if columns in (3, 5) else fell.ravel()  # a row a period, or a block
+        count, falls = len(rows), int(rows.sum())
+        assert 0 < falls < count
+        last = described.tables[-1]
+        assert last.kind is not None
+        words = [last.kind(row) for row in last.shown]
+        assert words[:falls] == ["with falls"] * min(falls, 24)
+        left = (max(falls - 24, 0), min(count - falls, count - 24))
+        pairs = zip(left, ("with falls", "without falls"), strict=True)
+        kinds = ", ".join(f"{n:,} {word}" for n, word in pairs if n)
+        assert lines[-1] == f"{count - 24:,} more rows in the file and in JSON: {kinds}"
 
 
 def test_the_headline_names_what_is_not_the_default() -> None:

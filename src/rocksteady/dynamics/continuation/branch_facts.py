@@ -296,7 +296,13 @@ def bifurcations_table(
         Column("peaks", "highest", lambda peaks: angle(peaks[0])),
         Column("peaks", "lowest", lambda peaks: angle(peaks[1])),
     ]
-    return Table(key, points, columns, most=MOST_ROWS)
+    return Table(
+        key,
+        points,
+        columns,
+        most=MOST_ROWS,
+        kind=lambda row: str(row["type"]).replace("-", " "),
+    )
 
 
 def branches_table(branches: Sequence[dict[str, Any]], parameter: str) -> Table:
@@ -315,7 +321,13 @@ def branches_table(branches: Sequence[dict[str, Any]], parameter: str) -> Table:
         Column("end", "to", end, left=True),
         Column("stable_ranges", f"stable in {SHORT[parameter]}", stable_text, left=True),
     ]
-    return Table("branches", branches, columns, most=MOST_ROWS)
+    return Table(
+        "branches",
+        branches,
+        columns,
+        most=MOST_ROWS,
+        kind=lambda row: kind_word(row["symmetric"]),
+    )
 
 
 MOST_ROWS = 100

@@ -265,7 +265,7 @@ class NoiseFates(Result):
             for status in (Status.LOST_CONTACT, Status.UNDECIDED)
             if (self.fate == status).any()
         ]
-        tables = [Table("shares", rows), Table("", read, shown)]
+        tables = [Table("shares", rows), Table("", read, shown, severity=lambda row: row["share"])]
         return Description(self._headline, facts, tables, notes)
 
     @property

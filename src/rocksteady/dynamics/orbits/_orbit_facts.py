@@ -211,4 +211,4 @@ def orbits_table(orbits: Sequence[Any], *, most: int = 200) -> Table:
         Column("number", "multipliers", lambda k: multipliers_text(words[k][1].multipliers), True),
     ]
     rows = [orbit_row(k, orbit) for k, orbit in enumerate(orbits, start=1)]
-    return Table("", rows, columns, most=most)
+    return Table("", rows, columns, most=most, kind=lambda row: words[row["number"]][0])

@@ -201,25 +201,28 @@ class AttractorSweep(Result):
         return dict(sorted(Counter(self.kinds).items()))
 
     def table(self) -> Table:
-        """Return the longest runs, in their order, as people read them."""
-        rows = self.run_rows()
-        longest = sorted(rows, key=lambda row: -row["values"])[:MOST_RUNS]
+        """Return the runs as people read them; of many those that fall, then the longest."""
         way = "upward" if self.direction == "up" else "downward"
-        title = f"{way} sweep from {start_text(self.start)}"
-        if len(rows) > len(longest):
-            title += f", the {MOST_RUNS} longest of {len(rows)} runs"
         listed = [
-            {**row, "settles": kind_text(row["kind"], row["period"])}
-            for row in rows
-            if any(row is each for each in longest)
+            {**row, "settles": kind_text(row["kind"], row["period"])} for row in self.run_rows()
         ]
+        falls = AttractorKind.OVERTURNED.value
         columns = [
             Column("from", SYMBOLS[self.parameter], lambda value: f"{value:.6g}"),
             Column("to", "to", lambda value: f"{value:.6g}"),
             Column("values", "values"),
             Column("settles", "settles to", left=True),
         ]
-        return Table("", listed, columns, title)
+        return Table(
+            "",
+            listed,
+            columns,
+            f"{way} sweep from {start_text(self.start)}",
+            most=MOST_RUNS,
+            severity=lambda row: (row["kind"] == falls, row["values"]),
+            kind=lambda row: str(row["kind"]),
+            alarm=falls,
+        )
 
     def describe(self) -> Description:
         """Return the runs of values that settle to one kind of motion."""

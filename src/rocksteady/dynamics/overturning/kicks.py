@@ -206,7 +206,16 @@ class FatalKicks(WindowLists):
         return Description(
             headline,
             facts,
-            [Table("", rows, columns, most=MOST_ROWS), Table("kicks", listed)],
+            [
+                Table(
+                    "",
+                    rows,
+                    columns,
+                    most=MOST_ROWS,
+                    severity=lambda row: -row["first"] if row["windows"] else -math.inf,
+                ),
+                Table("kicks", listed),
+            ],
             notes,
         )
 

@@ -151,13 +151,19 @@ class OverturningWindows(WindowLists):
             *(Fact(key, value) for key, value in restitution_values(block).items()),
         ]
         rows = [self._row(index) for index in range(len(self.frequency_ratio))]
-        windows = Table("", list(self._window_rows(rows)), self._columns(), most=MOST_ROWS)
+        windows = Table(
+            "",
+            list(self._window_rows(rows)),
+            self._columns(),
+            most=MOST_ROWS,
+            severity=lambda row: -row["low"],
+        )
         notes = ["A is a/(alpha g)."]
         stands = [number(row["frequency_ratio"]) for row in rows if not row["modes"]]
         if stands:
             notes.append(
                 f"The block stands throughout at omega/p = {', '.join(stands[:8])}"
-                + (" and others." if stands[8:] else ".")
+                + (f" and {len(stands) - 8} more." if stands[8:] else ".")
             )
         left_out = int(self.left_out.sum())
         if left_out:

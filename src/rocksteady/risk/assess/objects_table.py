@@ -141,7 +141,15 @@ class ObjectsTable(Result):
         return Description(
             headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
             facts=facts,
-            tables=[Table("objects", self.sorted_by("probability"), columns)],
+            tables=[
+                Table(
+                    "objects",
+                    self.sorted_by("probability"),
+                    columns,
+                    kind=lambda row: str(row["colour"]),
+                    alarm="red",
+                )
+            ],
             notes=[colours_mean, source, *CAVEATS],
         )
 

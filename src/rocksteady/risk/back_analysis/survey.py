@@ -144,7 +144,7 @@ class Survey(Result):
                 Fact("fell", count, "fell"),
                 Fact("sources", dict(self.sources)),
             ],
-            tables=[Table("rows", rows, columns)],
+            tables=[Table("rows", rows, columns, kind=lambda row: str(row["outcome"]))],
         )
 
 

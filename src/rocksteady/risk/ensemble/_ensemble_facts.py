@@ -62,7 +62,7 @@ def describe(dataset: "xarray.Dataset") -> Description:
             Fact("scatter", float(dataset.attrs["scatter"])),
             Fact("seed", int(dataset.attrs["seed"])),
         ],
-        tables=[Table("stripes", rows, columns)],
+        tables=[Table("stripes", rows, columns, severity=lambda row: row["overturned"])],
         notes=json.loads(dataset.attrs["warnings"]),
     )
 

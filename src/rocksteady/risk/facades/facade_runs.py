@@ -1,5 +1,6 @@
 """Runs of a facade under records: the dynamic check of Circolare 2019 n. 7, C8.7.1.2.1.9."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Literal
@@ -32,6 +33,8 @@ FEWEST: Final = 7
 """Records from which on a mean counts (NTC 2018, 7.3.5)."""
 LIMITS: Final = {"SLV": SHARE_SLV, "SLC": SHARE_SLC}
 """Displacement over d0 that the mean may reach, by the limit state."""
+BEYOND: Final = "beyond d0"
+"""Kind of a record of which a run went beyond d0."""
 ENDED: Final = (int(Status.AT_REST), int(Status.ROCKING))
 """Statuses of runs whose largest displacement is known; a lossless one rocks on."""
 
@@ -172,7 +175,15 @@ class FacadeRuns(Result):
             facts=facts,
             tables=[
                 Table("runs", runs),
-                Table("records", rows, columns, title="Largest displacement of each record"),
+                Table(
+                    "records",
+                    rows,
+                    columns,
+                    title="Largest displacement of each record",
+                    severity=lambda row: math.inf if row["share_d0"] is None else row["share_d0"],
+                    kind=lambda row: BEYOND if row["beyond_d0"] else "within d0",
+                    alarm=BEYOND,
+                ),
             ],
             notes=[*self.remarks, criterion],
         )

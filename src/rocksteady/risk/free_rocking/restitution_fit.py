@@ -248,6 +248,7 @@ class RestitutionFit(Result):
                 Column("measuring_error", "± measuring"),
                 Column("residual", "residual [sd]", lambda r: f"{r:+.1f}"),
             ],
+            severity=lambda row: abs(row["residual"]),
         )
         return Description(
             headline=f"restitution {words}{share}, from {counted} of "

@@ -130,7 +130,15 @@ class BranchTest(Result):
                 Fact("level", self.level, "Level of rejection", percent),
                 Fact("rejected_weight", weight, "Weight of what is rejected"),
             ],
-            tables=[Table("branches", self.rows(), columns)],
+            tables=[
+                Table(
+                    "branches",
+                    self.rows(),
+                    columns,
+                    severity=lambda row: row["annual_rate"],
+                    kind=lambda row: "rejected" if row["rejected"] else "not rejected",
+                )
+            ],
             notes=[*self.remarks, *SENTENCES],
         )
 

@@ -189,7 +189,15 @@ class Risk(Result):
         return Description(
             headline=f"Fails at a rate of {number(self.annual_rate)} a year: {chance}",
             facts=facts,
-            tables=[Table("contributions", self.rows(), columns, title="Where the risk is")],
+            tables=[
+                Table(
+                    "contributions",
+                    self.rows(),
+                    columns,
+                    title="Where the risk is",
+                    severity=lambda row: row["share"],
+                )
+            ],
             notes=list(self._notes()),
         )
 

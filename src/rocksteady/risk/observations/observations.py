@@ -198,7 +198,7 @@ class Observations(Result):
             headline=f"{plural(len(self.tests), 'test')} of {plural(len(self.objects), 'object')} "
             f"on {plural(records, 'record')}: {words}",
             facts=facts,
-            tables=[Table("rows", rows, columns)],
+            tables=[Table("rows", rows, columns, kind=lambda row: str(row["outcome"]))],
             notes=[*self.warnings, *self._defaults_used()],
         )
 

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
 FALLS = "falls"
 MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
-"""Columns of slendernesses in a text; of more some are picked."""
+"""Columns of slendernesses in a text, of one record and of several; of more each run is a row."""
+WITH_FALLS = "with falls"
+"""Kind of a row of a table with a fall."""
 
 MEASURES = {
     "alpha": "alpha_rad",
@@ -71,7 +73,10 @@ def describe(dataset: "xarray.Dataset") -> Description:
         facts.append(Fact("quantiles", list(QUANTILES)))
         suite = _suite_rows(summary)
     shown = suite or rows
-    grid = not levels and dataset.sizes.get("scale", 1) == 1
+    fits = len({row["alpha_rad"] for row in shown}) <= (
+        MOST_SUITE_COLUMNS if suite else MOST_COLUMNS
+    )
+    grid = fits and not levels and dataset.sizes.get("scale", 1) == 1
     tables = [Table("values", rows)]
     if suite:
         tables.append(Table("suite", suite))
@@ -195,6 +200,24 @@ def _text(row: dict[str, Any] | None, *, suite: bool) -> str:
     return str(row["status"])
 
 
+def _severity(cells: Sequence[dict[str, Any]]) -> tuple[float, float]:
+    """Return how many falls there are in cells of a table, then their largest peak."""
+    tops = [cell["peaks"][1] if "peaks" in cell else cell["peak"] for cell in cells]
+    return sum(map(_falls, cells)), max(math.inf if math.isnan(top) else top for top in tops)
+
+
+def _falls(cell: dict[str, Any]) -> float:
+    """Return the share of the runs of a block that fall: of one run 0 or 1."""
+    if "overturned" in cell:
+        return float(cell["overturned"])
+    return float(cell["status"] == Status.OVERTURNED.label)
+
+
+def _kind(cells: Sequence[dict[str, Any]]) -> str:
+    """Return whether there is a fall in cells of a table."""
+    return WITH_FALLS if any(map(_falls, cells)) else "without falls"
+
+
 def _title(*, suite: bool) -> str:
     """Return what a table shows."""
     words = "largest |theta|/alpha"
@@ -204,9 +227,6 @@ def _title(*, suite: bool) -> str:
 def _grid(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
     """Return a table with a row for each size 2 pi/p and a column for each slenderness."""
     alphas = list(dict.fromkeys(row["alpha_rad"] for row in rows))
-    most = MOST_SUITE_COLUMNS if suite else MOST_COLUMNS
-    if len(alphas) > most:
-        alphas = [alphas[round(k * (len(alphas) - 1) / (most - 1))] for k in range(most)]
     at = {(row["period_s"], row["alpha_rad"]): row for row in rows}
     periods = list(dict.fromkeys(row["period_s"] for row in rows))
     return Table(
@@ -227,6 +247,9 @@ def _grid(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
             ),
         ],
         title=_title(suite=suite),
+        severity=lambda row: _severity([row[repr(alpha)] for alpha in alphas]),
+        kind=lambda row: _kind([row[repr(alpha)] for alpha in alphas]),
+        alarm=WITH_FALLS,
     )
 
 
@@ -257,4 +280,12 @@ def _list(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
     ]
     cells = [{**row, "cell": row} for row in rows]
     last = Column("cell", "peak", lambda row: _text(row, suite=suite))
-    return Table("", cells, [*varied, last], title=_title(suite=suite))
+    return Table(
+        "",
+        cells,
+        [*varied, last],
+        title=_title(suite=suite),
+        severity=lambda row: _severity([row["cell"]]),
+        kind=lambda row: _kind([row["cell"]]),
+        alarm=WITH_FALLS,
+    )

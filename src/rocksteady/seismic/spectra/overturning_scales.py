@@ -223,8 +223,21 @@ class OverturningScales(WindowLists):
             f"{self.model.name} model",
             facts,
             [
-                Table("", list(self._window_rows(rows)), window_columns, most=MOST_ROWS),
-                Table("records", records, columns, most=MOST_ROWS),
+                Table(
+                    "",
+                    list(self._window_rows(rows)),
+                    window_columns,
+                    most=MOST_ROWS,
+                    severity=lambda row: -row["low"],
+                ),
+                Table(
+                    "records",
+                    records,
+                    columns,
+                    most=MOST_ROWS,
+                    severity=lambda row: -row["first"] if row["windows"] else -math.inf,
+                    kind=lambda row: "that fall" if row["windows"] else "that stand",
+                ),
                 Table("windows", rows),
             ],
             self._notes(),

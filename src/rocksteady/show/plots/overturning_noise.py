@@ -28,8 +28,8 @@ def plot_noise_fates(
     """Draw the share of realisations that overturn, with 95 % intervals.
 
     To the right is the axis with more values: the rms of the noise, in m/s^2 where the block has a
-    size, or the scale of the motion.  Each value of the other has a line, six of them at most,
-    evenly picked, both ends included.
+    size, or the scale of the motion.  Each value of the other has a line; of more than
+    six those at which most realisations overturn.
 
     Parameters
     ----------
@@ -59,9 +59,10 @@ def plot_noise_fates(
         along, scale_axis = fates.scale, rms
         share, low, high = share.T, low.T, high.T
         names = names[1], names[0]
-    shown = np.unique(np.linspace(0, len(scale_axis) - 1, min(len(scale_axis), MOST_LINES)).round())
+    worst = np.argsort(-share.sum(axis=1), kind="stable")
+    shown, left_out = np.sort(worst[:MOST_LINES]), len(worst[MOST_LINES:])
     order = np.argsort(along)
-    for line, index in enumerate(shown.astype(np.int64).tolist()):
+    for line, index in enumerate(shown.tolist()):
         colour = inks.lines[line]
         axes.fill_between(
             along[order],
@@ -83,5 +84,6 @@ def plot_noise_fates(
     axes.set(xlabel=names[0], ylabel="realisations that overturn [%]", ylim=(-2.0, 102.0))
     if len(scale_axis) > 1:
         place = place_of(axes, legend, "right")
-        draw_legend(axes, place, title=names[1], columns=3 if place == "below" else 1)
+        title = names[1] + (f"\n{left_out} lower ones left out" if left_out else "")
+        draw_legend(axes, place, title=title, columns=3 if place == "below" else 1)
     return axes

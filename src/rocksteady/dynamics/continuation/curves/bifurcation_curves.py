@@ -450,7 +450,7 @@ def _points_table(points: list[dict[str, Any]], parameters: tuple[str, str]) -> 
         Column("impacts", "impacts"),
         Column("curves", "curves", left=True),
     ]
-    return Table("points", points, columns, most=100)
+    return Table("points", points, columns, most=100, kind=lambda row: _word(row["type"]))
 
 
 def _curves_table(
@@ -474,4 +474,4 @@ def _curves_table(
         Column("begin", f"from {over}", place, left=True),
         Column("end", f"to {over}", place, left=True),
     ]
-    return Table("curves", curves, columns, most=100)
+    return Table("curves", curves, columns, most=100, kind=lambda row: _word(row["type"]))

@@ -240,7 +240,13 @@ def events_table(branches: Sequence[Any], *, key: str) -> Table:
         Column("peaks", "lowest", lambda peaks: f"{peaks[1]:.5g}"),
         Column("rests", "shortest rest", lambda rests: f"{min(rests):.4g} rad"),
     ]
-    return Table(key, rows, columns, "events on orbits with rest" if rows else "")
+    return Table(
+        key,
+        rows,
+        columns,
+        "events on orbits with rest" if rows else "",
+        kind=lambda row: ENDS.get(str(row["type"]), str(row["type"])),
+    )
 
 
 def resting_table(branches: Sequence[Any], *, key: str = "branches") -> Table:

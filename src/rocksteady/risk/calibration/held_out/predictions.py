@@ -100,7 +100,15 @@ class Predictions(Result):
                 Fact("mc_error", float(np.max(self.mc_error)), "largest Monte Carlo error"),
                 Fact("warnings", list(self.warnings)),
             ],
-            tables=[Table("predictions", self.rows, columns)],
+            tables=[
+                Table(
+                    "predictions",
+                    self.rows,
+                    columns,
+                    severity=lambda row: row["p"],
+                    kind=lambda row: f"likely to {'fall' if row['p'] >= 0.5 else 'stand'}",
+                )
+            ],
             notes=self.warnings,
         )
 
