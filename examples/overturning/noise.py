@@ -4,7 +4,7 @@ Does noise make a pulse more dangerous?
 
 A pulse alone overturns this block at scales of 0.4 to 0.95 and from 1.05 on, but not between them.
 Noise blurs the borders: it takes away the safe gap, and it saves some blocks that the pulse alone
-overturns. Bands are 95 % intervals of 40 realisations. See :doc:`/guides/overturning`.
+overturns. Bands are 90 % intervals of 40 realisations. See :doc:`/guides/overturning`.
 """
 
 import numpy as np

@@ -72,6 +72,9 @@ class Nonlinear:
 
 Model = Linear | Nonlinear
 
+LINEAR_NOTE = "Computed in the linear model: in the full equations it may end otherwise."
+"""Of a block of known size whose outcome in the full equations was not computed."""
+
 
 class OfLinear:
     """What only the linear model has: a part of the classes of its results."""
@@ -122,6 +125,16 @@ def chosen_model(model: object, block: Block | DimensionlessBlock, motion: objec
         )
     slender_block(block)
     return model
+
+
+def needs_full_equations(block: object, motion: object, model: Model) -> bool:
+    """Return whether an answer names the outcome in the full equations beside its own.
+
+    It does where a block of known size meets endless shaking in the linear model, the default
+    there: its closed forms are exact for slender blocks, and others may end otherwise.
+    """
+    endless = isinstance(motion, PeriodicMotion)
+    return endless and isinstance(block, Block) and isinstance(model, Linear)
 
 
 def slender_block(block: Block | DimensionlessBlock) -> Block:

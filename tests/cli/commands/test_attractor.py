@@ -154,7 +154,7 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
         (POINT, ["unsymmetric", "1 forcing period", "0.9 alpha", "±", "mirror image"]),
         ("attractor -A 2 -W 1.7 -r 0.8 --start steady", ["overturned", "known after", "falls"]),
         (CHAOS, ["aperiodic", "Lyapunov", "does not repeat"]),
-        ("attractor -A 1 -W 4 -r 0.8", ["rest", "0 forcing periods"]),
+        ("attractor -A 1 -W 4 -r 0.8", ["rest", "less than 1 forcing period"]),
     ],
 )
 def test_the_text_says_what_it_is_in_80_columns(command: str, words: list[str]) -> None:
@@ -279,3 +279,10 @@ def test_harmonics_are_those_of_a_fourier_series() -> None:
         "simulate -A 1 -W 2 -r 0.8 --pulse one-sine --harmonic 2,1,0"
     )
     assert "single sinusoid" in refused("map -A 1:2:2 -W 2 -r 0.8 --start steady --harmonic 2,1,0")
+
+
+def test_a_fall_within_the_first_period_is_known_after_less_than_one() -> None:
+    ran = rocksteady("attractor -A 8 -W 1.9 -r 0.8 --json")
+    assert (ran.json["kind"], ran.json["settled_after_periods"]) == ("overturned", 0)
+    text = rocksteady("attractor -A 8 -W 1.9 -r 0.8").out
+    assert "known after  less than 1 forcing period" in text

@@ -198,3 +198,14 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
     assert rocksteady(f"{command} --plot", file).code == 0
     assert file.read_bytes().startswith(magic)
     assert [path.name for path in tmp_path.iterdir()] == [file.name]
+
+
+def test_every_row_is_counted_as_a_motion_or_as_inadmissible() -> None:
+    """Of an odd period a solution may pass through the floor: it has a row, and is no motion."""
+    values = rocksteady(f"{POINT} --json").json["orbits"]
+    text = " ".join(rocksteady(POINT).out.split())
+    admissible = sum(orbit["admissible"] for orbit in values)
+    others = len(values) - admissible
+    assert (admissible, others) == (12, 1)
+    assert f"found {admissible} periodic motions" in text
+    assert f"; {others} inadmissible solution " in text

@@ -248,3 +248,16 @@ def test_real_records_beside_sums_of_their_samples(pattern: str, npts: int, dt_s
     assert values["arias_m_s"] == pytest.approx(math.pi / 2 / 9.80665 * energy[-1], rel=1e-3)
     begin, end = np.searchsorted(energy / energy[-1], [0.05, 0.95]) * dt_s / 20
     assert values["significant_5_95_s"] == pytest.approx(end - begin, abs=0.1 * dt_s)
+
+
+def test_one_arias_intensity_is_shown_and_its_definition(tmp_path: Path) -> None:
+    path = tmp_path / "ground.csv"
+    rows = "".join(f"{0.02 * k:.2f},{math.sin(k):.6f}\n" for k in range(200))
+    path.write_text("time_s,acceleration_m_s2\n" + rows, encoding="utf-8")
+    ran = rocksteady("record", path)
+    assert ran.out.count("Arias intensity ") == 2  # the fact and the note
+    text = " ".join(ran.out.split())
+    assert "Arias intensity of straight lines between the samples" in text
+    values = rocksteady("record --json", path).json
+    assert f"{values['arias_m_s']:.3g} m/s" in text
+    assert f"{values['arias_of_samples_m_s']:.3g} m/s" not in text

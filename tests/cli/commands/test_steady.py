@@ -9,7 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, find_steady_states
+from rocksteady import (
+    Block,
+    Harmonic,
+    Nonlinear,
+    Steady,
+    find_attractor,
+    find_steady_states,
+    simulate,
+)
 from rocksteady.dynamics.steady.regions import REGIONS
 from tests.cli.program import refused, rocksteady
 
@@ -30,6 +38,50 @@ def solutions(command: str) -> list[dict[str, Any]]:
     found = rocksteady(f"{command} --json").json["solutions"]
     assert isinstance(found, list)
     return found
+
+
+def test_what_the_full_equations_do_stands_beside_the_answer_of_every_command() -> None:
+    size = "--width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1"
+    block = Block.rectangle(width=0.4, height=2.0)
+    motion = Harmonic.from_si(block, acceleration_m_s2=0.4 * block.gravity, frequency_hz=1.0)
+    fallen = find_attractor(block, motion, model=Nonlinear())
+    standing = find_attractor(block, motion, start=Steady(), model=Nonlinear())
+    assert (fallen.kind, standing.kind) == ("overturned", "symmetric")
+    for command, rows in (
+        (f"steady {size}", {"from rest:": None, "from branch 1:": standing.peaks}),
+        (f"attractor {size}", {"start": None}),
+        (f"orbits {size} --max-period 1", {"from rest:": None, "from 1:": standing.peaks}),
+        (
+            f"basins {size} --angles -1:1:20 --velocities -1:1:20",
+            {"from rest:": None, "from symmetric-1:": standing.peaks},
+        ),
+    ):
+        values = rocksteady(f"{command} --json").json["full_equations"]
+        assert [row["start"] for row in values] == list(rows), command
+        for row, peaks in zip(values, rows.values(), strict=True):
+            if peaks is None:
+                assert (row["kind"], row["peaks"]) == ("overturned", None), command
+            else:
+                assert row["peaks"] == pytest.approx(peaks, rel=1e-6), command
+        assert "full equations" in rocksteady(command).out
+    assert "from rest: falls" in rocksteady(f"steady {size}").out
+    simulated = rocksteady(f"simulate {size} --json").json
+    full = simulate(block, motion, model=Nonlinear()).overturn_time_s
+    assert simulated["full_equations"]["overturn_time_s"] == full != simulated["overturn_time_s"]
+    assert rocksteady(f"{POINT} --json").json["full_equations"] is None
+
+
+def test_multipliers_are_of_a_period_in_every_command() -> None:
+    point = "-A 2 -W 4 -r 0.8"
+    solution = solutions(f"steady {point}")[0]
+    half = complex(*solution["half_cycle_multipliers"][0])
+    whole = complex(*solution["multipliers"][0])
+    assert whole in (pytest.approx(half**2), pytest.approx((half**2).conjugate()))
+    settled = rocksteady(f"attractor {point} --start steady --json").json["multipliers"]
+    assert complex(*settled[0]) == pytest.approx(whole, rel=1e-9)
+    for command in (f"steady {point}", f"attractor {point} --start steady"):
+        assert "multipliers of a period" in rocksteady(command).out
+    assert "Multipliers are of a period." in rocksteady(f"orbits {point}").out
 
 
 def test_the_json_of_a_point_keeps_the_contract() -> None:
@@ -53,7 +105,7 @@ def test_the_json_of_a_point_keeps_the_contract() -> None:
         assert solution["velocity_tau"] == states.velocity_tau[which]
         assert solution["peak"] == states.peak[which]
         assert solution["half_cycle_multipliers"] == [
-            [m.real, m.imag] for m in states.multipliers[which]
+            [m.real, m.imag] for m in states.half_cycle_multipliers[which]
         ]
     first, second = values["solutions"]
     for name, kind in SOLUTION_KEYS.items():
@@ -104,7 +156,7 @@ def test_the_text_is_for_80_columns_and_says_what_matters() -> None:
         "inadmissible",
         "phase (rad) 2.85 -0.0341 ",
         "peak u 0.185 -0.0452 ",
-        "-0.261 ± 0.756i",
+        "-0.504 ± 0.395i",
         "eq 23",
         "negative phase",
     ):
@@ -185,7 +237,8 @@ def test_axes_include_both_ends_and_go_amplitude_first() -> None:
     assert points[0] == (1.0, 2.0)
     assert points[-1] == (3.0, 8.0)
     alone = rocksteady("steady -A 2 -W 8 -r 0.8 --json").json
-    assert values["points"][8] == {k: v for k, v in alone.items() if k not in ("schema", "model")}
+    of_all = ("schema", "model", "full_equations")
+    assert values["points"][8] == {k: v for k, v in alone.items() if k not in of_all}
 
 
 @pytest.mark.parametrize(

@@ -50,6 +50,18 @@ def test_each_state_is_as_safe_as_it_is_alone() -> None:
     assert 0.1 < found.safe.mean() < 0.9
 
 
+def test_integrity_is_1_at_most_where_shaking_moves_more_safe_states_into_the_window() -> None:
+    above = 0
+    for restitution, ratio, phase in ((0.8, 0.5, 2.0), (0.9, 4.0, 1.0), (0.95, 8.0, 4.0)):
+        found = eroded(restitution, ratio, np.linspace(0.02, 0.3, 6), phase=phase, **coarse(30))
+        area = found.safe_share / found.still_share
+        radius = found.radius / found.still_radius
+        above += int((area > 1.0).sum() + (radius > 1.0).sum())
+        np.testing.assert_array_equal(found.global_integrity, np.minimum(area, 1.0))
+        np.testing.assert_array_equal(found.integrity_factor, np.minimum(radius, 1.0))
+    assert above > 0
+
+
 @pytest.mark.parametrize("restitution", [0.5, 0.8, 0.95])
 def test_the_safe_basin_of_a_still_base_is_known(restitution: float) -> None:
     found = eroded(restitution, 3.0, [0.0, 0.1])

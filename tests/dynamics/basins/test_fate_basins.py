@@ -160,6 +160,22 @@ def test_every_cell_is_how_a_time_history_ends() -> None:
         assert found.still_safe[cell] == (still.status is not Status.OVERTURNED)
 
 
+def test_integrity_is_1_at_most_where_shaking_moves_more_safe_states_into_the_window() -> None:
+    above = 0
+    beside = {"angles": np.linspace(0.3, 1.7, 15), "velocities": np.linspace(-1.7, 0.3, 21)}
+    for amplitude in (-1.5, -0.6, 0.6, 1.5):
+        reverse = amplitude < 0.0
+        pulse = Pulse(
+            shape="half-sine", amplitude=abs(amplitude), frequency_ratio=4.0, reverse=reverse
+        )
+        found = fates(pulse, **beside)
+        area = found.safe_share / found.still_share
+        above += area > 1.0
+        assert found.global_integrity == min(area, 1.0)
+        assert found.integrity_factor == min(found.radius / found.still_radius, 1.0)
+    assert above > 0
+
+
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_the_mirrored_motion_mirrors_the_fates(model: object) -> None:
     one = fates(RECORD, BLOCK, model=model)

@@ -142,7 +142,7 @@ def test_shares_are_counts_with_wilsons_interval() -> None:
     assert data.fate.dims == ("scale", "level", "draw")
     assert data.rms.values.tolist() == LEVELS
     assert "Overturning under a one-sine pulse" in repr(found)
-    assert "95 % interval" in found.summary()
+    assert "90 % interval" in found.summary()
 
 
 def test_bad_input_is_refused() -> None:

@@ -124,7 +124,7 @@ def test_tw6_symmetry_breaking(order: int, amplitude: float, expected: float) ->
     for ratio in found:
         assert symmetry_breaking_amplitude(ratio, 0.8, order=order) == pytest.approx(amplitude)
         states = find_steady_states(amplitude, ratio, 0.8, order=order)
-        assert states.multipliers[0, 0] == pytest.approx(-1.0, abs=1e-9)
+        assert states.half_cycle_multipliers[0, 0] == pytest.approx(-1.0, abs=1e-9)
 
 
 def test_symmetry_breaking_frequencies_ascend_and_none_is_left_out() -> None:

@@ -78,7 +78,9 @@ def test_multipliers_are_those_of_the_differentiated_half_cycle(
     ]
     eigenvalues = np.linalg.eigvals(np.array(columns).T)
     eigenvalues = eigenvalues[np.lexsort((-eigenvalues.imag, -np.abs(eigenvalues).round(6)))]
-    np.testing.assert_allclose(states.multipliers[branch - 1], eigenvalues, rtol=1e-6, atol=1e-7)
+    np.testing.assert_allclose(
+        states.half_cycle_multipliers[branch - 1], eigenvalues, rtol=1e-6, atol=1e-7
+    )
 
 
 @given(points)
@@ -90,7 +92,7 @@ def test_multipliers_solve_their_quadratic_and_decide_stability(
     states = states_at(point)
     assume(states.region != 4)
     for which in (0, 1):
-        first, second = states.multipliers[which]
+        first, second = states.half_cycle_multipliers[which]
         assert first * second == pytest.approx(r * r, rel=1e-12)
         assert first + second == pytest.approx(states.trace[which], rel=1e-12, abs=1e-14)
         assert abs(first) >= abs(second) * (1.0 - 1e-15)
@@ -119,7 +121,9 @@ def test_restitution_1_makes_neutral_orbits_and_never_stable_ones(
         elliptic = abs(states.trace[which]) < 2.0 and checked(states.admissible)[which]
         assert bool(states.neutral[which]) is bool(elliptic)
         if elliptic:
-            np.testing.assert_allclose(np.abs(states.multipliers[which]), 1.0, rtol=1e-14)
+            np.testing.assert_allclose(
+                np.abs(states.half_cycle_multipliers[which]), 1.0, rtol=1e-14
+            )
     # Branch 1 is exactly out of phase, branch 2 exactly in phase.
     assert states.phase.tolist() == [math.pi, 0.0]
 
@@ -238,7 +242,7 @@ def test_an_unstable_steady_state_is_left_on_the_named_side(
     a, w, r, n = point
     states = states_at(point)
     velocity = float(states.velocity[branch - 1])
-    growth = float(abs(states.multipliers[branch - 1, 0]))
+    growth = float(abs(states.half_cycle_multipliers[branch - 1, 0]))
     runs = {}
     for side in (1, -1):
         runs[side] = simulate(

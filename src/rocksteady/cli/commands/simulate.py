@@ -172,6 +172,7 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     notes
         What was done to its record, by the key of JSON.
     """
+    from rocksteady.dynamics.history.full_equations import full_run
     from rocksteady.dynamics.history.neighbours import check_neighbours
 
     description = trajectory.describe()
@@ -182,6 +183,7 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         neighbours = check_neighbours(trajectory)
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
+    facts.append(full_run(trajectory))
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))

@@ -1,6 +1,7 @@
 """`rocksteady steady`: symmetric steady states in closed form, at a point or along axes."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
@@ -11,6 +12,9 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Linear
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Fact
 from rocksteady.results.rendering import print_description
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -21,7 +25,7 @@ if TYPE_CHECKING:
 HELP = (
     "Symmetric steady states under harmonic shaking, both branches, in closed form.\n\n"
     "At a point: the region, its boundaries, and for each solution phase, velocity, peak, "
-    "admissibility, multipliers of the half cycle and stability (Tso and Wong 1989, eqs 12 to 25). "
+    "admissibility, multipliers of a period and stability (Tso and Wong 1989, eqs 12 to 25). "
     "-n may be repeated. -A and -W may also be axes start:stop:count, both ends included (log: "
     "before it for logarithmic spacing); --plot then draws response curves."
 )
@@ -78,10 +82,31 @@ def steady(
             write_figure(output.plot, point_figure(states, output.page))
         else:
             write_figure(output.plot, curves_figure(body, amplitudes, ratios, orders, output.page))
+    description = states.describe()
+    if states.region.size == 1:
+        description = replace(
+            description, facts=[*description.facts, full_equations_of(states, body)]
+        )
     if output.as_json:
-        print_json("steady", states.to_dict())
+        print_json("steady", description.to_dict())
     else:
-        print_description(states.describe(), terminal.console())
+        print_description(description, terminal.console())
+
+
+def full_equations_of(states: "SteadyStates", body: Block | DimensionlessBlock) -> Fact:
+    """Return what the full equations settle to from rest and from each stable solution."""
+    from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start
+    from rocksteady.dynamics.orbits.attractor import full_outcomes
+
+    point = states.to_dict()
+    starts: dict[str, Start | HasStart] = {"from rest:": Rest()}
+    starts |= {
+        f"from branch {s['branch']}:": ImpactState(side=1, phase=s["phase"], speed=s["velocity"])
+        for s in point.get("solutions", ())
+        if s["stable"]
+    }
+    motion = Harmonic(amplitude=point["amplitude"], frequency_ratio=point["frequency_ratio"])
+    return full_outcomes(body, motion, Linear(), starts)
 
 
 def point_figure(states: "SteadyStates", page: "Page") -> Any:

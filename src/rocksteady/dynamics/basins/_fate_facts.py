@@ -7,14 +7,12 @@ import math
 from typing import Any
 
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT
 from rocksteady.model.facts import block_text, case_text, lean_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
-
-CONFIDENCE = 0.95
-"""Of the intervals of a description."""
 
 
 def fates_headline(fates: Any) -> str:
@@ -57,12 +55,12 @@ def fates_described(fates: Any) -> Description:
         Fact("angles", _axis(fates.angle)),
         Fact("velocities", _axis(fates.velocity)),
     ]
-    rows = [part.to_dict() for part in fates.fractions(CONFIDENCE)]
+    rows = [part.to_dict() for part in fates.fractions()]
     columns = [
         Column("name", "fate", left=True),
         Column("states", "states", lambda states: f"{states:,}"),
         Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
-        Column("between", f"{100.0 * CONFIDENCE:g} % interval"),
+        Column("between", CONFIDENCE_TEXT),
     ]
     read = [
         {**row, "between": f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"}

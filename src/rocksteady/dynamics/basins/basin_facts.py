@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -24,9 +25,6 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 
 Floats = NDArray[np.float64]
-
-CONFIDENCE = 0.95
-"""Of the intervals of a description."""
 
 
 def basins_described(basins: Any) -> Description:
@@ -45,6 +43,7 @@ def basins_described(basins: Any) -> Description:
         *(Fact(key, value) for key, value in values.items()),
         Fact("phase", motion.phase),
         Fact("model", basins.model.name, "model"),
+        basins._full_equations,
         Fact("", label="states", text=f"{basins.label.size:,} of {_window_text(basins)}"),
         Fact("cycles", basins.max_cycles, "followed for", f"{basins.max_cycles} periods at most"),
         Fact("seed", basins.seed, "seed" if drawn else ""),
@@ -56,7 +55,7 @@ def basins_described(basins: Any) -> Description:
         Fact("shares"),
     ]
     rows = []
-    for attractor, part in zip(basins.attractors, basins.fractions(CONFIDENCE), strict=True):
+    for attractor, part in zip(basins.attractors, basins.fractions(), strict=True):
         orbit = attractor.orbit
         rows.append(
             {
@@ -81,7 +80,7 @@ def basins_described(basins: Any) -> Description:
     if drawn:
         for row in read:
             row["between"] = f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"
-        columns.insert(2, Column("between", f"{100.0 * CONFIDENCE:g} % interval"))
+        columns.insert(2, Column("between", CONFIDENCE_TEXT))
     notes = []
     if any(attractor.kind is AttractorKind.APERIODIC for attractor in basins.attractors):
         notes.append(

@@ -31,12 +31,14 @@ from rocksteady.dynamics.batch.attractors import (
 )
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.history.start import State
+from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
+from rocksteady.dynamics.orbits.attractor import full_outcomes
 from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value
+from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
@@ -146,7 +148,21 @@ class Basins(Result):
         """
         return tuple(states_at_phase(attractor, self.motion) for attractor in self.attractors)
 
-    def fractions(self, confidence: float = 0.95) -> tuple[BasinFraction, ...]:
+    @cached_property
+    def _full_equations(self) -> Fact:
+        """What the full equations settle to from rest and from each periodic attractor.
+
+        Of a `Block` in the linear model, the default here; else without a value.
+        """
+        starts: dict[str, Start | HasStart] = {"from rest:": Rest()}
+        starts |= {
+            f"from {attractor.name}:": attractor.orbit
+            for attractor in self.attractors
+            if attractor.orbit is not None
+        }
+        return full_outcomes(self.block, self.motion, self.model, starts)
+
+    def fractions(self, confidence: float = CONFIDENCE) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
 
         The interval is that of as many states drawn at random in the whole window.  One state drawn
@@ -157,7 +173,7 @@ class Basins(Result):
         Parameters
         ----------
         confidence
-            Confidence of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1); default 0.9.
 
         Returns
         -------
@@ -173,19 +189,14 @@ class Basins(Result):
         ----------
         E. B. Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927).
         """
-        from scipy.stats import binomtest
-
-        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
+        level = confidence_value(confidence)
         fractions = []
         for label, states in enumerate(self.states.tolist()):
-            interval = binomtest(states, self.label.size).proportion_ci(level, method="wilson")
+            share = states / self.label.size
+            low, high = share_interval(share, self.label.size, level)
             fractions.append(
                 BasinFraction(
-                    label=label,
-                    states=states,
-                    share=states / self.label.size,
-                    low=float(interval.low),
-                    high=float(interval.high),
+                    label=label, states=states, share=share, low=float(low), high=float(high)
                 )
             )
         return tuple(fractions)

@@ -136,14 +136,14 @@ class Erosion(Result):
 
     @property
     def global_integrity(self) -> Floats:
-        """Global integrity measure: the safe area over that on a still base."""
-        measure: Floats = self.safe_share / self.still_share
+        """Global integrity measure: the safe area over that on a still base, 1 at most."""
+        measure: Floats = np.minimum(self.safe_share / self.still_share, 1.0)
         return measure
 
     @property
     def integrity_factor(self) -> Floats:
-        """Integrity factor: the radius of the largest safe circle over that on a still base."""
-        measure: Floats = self.radius / self.still_radius
+        """Integrity factor: radius of the largest safe circle over a still base's, 1 at most."""
+        measure: Floats = np.minimum(self.radius / self.still_radius, 1.0)
         return measure
 
     @property
@@ -255,7 +255,8 @@ class Erosion(Result):
             run=run,
         )
         share, radius = measured(safe[0], self.angle, self.velocity)
-        return radius / self.still_radius if measure == MEASURES[0] else share / self.still_share
+        ratio = radius / self.still_radius if measure == MEASURES[0] else share / self.still_share
+        return min(ratio, 1.0)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the measures and the basins as an xarray Dataset.
@@ -326,7 +327,9 @@ def compute_erosion(
     For a block against a wall there are states at angles above 0 alone, and the circle ends there.
 
     The safe basin on a still base is a strip without end, so that the area depends on the window,
-    whose edge does not count as safe.  A radius is known to about a cell.
+    whose edge does not count as safe.  A radius is known to about a cell.  Where shaking moves more
+    of the strip into the window, or the circle by a part of a cell, the measures stay 1: nothing is
+    eroded.
 
     Parameters
     ----------

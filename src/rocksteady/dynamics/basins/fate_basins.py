@@ -19,7 +19,8 @@ from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value
+from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -171,13 +172,13 @@ class FateBasins(Result):
 
     @property
     def global_integrity(self) -> float:
-        """Safe area over that on a still base; nan where no state is safe there."""
-        return self.safe_share / self.still_share if self.still_share else math.nan
+        """Safe area over that on a still base, 1 at most; nan where no state is safe there."""
+        return min(self.safe_share / self.still_share, 1.0) if self.still_share else math.nan
 
     @property
     def integrity_factor(self) -> float:
-        """Radius of the largest safe circle over that on a still base; nan without one."""
-        return self.radius / self.still_radius if self.still_radius else math.nan
+        """Radius of the largest safe circle over that on a still base, 1 at most; nan without."""
+        return min(self.radius / self.still_radius, 1.0) if self.still_radius else math.nan
 
     @property
     def largest_safe_peak(self) -> float:
@@ -189,7 +190,7 @@ class FateBasins(Result):
         """Share of the states whose fate is undecided."""
         return float((self.fate == Status.UNDECIDED).mean())
 
-    def fractions(self, confidence: float = 0.95) -> tuple[FateFraction, ...]:
+    def fractions(self, confidence: float = CONFIDENCE) -> tuple[FateFraction, ...]:
         """Return the share of each fate in the window, with Wilson's score interval.
 
         As for `Basins.fractions` the interval is that of as many states drawn at random.
@@ -197,7 +198,7 @@ class FateBasins(Result):
         Parameters
         ----------
         confidence
-            Confidence of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1); default 0.9.
 
         Returns
         -------
@@ -210,24 +211,23 @@ class FateBasins(Result):
         InputError
             If the confidence is outside its range.
         """
-        from scipy.stats import binomtest
-
-        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
+        level = confidence_value(confidence)
         fractions = []
         for status, side, name in ORDER:
             states = int(np.count_nonzero((self.fate == status) & (self.side == side)))
             if not states:
                 continue
-            interval = binomtest(states, self.fate.size).proportion_ci(level, method="wilson")
+            share = states / self.fate.size
+            low, high = share_interval(share, self.fate.size, level)
             fractions.append(
                 FateFraction(
                     fate=status,
                     side=side,
                     name=name,
                     states=states,
-                    share=states / self.fate.size,
-                    low=float(interval.low),
-                    high=float(interval.high),
+                    share=share,
+                    low=float(low),
+                    high=float(high),
                 )
             )
         return tuple(fractions)

@@ -35,7 +35,7 @@ from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS, multipliers_text
+from rocksteady.dynamics.steady.verdicts import MULTIPLIERS, NO_MULTIPLIERS, multipliers_text
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.series_map import for_system
@@ -171,7 +171,7 @@ class BranchPoint(Result):
             "impacts": ("impacts", f"{self.impacts} in a period"),
             "symmetric": ("kind", self.kind),
             "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
-            "multipliers": ("multipliers", multipliers_text(self.multipliers)),
+            "multipliers": (MULTIPLIERS, multipliers_text(self.multipliers)),
         }
         return Description(
             f"{kind.capitalize()}: {place}, {point_case(self)}",

@@ -8,6 +8,7 @@ from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import LINEAR_NOTE, needs_full_equations
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import Status
@@ -71,6 +72,8 @@ def description_of(run: Described) -> Description:
             f"A small difference grows {words}: rounding decides how the run goes on, and another "
             "way of computing it may end otherwise."
         )
+    if needs_full_equations(run.block, run.motion, run.model):
+        notes.append(LINEAR_NOTE)
     motion = motion_text(run.block, run.motion, run.vertical)
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
     return Description(f"{words}, {run.model.name} model", facts, notes=notes)

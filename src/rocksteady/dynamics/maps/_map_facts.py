@@ -7,6 +7,7 @@ from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import ratio_words
+from rocksteady.model.equations import LINEAR_NOTE
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.sweep.cases.accessor import cell_count, count_table, grid_facts
@@ -42,6 +43,8 @@ def describe(dataset: "xr.Dataset") -> Description:
         facts.append(Fact("subharmonic_counts", longer))
         parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
         notes.append(f"subharmonic: of period 2 or longer, {parts}")
+    if _model(dataset) == "linear" and "alpha" in dataset.attrs:
+        notes.append(LINEAR_NOTE)
     table = count_table(counts, cells=cells, heading=name)
     return Description(headline(dataset), facts, [table], notes)
 

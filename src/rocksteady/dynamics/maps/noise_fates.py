@@ -19,6 +19,12 @@ from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.confidence import (
+    CONFIDENCE,
+    CONFIDENCE_TEXT,
+    confidence_value,
+    share_interval,
+)
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.facts import block_text, case_text
@@ -47,8 +53,6 @@ DRAWS = 100
 MOST_DRAWS = 100_000
 BATCH = 64
 """The most motions of one call; each has a table of its own."""
-CONFIDENCE = 0.95
-"""Of the intervals of a description."""
 ORDER = (
     columns.DURATION,
     columns.CONSTANT,
@@ -126,7 +130,7 @@ class NoiseFates(Result):
         share: Floats = self.overturned / self.draws
         return share
 
-    def interval(self, confidence: float = 0.95) -> tuple[Floats, Floats]:
+    def interval(self, confidence: float = CONFIDENCE) -> tuple[Floats, Floats]:
         """Return Wilson's score interval of the probability of overturning.
 
         One realisation is a trial at every level.  At level 0 all trials are one, and the interval
@@ -135,7 +139,7 @@ class NoiseFates(Result):
         Parameters
         ----------
         confidence
-            Confidence of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1); default 0.9.
 
         Returns
         -------
@@ -147,14 +151,8 @@ class NoiseFates(Result):
         InputError
             If the confidence is outside its range.
         """
-        from scipy.stats import binomtest
-
-        hint = "give 0.95 for 95 %"
-        certain = in_range("confidence", confidence, 0.0, 1.0, "()", hint=hint)
-        ends = np.empty((2, *self.overturned.shape))
-        for cell, count in np.ndenumerate(self.overturned):
-            interval = binomtest(int(count), self.draws).proportion_ci(certain, method="wilson")
-            ends[(slice(None), *cell)] = interval.low, interval.high
+        level = confidence_value(confidence)
+        ends = np.stack(share_interval(self.share, self.draws, level))
         ends[:, :, self.rms == 0.0] = self.share[np.newaxis, :, self.rms == 0.0]
         return ends[0], ends[1]
 
@@ -165,7 +163,7 @@ class NoiseFates(Result):
         -------
         xarray.Dataset
             ``fate`` with flags, ``side``, ``impacts`` and ``peak`` over all three; ``share`` with
-            ``share_low`` and ``share_high`` of the 95 % interval over scale and level; ``rms`` over
+            ``share_low`` and ``share_high`` of the 90 % interval over scale and level; ``rms`` over
             level [alpha g].
         """
         import xarray
@@ -229,7 +227,7 @@ class NoiseFates(Result):
             Fact("model", self.model.name, "model"),
             Fact("confidence", CONFIDENCE),
         ]
-        ends = self.interval(CONFIDENCE)
+        ends = self.interval()
         rows = []
         for (i, j), count in np.ndenumerate(self.overturned):
             row = {
@@ -253,7 +251,7 @@ class NoiseFates(Result):
             *([Column("rms_m_s2", "rms [m/s²]")] if isinstance(block, Block) else []),
             Column("overturned", "overturned"),
             Column("share", "share", lambda share: f"{100.0 * share:.1f} %"),
-            Column("between", f"{100.0 * CONFIDENCE:g} % interval"),
+            Column("between", CONFIDENCE_TEXT),
             Column("median_peak", "median peak"),
         ]
         read = [

@@ -5,7 +5,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start, Steady
-from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value, verdict
+from rocksteady.dynamics.steady.verdicts import (
+    MULTIPLIERS,
+    multipliers_text,
+    multipliers_value,
+    verdict,
+)
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import AnyBlock, block_text, case_text, harmonic_values, lean_text
@@ -128,7 +133,7 @@ def orbit_facts(orbit: Any) -> list[Fact]:
     words = {
         "period": ("period", period),
         "impacts_per_period": ("impacts", impacts),
-        "multipliers": ("multipliers", multipliers_text(orbit.multipliers)),
+        "multipliers": (MULTIPLIERS, multipliers_text(orbit.multipliers)),
     }
     if orbit.rest_phases:
         words["rest_phases"] = ("comes to rest", plural(orbit.rest_phases, "time") + " in a period")

@@ -1,13 +1,15 @@
 """Attractor of a block under periodic shaking: its long-term motion."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.history.full_equations import LONGEST
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import (
@@ -36,6 +38,7 @@ from rocksteady.dynamics.orbits.return_map import (
     periodic_motion,
     state_of,
 )
+from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
@@ -44,7 +47,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model, needs_full_equations
+from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description, Fact
@@ -156,6 +160,14 @@ class Attractor(Result):
     state: ImpactState | None
     initial: Start = field(default_factory=Rest)
     model: Model = field(default_factory=Linear)
+
+    @cached_property
+    def _full_equations(self) -> Fact:
+        """What the full equations settle to from the same start, within 1000 periods of the base.
+
+        Of a `Block` in the linear model, the default here; else without a value.
+        """
+        return full_outcomes(self.block, self.motion, self.model, {"start": self.initial})
 
     @property
     def period(self) -> int | None:
@@ -272,7 +284,7 @@ class Attractor(Result):
         text = "" if exponent is None else f"{number(exponent)} per forcing period"
         label = "" if exponent is None else "Lyapunov exponent"
         facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
-        known = plural(self.after, "forcing period")
+        known = plural(self.after, "forcing period") if self.after else "less than 1 forcing period"
         meaning = self.kind.value
         if self.kind is AttractorKind.UNSYMMETRIC:
             if self.block.one_sided:
@@ -297,6 +309,7 @@ class Attractor(Result):
                 Fact("growth", self.growth),
                 Fact("", label="start", text=start_text(self.initial)),
                 *case_facts(self.block, self.motion, self.model),
+                self._full_equations,
             ],
             notes=notes,
         )
@@ -438,3 +451,46 @@ def _reason(end: kernel.Settled, block: DimensionlessBlock) -> str:
         f"{start}, and a Lyapunov exponent of {end.lyapunov:.2g} a period, too small or too "
         "unsteady for chaos: follow more cycles"
     )
+
+
+def full_outcomes(
+    block: Block | DimensionlessBlock,
+    motion: PeriodicMotion,
+    model: Model,
+    starts: Mapping[str, Start | HasStart],
+) -> Fact:
+    """Return the fact of what the full equations settle to from each start.
+
+    Parameters
+    ----------
+    block, motion, model
+        The case, and the equations in which it was computed.
+    starts
+        Where to begin, by name; the name of a single one is not shown.
+    """
+    if not (starts and needs_full_equations(block, motion, model)):
+        return Fact("full_equations")
+    outcomes = {name: _outcome(block, motion, start) for name, start in starts.items()}
+    rows = [{"start": name, **values} for name, (values, _) in outcomes.items()]
+    words = [f"{name} {text}" for name, (_, text) in outcomes.items()]
+    if len(words) == 1:
+        ((_, words[0]),) = outcomes.values()
+    return Fact("full_equations", rows, "full equations", "; ".join(words))
+
+
+def _outcome(
+    block: Block | DimensionlessBlock, motion: PeriodicMotion, start: Start | HasStart
+) -> tuple[dict[str, Any], str]:
+    """Return what the full equations settle to, in values and in words."""
+    try:
+        found = find_attractor(block, motion, start=start, max_cycles=LONGEST, model=Nonlinear())
+    except ModelError:
+        return {"kind": None, "period": None, "peaks": None}, "have no such motion"
+    values = {"kind": found.kind.value, "period": found.period, "peaks": found.peaks}
+    if found.kind is AttractorKind.OVERTURNED:
+        return values, "falls"
+    if found.orbit is None:
+        return values, "comes to rest" if found.kind is AttractorKind.REST else found.kind.value
+    highest, lowest = (lean_text(block, u) for u in (found.orbit.highest, found.orbit.lowest))
+    reach = highest if found.orbit.symmetric else f"{lowest} to {highest}"
+    return values, f"{kind_text(found.kind.value, found.period)}, {reach}"

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.history.start import ImpactState
+from rocksteady.dynamics.history.start import ImpactState, Rest
 from rocksteady.dynamics.orbits._orbit_facts import case_facts, orbit_values, orbits_table, where
-from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
+from rocksteady.dynamics.orbits.attractor import full_outcomes
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import (
     bare_block,
     has_mirror_images,
@@ -180,9 +181,12 @@ def describe_orbits(
     # A block whose sides differ has no mirror images.
     mirrors = has_mirror_images(block, motion)
     images = "; of two mirror images one is listed." if mirrors else "."
-    seeds = limits["seeds"]
+    seeds, reminder = limits["seeds"], "Multipliers are of a period."
     unit = "Angles are in units of alpha. " if isinstance(block, DimensionlessBlock) else ""
     count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
+    if motions < len(orbits):
+        count += f"; {plural(len(orbits) - motions, 'inadmissible solution')}"
+    stable_ones = {f"from {k}:": orbit for k, orbit in enumerate(orbits, 1) if orbit.stable}
     return Description(
         f"Periodic motions: {where(block, motion, model)}",
         [
@@ -190,9 +194,15 @@ def describe_orbits(
             *(Fact(name, value) for name, value in limits.items()),
             *case_facts(block, motion, model),
             Fact("", label="found", text=count),
+            full_outcomes(
+                block,
+                motion,
+                model,
+                {"from rest:": Rest(), **stable_ones},
+            ),
         ],
         [orbits_table(orbits)],
-        [f"{unit}A search from {seeds} x {seeds} states may miss motions{images}"],
+        [f"{unit}{reminder} A search from {seeds} x {seeds} states may miss motions{images}"],
     )
 
 
@@ -226,7 +236,6 @@ def _symmetric_orbits(
             phase, velocity = float(states.phase[which]), float(states.velocity[which])
             admissible = bool(states.admissible[which])
             peak = float(states.peak[which]) if admissible else math.nan
-            pair = [squared(half) for half in states.multipliers[which].tolist()]
             first = ImpactState(side=1, phase=phase, speed=abs(velocity))
             residual = math.nan
             if admissible:
@@ -245,7 +254,7 @@ def _symmetric_orbits(
                 symmetric=True,
                 highest=peak,
                 lowest=-peak,
-                multipliers=ordered(*pair),
+                multipliers=states.multipliers[which],
                 residual=residual,
                 admissible=admissible,
                 branch=which + 1,

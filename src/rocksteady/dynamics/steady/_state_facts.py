@@ -6,7 +6,12 @@ from typing import Any
 import numpy as np
 
 from rocksteady.dynamics.steady.regions import REGIONS
-from rocksteady.dynamics.steady.verdicts import multipliers_text, multipliers_value, verdict
+from rocksteady.dynamics.steady.verdicts import (
+    MULTIPLIERS,
+    multipliers_text,
+    multipliers_value,
+    verdict,
+)
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -60,7 +65,8 @@ def _solution(states: Any, at: tuple[int, ...]) -> dict[str, Any]:
         "extrema": None,
         "admissible": None,
         "half_cycle_trace": float(states.trace[at]),
-        "half_cycle_multipliers": multipliers_value(states.multipliers[at]),
+        "half_cycle_multipliers": multipliers_value(states.half_cycle_multipliers[at]),
+        "multipliers": multipliers_value(states.multipliers[at]),
         "stable": None,
         "neutral": None,
     }
@@ -146,10 +152,7 @@ def describe_point(states: Any) -> Description:
                 else []
             ),
             ("extrema in the half cycle", lambda s: str(s["extrema"])),
-            (
-                "half-cycle multipliers",
-                lambda s: multipliers_text(s["half_cycle_multipliers"]),
-            ),
+            (MULTIPLIERS, lambda s: multipliers_text(s["multipliers"])),
         )
     ]
     columns = [Column("label", "", left=True)]

@@ -162,10 +162,25 @@ class SteadyStates(OfLinear, Result):
 
     @cached_property
     def multipliers(self) -> NDArray[np.complex128]:
+        """Multipliers of a period of the motion, shape ``(2, *grid, 2)``, as of an `Orbit`.
+
+        They are the squares of those of the half cycle, in the same order.
+        """
+        real, imaginary = self.half_cycle_multipliers.real, self.half_cycle_multipliers.imag
+        squares = np.empty(real.shape, dtype=np.complex128)
+        with np.errstate(over="ignore", invalid="ignore"):
+            squares.real = real * real - imaginary * imaginary
+            squares.imag = 2.0 * real * imaginary + 0.0  # no -0
+        lower = squares[..., 0].imag < 0.0
+        squares[lower] = squares[lower].conj()
+        return squares
+
+    @cached_property
+    def half_cycle_multipliers(self) -> NDArray[np.complex128]:
         """Multipliers of the half cycle, shape ``(2, *grid, 2)``, the larger in modulus first.
 
         They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
-        the positive imaginary part first.  The full orbit's are their squares.  nan at a graze.
+        the positive imaginary part first.  nan at a graze.
         """
         half = 0.5 * self.trace
         product = np.broadcast_to(self.restitution * self.restitution, half.shape)

@@ -8,6 +8,8 @@ import numpy as np
 NO_MULTIPLIERS = np.full(2, complex(math.nan, math.nan))
 """Multipliers of a motion that grazes: no derivative exists there."""
 NO_MULTIPLIERS.flags.writeable = False
+MULTIPLIERS = "multipliers of a period"
+"""Label of the multipliers of a motion, in every table: those of one of its periods."""
 
 
 def verdict(*, admissible: bool, neutral: bool | None, stable: bool | None) -> str:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.risk.back_analysis._chances import Levels, chances, log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
 from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out, unchecked
@@ -16,8 +17,6 @@ from rocksteady.risk.observations.prior import Noise
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
-
-CONFIDENCE = 0.9
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value
+from rocksteady.model.checks.validation import whole_number
 
 
 @checked
@@ -42,15 +43,14 @@ class Bands:
     Bands(confidence=0.95, replicates=1000, seed=0)
     """
 
-    confidence: float = 0.9
+    confidence: float = CONFIDENCE
     replicates: int = 1000
     seed: int = 0
 
     def __post_init__(self) -> None:
         """Check every number."""
-        hint = "give a share, as 0.9"
         values = {
-            "confidence": in_range("confidence", self.confidence, 0.0, 1.0, "()", hint=hint),
+            "confidence": confidence_value(self.confidence),
             "replicates": whole_number(
                 "replicates", self.replicates, at_least=100, at_most=1_000_000, hint="give 1000"
             ),

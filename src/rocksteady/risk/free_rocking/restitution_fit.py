@@ -19,8 +19,6 @@ from rocksteady.risk.free_rocking.release import Release
 
 Floats = NDArray[np.float64]
 
-CONFIDENCE = 0.9
-"""Of all intervals."""
 SMALL = 0.05
 """Part of the first peak down to which impacts are counted."""
 MOST_COUNTED = 1_000_000

@@ -37,7 +37,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
     "pgd_m": ("PGD", "m"),
     "pgv_per_pga_s": ("PGV/PGA", "s"),
     "arias_m_s": ("Arias intensity", "m/s"),
-    "arias_of_samples_m_s": ("Arias intensity, sum of samples", "m/s"),
+    "arias_of_samples_m_s": ("", "m/s"),
     "cav_m_s": ("cumulative absolute velocity", "m/s"),
     "significant_5_75_s": ("significant duration, 5-75 %", "s"),
     "significant_5_95_s": ("significant duration, 5-95 %", "s"),
@@ -152,8 +152,9 @@ class IntensityMeasures(Result):
             if value is not None:
                 facts.append(Fact(key, value, label, quantity(value, unit) if unit else ""))
         rule = (
-            f"The ground begins at rest; 1 g is {STANDARD_GRAVITY} m/s^2; bracketed and uniform "
-            f"above {number(self.threshold_m_s2 / STANDARD_GRAVITY)} g; Housner intensity at "
+            f"The ground begins at rest; 1 g is {STANDARD_GRAVITY} m/s^2; Arias intensity of "
+            f"straight lines between the samples; bracketed and uniform above "
+            f"{number(self.threshold_m_s2 / STANDARD_GRAVITY)} g; Housner intensity at "
             f"{number(100.0 * self.damping)} % of critical damping."
         )
         notes = [rule]

@@ -25,7 +25,7 @@ FEW = 40
 def plot_noise_fates(
     fates: NoiseFates, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the share of realisations that overturn, with 95 % intervals.
+    """Draw the share of realisations that overturn, with 90 % intervals.
 
     To the right is the axis with more values: the rms of the noise, in m/s^2 where the block has a
     size, or the scale of the motion.  Each value of the other has a line; of more than

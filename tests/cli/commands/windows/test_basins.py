@@ -270,8 +270,8 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
     point = "basins -A 0.5 -W 2 -r 0.95 --angles=-1:1:20 --velocities=-0.5:0.5:20 --cycles 100"
     assert "interval" not in rocksteady(point).out
     assert rocksteady(f"{point} --json").json["confidence"] is None
-    assert "95 % interval" in rocksteady(f"{point} --seed 1").out
-    assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.95
+    assert "90 % interval" in rocksteady(f"{point} --seed 1").out
+    assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.9
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT, confidence_value
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -27,7 +28,6 @@ ROUGH = 0.05
 """Standard error from which on a description calls the fit poor."""
 FEW = 20
 """Uncertain states or boxes below which a scale is of little use."""
-CONFIDENCE = 0.95
 
 
 @checked_result
@@ -111,7 +111,7 @@ class UncertaintyExponent(Result):
         """
         from scipy.stats import t
 
-        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
+        level = confidence_value(confidence)
         left = int(np.count_nonzero(self.uncertain)) - 2
         if left < 1:
             return math.nan, math.nan
@@ -137,7 +137,7 @@ class UncertaintyExponent(Result):
             Fact("interval", [low, high]),
             Fact(
                 "",
-                label="95 % interval",
+                label=CONFIDENCE_TEXT,
                 text="—" if math.isnan(low) else f"{low:.3f} to {high:.3f}",
             ),
             Fact(

@@ -4,10 +4,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.dynamics.basins.basin_facts import CONFIDENCE, axis_values
+from rocksteady.dynamics.basins.basin_facts import axis_values
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -122,7 +123,7 @@ def _window(shares: Any) -> str:
 
 def _rows(shares: Any) -> list[dict[str, Any]]:
     """Return one row per family and value at which it exists."""
-    low, high = shares.intervals(CONFIDENCE)
+    low, high = shares.intervals()
     rows = []
     for place, value in enumerate(shares.values.tolist()):
         for family in shares.families:
@@ -192,7 +193,7 @@ def shares_dataset(shares: Any) -> "xarray.Dataset":
     import xarray
 
     name = shares.parameter
-    low, high = shares.intervals(CONFIDENCE)
+    low, high = shares.intervals()
     along = ("family", name)
 
     def of_orbits(attribute: str, missing: float) -> list[list[float]]:

@@ -44,7 +44,8 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value
+from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.fourier import (
     PeriodicMotion,
@@ -166,7 +167,7 @@ class BasinShares(Result):
         shares: Floats = self.states / self.label[0].size
         return shares
 
-    def intervals(self, confidence: float = 0.95) -> tuple[Floats, Floats]:
+    def intervals(self, confidence: float = CONFIDENCE) -> tuple[Floats, Floats]:
         """Return Wilson's interval of each share, two arrays of shape (families, values).
 
         `Basins.fractions` explains what it means.
@@ -174,26 +175,15 @@ class BasinShares(Result):
         Parameters
         ----------
         confidence
-            Confidence of the interval, in (0, 1).
+            Confidence of the interval, in (0, 1); default 0.9.
 
         Raises
         ------
         InputError
             If the confidence is outside its range.
         """
-        from scipy.stats import binomtest
-
-        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
-        total = self.label[0].size
-        ends = {
-            states: binomtest(states, total).proportion_ci(level, method="wilson")
-            for states in np.unique(self.states).tolist()
-        }
-        listed = [ends[states] for states in self.states.ravel().tolist()]
-        low, high = (
-            np.array(side).reshape(self.states.shape) for side in zip(*listed, strict=True)
-        )
-        return low, high
+        level = confidence_value(confidence)
+        return share_interval(self.share, self.label[0].size, level)
 
     def entropies(self, box: int | Sequence[int] = BOX) -> BasinEntropies:
         """Return the entropy of the basins at each value, as from `compute_basin_entropy`.
@@ -245,7 +235,7 @@ class BasinShares(Result):
         Returns
         -------
         xarray.Dataset
-            ``share``, its 95 % interval ``low`` and ``high``, ``states``, ``period`` (0 without an
+            ``share``, its 90 % interval ``low`` and ``high``, ``states``, ``period`` (0 without an
             orbit), ``highest`` and ``lowest`` (theta/alpha) and ``present`` over family and
             parameter; ``label`` over parameter, velocity and angle.
         """

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
@@ -31,8 +32,6 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Curve = FragilityCurve | TwoStageCurve
 
-INTERVAL = 0.9
-"""Confidence of the bars of shares."""
 SAMPLES = 400
 """Points of a curve."""
 BEYOND = 1.35
@@ -346,8 +345,8 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
     at, shares, trials = _shares(shown)
     if not len(at):
         return None
-    low, high = _wilson(shares, np.minimum(trials, max(shown.records, 1)))
-    words = f"share of runs, {100.0 * INTERVAL:g} % bar of "
+    low, high = share_interval(shares, np.minimum(trials, max(shown.records, 1)))
+    words = f"share of runs, {100.0 * CONFIDENCE:g} % bar of "
     words += plural(shown.records, "record").replace(" ", NO_BREAK)
     axes.vlines(at, low, high, color=inks.faint, lw=0.9 * size, zorder=2.3)
     (points,) = axes.plot(
@@ -355,17 +354,6 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
         zorder=3.0,
     )  # fmt: skip
     return points
-
-
-def _wilson(shares: Floats, count: Floats) -> tuple[Floats, Floats]:
-    """Return the ends of Wilson's interval of shares of a number of trials."""
-    from scipy.special import ndtri
-
-    z = float(ndtri(0.5 + 0.5 * INTERVAL))
-    centre = (shares + 0.5 * z * z / count) / (1.0 + z * z / count)
-    half = z * np.sqrt(shares * (1.0 - shares) / count + (0.5 * z / count) ** 2)
-    half /= 1.0 + z * z / count
-    return np.maximum(centre - half, 0.0), np.minimum(centre + half, 1.0)
 
 
 def _corner(shown: Drawn, limits: tuple[float, float]) -> str:

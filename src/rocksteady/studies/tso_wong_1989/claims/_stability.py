@@ -77,7 +77,7 @@ def branch_2(evidence: Evidence) -> Finding:
     states = evidence.sample.states
     assert states.admissible is not None
     admissible = states.admissible[1]
-    first = states.multipliers[1, :, 0][admissible]
+    first = states.half_cycle_multipliers[1, :, 0][admissible]
     size = hypot(first.real, first.imag)
     drawn = {
         name: evidence.histories[name].multiplier.real

@@ -217,7 +217,7 @@ def symmetry_breaking(_: Evidence) -> Finding:
     for order in (1, 3):
         boundary = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
         at = find_steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
-        multiplier = complex(at.multipliers[0, 0])
+        multiplier = complex(at.half_cycle_multipliers[0, 0])
         above, below = (
             settle(
                 RESTITUTION,

@@ -81,7 +81,7 @@ class History:
     @property
     def multiplier(self) -> complex:
         """Largest multiplier of its half cycle."""
-        return complex(self.states.multipliers[self.case.branch - 1, 0])
+        return complex(self.states.half_cycle_multipliers[self.case.branch - 1, 0])
 
     @property
     def sides(self) -> tuple[int, ...]:

@@ -239,7 +239,8 @@ function numbersOf(app, { attractor, history, given, block }) {
     const { overturnTime: at } = history;
     put('overturn', 'overturns at', at, si ? `${numeral(at / block.p)} s` : `pt = ${numeral(at)}`);
   }
-  put('after', 'known after', attractor.after, `${attractor.after} periods`);
+  put('after', 'known after', attractor.after,
+    attractor.after > 0 ? `${attractor.after} periods` : 'less than 1 period');
   return shown;
 }
 
