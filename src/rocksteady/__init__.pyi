@@ -199,15 +199,15 @@ from .risk.calibration.stored import read_posterior as read_posterior
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble
-from .risk.facades.check_facade import check_facade as check_facade
-from .risk.facades.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
-from .risk.facades.facade import (
-    Facade as Facade,
+from .risk.facades.actions import (
     Load as Load,
     PushingMass as PushingMass,
     Thrust as Thrust,
     Tie as Tie,
 )
+from .risk.facades.check_facade import check_facade as check_facade
+from .risk.facades.elastic_spectrum import ElasticSpectrum as ElasticSpectrum
+from .risk.facades.facade import Facade as Facade
 from .risk.facades.facade_check import Check as Check, FacadeCheck as FacadeCheck
 from .risk.facades.facade_demand import FacadeDemand as FacadeDemand
 from .risk.facades.facade_runs import FacadeRuns as FacadeRuns, run_facade as run_facade

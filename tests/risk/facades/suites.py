@@ -10,7 +10,7 @@ LOADED = Facade(
     thickness_m=0.4,
     height_m=3.0,
     loads=(Load(name="floor", weight_kn=8.0, x_m=0.3, z_m=2.9),),
-    ties=(Tie(name="rod", force_kn=2.0, z_m=2.8),),
+    ties=(Tie(name="rod", force_kn=2.0, z_m=2.8, until_collapse=True),),
     masses=(PushingMass(name="vault", weight_kn=4.0, z_m=2.5),),
 )
 

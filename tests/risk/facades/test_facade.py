@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import RocksteadyError
-from rocksteady.risk.facades.facade import Facade, Load, PushingMass, Thrust, Tie
+from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
+from rocksteady.risk.facades.facade import Facade
 
 SIZES: dict[str, Any] = {"name": "front", "thickness_m": 0.5, "height_m": 6.0}
 LOAD: dict[str, Any] = {"name": "roof", "weight_kn": 5.0, "x_m": 0.2, "z_m": 3.0}
@@ -44,7 +45,7 @@ def test_what_is_missing_of_a_facade_that_falls_by_itself_holds_it() -> None:
     held = Facade(  # the line names 0.25 kN at 6 m
         **SIZES,
         thrusts=(Thrust(**FORCE),),
-        ties=(Tie(name="tie", force_kn=0.26, z_m=6.0),),
+        ties=(Tie(name="tie", force_kn=0.26, z_m=6.0, until_collapse=True),),
     )
     assert 0.0 < held.mechanism.alpha0 < 0.001
 
@@ -60,7 +61,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"height_m": True}, "height_m = True is not valid"),
     ({"name": " "}, "name = ' ' is not valid: it must be a text"),
     ({"name": 3}, "name = 3 is not valid"),
-    ({"kind": "tower"}, "it must be one of wall, parapet, gable"),
+    ({"kind": "tower"}, "it must be one of wall, parapet, pinnacle, gable"),
     ({"hinge_inset_m": 0.5}, "the hinge lies inside the wall, below thickness_m = 0.5"),
     ({"hinge_inset_m": -0.1}, "hinge_inset_m = -0.1 is not valid"),
     ({"hinge_inset_m": 0.25}, "front falls by itself"),

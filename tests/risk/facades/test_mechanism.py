@@ -1,5 +1,6 @@
 """The mechanism: worked walls, sums over a section cut small, virtual work, the bare block."""
 
+import itertools
 import math
 from typing import Any
 
@@ -10,7 +11,8 @@ from hypothesis import strategies as st
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.risk.facades.facade import Facade, Kind, Load, PushingMass, Thrust, Tie
+from rocksteady.risk.facades.actions import Load, Moments, PushingMass, Thrust, Tie, unfavourable
+from rocksteady.risk.facades.facade import Facade, Kind
 from rocksteady.risk.facades.mechanism import Mechanism
 
 
@@ -60,7 +62,7 @@ def full(kind: Kind = "wall") -> Facade:
             Load(name="balcony", weight_kn=4.0, x_m=-0.4, z_m=2.6),
         ),
         masses=(PushingMass(name="vault", weight_kn=9.0, z_m=2.4),),
-        ties=(Tie(name="rods", force_kn=7.0, z_m=2.7),),
+        ties=(Tie(name="rods", force_kn=7.0, z_m=2.7, until_collapse=True),),
         thrusts=(Thrust(name="vault", force_kn=3.0, z_m=2.4),),
         confidence_factor=1.2,
     )
@@ -170,7 +172,10 @@ def test_a_restitution_is_that_of_the_wall_and_a_stocky_facade_names_itself() ->
     bouncy = Facade(name="f", thickness_m=0.3, height_m=3.0, restitution=0.0)
     assert bouncy.mechanism.block().restitution == 0.0
     tied = Facade(
-        name="pier", thickness_m=1.0, height_m=2.0, ties=(Tie(name="t", force_kn=90.0, z_m=2.0),)
+        name="pier",
+        thickness_m=1.0,
+        height_m=2.0,
+        ties=(Tie(name="t", force_kn=90.0, z_m=2.0, until_collapse=True),),
     )
     with pytest.raises(InputError, match=r"pier has theta0 = .* degrees"):
         tied.mechanism.block()
@@ -212,14 +217,17 @@ def test_ties_hold_thrusts_push_and_pushing_masses_weaken(
 
     at: dict[str, Any] = {"name": "x", "z_m": 0.9 * height}
     bare = mechanism()
-    tied = mechanism(ties=(Tie(force_kn=force, **at),))
+    tied = mechanism(ties=(Tie(force_kn=force, until_collapse=True, **at),))
+    loose = mechanism(ties=(Tie(force_kn=force, **at),))
     pushed = mechanism(masses=(PushingMass(weight_kn=force, **at),))
     both = mechanism(
-        ties=(Tie(force_kn=force, **at),),
+        ties=(Tie(force_kn=force, until_collapse=True, **at),),
         thrusts=(Thrust(force_kn=force, **at),),
     )
     assert tied.alpha0 > bare.alpha0 > pushed.alpha0
     assert tied.d0_m > bare.d0_m
+    assert loose.alpha0 == tied.alpha0
+    assert loose.d0_m == pytest.approx(bare.d0_m, rel=1e-12)
     assert both.alpha0 == pytest.approx(bare.alpha0, rel=1e-9)
     for found in (bare, tied, pushed):
         assert 0.0 < found.e_star <= 1.0
@@ -252,3 +260,130 @@ def test_a_factor_of_housner_is_refused_as_a_person_writes_it() -> None:
     wall = Facade(name="f", thickness_m=0.3, height_m=3.0, restitution=("housner", 3.0))
     with pytest.raises(InputError, match=r"'housner\*3\.0'"):
         wall.mechanism.block()
+
+
+ROOF = Load(name="roof", weight_kn=60.0, x_m=0.3, z_m=6.0)
+
+
+def held(*acting: Load | Tie | Thrust) -> Facade:
+    """Return a wall of .6 x 6 x 10 m, FC 1, with its roof and what else acts."""
+    return Facade(
+        name="held", thickness_m=0.6, height_m=6.0, length_m=10.0, confidence_factor=1.0,
+        loads=(ROOF, *(each for each in acting if isinstance(each, Load))),
+        ties=tuple(each for each in acting if isinstance(each, Tie)),
+        thrusts=tuple(each for each in acting if isinstance(each, Thrust)),
+    )  # fmt: skip
+
+
+def rod(**until: Any) -> Tie:
+    return Tie(name="rod", force_kn=50.0, z_m=5.4, **until)
+
+
+def test_a_tie_that_is_not_verified_leaves_the_displacements_of_the_wall_without_it() -> None:
+    """By hand (Circolare C8.7.1.2.1.6), wall 18 x .6 x 6 x 10 = 648 kN, roof 60 kN.
+
+    Without tie: M = 648 x .3 + 60 x .3 = 212.4, K = D = 648 x 3 + 60 x 6 = 2304,
+    S = 648 x 12 + 60 x 36 = 9936, so d0 = (212.4/2304) 9936/2304 = .397559 m, .4 d0 = .159023 m.
+    With it M = 212.4 + 50 x 5.4 = 482.4, alpha_0 = 482.4/2304 = .209375, d0 = .902930 m.
+    """
+    firmly = rod(until_collapse=True)
+    loose, bare, firm = (held(*each).mechanism for each in ((rod(),), (), (firmly,)))
+    assert loose.alpha0 == firm.alpha0 == pytest.approx(0.209375, rel=1e-12)
+    assert loose.a0_g == firm.a0_g
+    assert bare.alpha0 == pytest.approx(212.4 / 2304.0, rel=1e-12)
+    assert loose.d0_m == pytest.approx(0.397559, abs=5e-7)
+    assert loose.d_slv_m == pytest.approx(0.159023, abs=1e-6)
+    assert firm.d0_m == pytest.approx(0.902930, abs=5e-7)
+    for key in ("d0_m", "t_slv_s", "t_slc_s", "p_rad_s", "theta0_rad", "uplift_g", "base_factor"):
+        assert getattr(loose, key) == pytest.approx(getattr(bare, key), rel=1e-14), key
+    for part in (0.01, 0.4, 0.99, 1.5):
+        distance = part * bare.d0_m
+        assert loose.capacity_g(distance) == pytest.approx(bare.capacity_g(distance), rel=1e-13)
+    assert loose.capacity_g(0.0) == firm.capacity_g(0.0)
+    assert loose.block() == bare.block()
+    assert "rod" in [each.name for each in held(rod()).ending]
+
+
+def test_the_capacity_curve_drops_where_a_tie_ends() -> None:
+    """By hand, e* = 2304^2/(708 x 9936) = .754606, a = (M - K d 2304/9936)/(2304 e*).
+
+    At d = .1 m: with the tie (482.4 - 53.4261)/1738.61 = .246734 g, without (212.4 - 53.4261)/
+    1738.61 = .091437 g; d0 = .397559 m all the same.  At .2 m, later than d_SLV, T_SLV is longer.
+    """
+    found = held(rod(lost_at_m=0.1)).mechanism
+    assert found.e_star == pytest.approx(0.754606, abs=5e-7)
+    assert found.capacity_g(math.nextafter(0.1, 0.0)) == pytest.approx(0.246734, abs=5e-7)
+    assert found.capacity_g(0.1) == pytest.approx(0.091437, abs=5e-7)
+    assert found.d0_m == pytest.approx(0.397559, abs=5e-7)
+    corners = [(0.0, found.a0_g), (0.1, 0.246734), (0.1, 0.091437), (found.d0_m, 0.0)]
+    assert np.array(found.curve) == pytest.approx(np.array(corners), abs=5e-7)
+    assert held(rod(lost_at_m=0.2)).mechanism.t_slv_s < found.t_slv_s
+    assert held(rod(lost_at_m=5.0)).mechanism.d0_m == found.d0_m  # d0: up to collapse alone
+
+
+def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
+    arch = {"name": "arch", "force_kn": 10.0, "z_m": 4.0}
+    bare, pushed, relieved = (
+        held(*each).mechanism
+        for each in ((), (Thrust(**arch),), (Thrust(**arch, until_collapse=False),))
+    )
+    assert pushed.d0_m < bare.d0_m
+    assert pushed.alpha0 == relieved.alpha0 < bare.alpha0
+    assert relieved.d0_m == pytest.approx(bare.d0_m)
+    assert relieved.theta0_rad == pushed.theta0_rad  # runs never gain from what ends
+    assert relieved.uplift_g == pushed.uplift_g
+    # A thrust that ends later than the wall has fallen under it does not help.
+    late = held(Thrust(**arch, lost_at_m=0.39)).mechanism
+    assert late.d0_m == pytest.approx(pushed.stabilising_kn_m / 2304.0 * 9936.0 / 2304.0)
+    for x, counted in ((0.6, False), (0.1, True)):  # x/z of .2 and .03, M/K of .092
+        floor = {"name": "floor", "weight_kn": 30.0, "x_m": x, "z_m": 3.0}
+        loads = [held(Load(**floor, until_collapse=until)) for until in (None, True, False)]
+        silent, there, gone = (each.mechanism for each in loads)
+        assert silent.theta0_rad == min(there.theta0_rad, gone.theta0_rad)
+        assert [each.name for each in loads[0].ending] == ([] if counted else ["floor"])
+        assert silent.alpha0 == there.alpha0
+
+
+@given(
+    st.lists(st.tuples(st.floats(-0.3, 0.9), st.floats(1.0, 90.0), st.floats(0.5, 8.0)), max_size=6)
+)
+def test_no_choice_among_silent_loads_is_worse_than_the_one_taken(
+    loads: list[tuple[float, float, float]],
+) -> None:
+    """Against all subsets: the smallest rotation of zero moment."""
+    parts = [Moments.of_weight(weight, x, z) for x, weight, z in loads]
+    base = [Moments.of_weight(648.0, 0.3, 3.0)]
+    least = min(
+        Moments.total([*base, *some]).slope
+        for count in range(len(parts) + 1)
+        for some in itertools.combinations(parts, count)
+    )
+    taken = Moments.total([*base, *unfavourable(base, parts)]).slope
+    assert taken == pytest.approx(least, rel=1e-12, abs=1e-15)
+
+
+def test_the_mass_at_the_centres_lowers_a0_and_leaves_the_periods() -> None:
+    """e* lumped is never below e* spread: S is least with each mass at its centre."""
+    for facade in (full("wall"), full("gable"), held()):
+        found = facade.mechanism
+        assert found.e_star < found.e_star_lumped <= 1.0
+        assert found.linear_g == found.a0_lumped_g < found.a0_g
+    bare = wall()
+    assert bare.e_star_lumped == pytest.approx(1.0, rel=1e-14)
+    assert bare.a0_g / bare.a0_lumped_g == pytest.approx(4.0 / 3.0, rel=1e-14)
+    assert bare.a0_lumped_g == pytest.approx(bare.uplift_g, rel=1e-14)
+
+
+def test_the_curve_of_an_element_free_to_vibrate_begins_elastic() -> None:
+    top = Facade(
+        name="top", kind="parapet", thickness_m=0.3, height_m=2.0, elastic_period_s=0.2,
+        confidence_factor=1.0,
+    )  # fmt: skip
+    found, rate = top.mechanism, (2.0 * math.pi / 0.2) ** 2 / STANDARD_GRAVITY
+    (first, peak, last) = found.curve
+    assert (first, last) == ((0.0, 0.0), (found.d0_m, 0.0))
+    assert peak[1] == pytest.approx(rate * peak[0], rel=1e-12)
+    assert peak[1] == pytest.approx(found.a0_g * (1.0 - peak[0] / found.d0_m), rel=1e-12)
+    assert found.capacity_g(0.5 * peak[0]) == pytest.approx(0.5 * peak[1], rel=1e-12)
+    bare = Facade(name="top", kind="parapet", thickness_m=0.3, height_m=2.0, confidence_factor=1.0)
+    assert found.t_slv_s == bare.mechanism.t_slv_s

@@ -6,8 +6,9 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import RocksteadyError
+from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
-from rocksteady.risk.facades.facade import Facade, Load, PushingMass, Thrust, Tie
+from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.read_facade import EXAMPLE, FacadeFile, read_facade
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
@@ -113,7 +114,7 @@ WRONG = [
     (HEAD + "length_m = [1.0]\n", "length_m = [1.0] is not valid: it must be a number"),
     (HEAD + "length_m = 1" + "0" * 400 + "\n", "is not valid: it must be a number of usual size"),
     (HEAD + "one_sided = 1\n", "one_sided = 1 is not valid: it must be true or false"),
-    (HEAD + "kind = 'tower'\n", "it must be one of wall, parapet, gable; leave it out for 'wall'"),
+    (HEAD + "kind = 'tower'\n", "it must be one of wall, parapet, pinnacle, gable; leave it"),
     (HEAD + "knowledge_level = 'LC4'\n", "it must be one of LC1, LC2, LC3; leave it out"),
     (HEAD + "knowledge_level = 'LC1'\nconfidence_factor = 1.2\n", "has both knowledge_level and"),
     (HEAD + "restitution = 'hausner'\n", "[facade] restitution = 'hausner' is not valid"),

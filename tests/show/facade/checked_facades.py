@@ -3,9 +3,10 @@
 import functools
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
+from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
-from rocksteady.risk.facades.facade import Facade, Load, PushingMass, Thrust, Tie
+from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import run_facade
@@ -28,7 +29,7 @@ def tied() -> FacadeCheck:
         hinge_inset_m=0.03,
         loads=(Load(name="copertura", weight_kn=24.0, x_m=0.3, z_m=4.0),),
         masses=(PushingMass(name="volta", weight_kn=12.0, z_m=1.8),),
-        ties=(Tie(name="catene", force_kn=10.0, z_m=3.6),),
+        ties=(Tie(name="catene", force_kn=10.0, z_m=3.6, until_collapse=True),),
         thrusts=(Thrust(name="puntoni", force_kn=4.0, z_m=3.9),),
     )
     demand = FacadeDemand(sld=site(0.06), slv=site(0.18), slc=site(0.24))

@@ -46,7 +46,7 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
     assert [(row["limit_state"], row["method"]) for row in rows] == [
         (each.limit_state, each.method) for each in found.checks
     ]
-    assert float(rows[1]["capacity"]) == pytest.approx(4.0 / 30.0 / 1.35)
+    assert float(rows[1]["capacity"]) == pytest.approx(0.1 / 1.35)
     assert isinstance(found.runs, FacadeRuns)
     assert len(rows_of(out / "runs.csv")) == found.runs.share.size == 14
 
@@ -56,6 +56,10 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
     assert values["t_slv_s"] == pytest.approx(1.958239, abs=5e-7)
     assert values["t_slc_s"] == pytest.approx(2.727547, abs=5e-7)
     assert len(values["checks"]) == len(found.checks)
+    assert values["a0_lumped_g"] == values["linear_g"] == pytest.approx(0.1 / 1.35)
+    assert values["ending"] == []
+    corners = [(each["displacement_m"], each["capacity_g"]) for each in values["capacity_curve"]]
+    assert corners == [(0.0, values["a0_g"]), (values["d0_m"], 0.0)]
 
     made = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert made["command"] == "rocksteady facade wall"

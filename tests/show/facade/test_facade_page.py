@@ -94,11 +94,11 @@ def test_every_check_stands_on_it_with_formula_page_and_mark(language: str) -> N
 
 
 def test_disagreement_shows_at_the_top_with_its_reason() -> None:
-    page, _ = page_of("thin", "it")
-    assert "metodi discordi 2 verifiche su 3 non sono soddisfatte." in page.text
+    page, _ = page_of("tied", "it")
+    assert "metodi discordi 1 verifica su 5 non è soddisfatta." in page.text
     assert (
-        "verifica soddisfatta con analisi cinematica lineare, non soddisfatta con analisi "
-        "cinematica non lineare e analisi dinamica non lineare." in page.text
+        "verifica soddisfatta con analisi cinematica non lineare e analisi dinamica non lineare, "
+        "non soddisfatta con analisi cinematica lineare." in page.text
     )
     assert "cresce con lo spessore" in page.text
 

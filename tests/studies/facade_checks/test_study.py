@@ -164,7 +164,7 @@ def test_the_page_has_its_parts(saved: Path) -> None:
     assert page.count("<img ") == len(study().pictures)
     for part in ("verdicts", "walls", "ratios", "variants", "methods"):
         assert f'<h2 id="{part}">' in page
-    assert "unreviewed transcription" in page
+    assert "not checked against the printed standard" in page
     assert "8 records" in page.replace("\n", " ")
     assert "--height-m 2,6,11 --slenderness 7:19:3" in page, "the command that makes it again"
     assert study().sentences[0].replace("\N{NO-BREAK SPACE}", " ").split(" (")[0] in page.replace(

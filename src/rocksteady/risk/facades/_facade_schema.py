@@ -11,7 +11,7 @@ class FacadeTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     """The facade itself; what is left out has the default of `Facade`."""
 
     name: str
-    kind: Literal["wall", "parapet", "gable"] = "wall"
+    kind: Literal["wall", "parapet", "pinnacle", "gable"] = "wall"
     thickness_m: float
     height_m: float
     length_m: float | None = None
@@ -21,6 +21,9 @@ class FacadeTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     knowledge_level: Literal["LC1", "LC2", "LC3"] | None = None
     one_sided: bool | None = None
     restitution: float | str | None = None
+    base_height_m: float | None = None
+    elastic_modulus_mpa: float | None = None
+    elastic_period_s: float | None = None
 
 
 class LoadTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -30,6 +33,8 @@ class LoadTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     weight_kn: float
     x_m: float
     z_m: float
+    until_collapse: bool | None = None
+    lost_at_m: float | None = None
 
 
 class MassTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -46,6 +51,8 @@ class ForceTable(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
     name: str
     force_kn: float
     z_m: float
+    until_collapse: bool | None = None
+    lost_at_m: float | None = None
 
 
 class SpectrumKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

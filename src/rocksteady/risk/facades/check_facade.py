@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final
 
-from rocksteady.errors import InputError, RocksteadyError, Words
+from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
@@ -20,8 +20,8 @@ from rocksteady.risk.screens.spectra import damping_factor
 
 BEHAVIOUR_FACTOR: Final = 2.0
 """Behaviour factor q of the linear check of SLV."""
-PEAK_DAMPING: Final = 0.05
-"""Damping at period 0, where it changes nothing."""
+ELASTIC_DAMPING: Final = 0.05
+"""Damping of the linear checks; at period 0 it changes nothing."""
 DAMPINGS: Final = {"SLV": 0.08, "SLC": 0.1}
 """Damping of the nonlinear static check by the limit state."""
 
@@ -39,6 +39,10 @@ def check_facade(
     SLC    nonlinear static  C8.7.1.12   S_e(T_SLC) T_SLC^2/(4 pi^2) <= d_SLC, 10 % damping
     SLV    dynamic           2.1.9       no run beyond d0, mean largest d <= d_SLV (d_SLC)
     =====  ================  ==========  ==================================================
+
+    An element free to vibrate (`Facade.free`) has C8.7.1.9 in place of the linear checks:
+    S_e(T0, 5 %, z) <= alpha_0 g/FC, for SLD and SLV.  The smaller a0 of the two of `Mechanism`
+    decides.  Its spectra are those at its height.
 
     Parameters
     ----------
@@ -59,11 +63,12 @@ def check_facade(
     InputError
         If the runs are those of another facade.
     ModelError
-        If a period lies outside a table.
+        If a period lies outside a table, the height or T0 of the facade is needed and not known, or
+        a spectrum of the ground is given for one above.
 
     References
     ----------
-    Circolare 21 gennaio 2019 n. 7, C8.7.1.2.1, pp. 272-277, from an unreviewed transcription.
+    Circolare 21 gennaio 2019 n. 7, C8.7.1.2.1, pp. 272-277: not checked against the printed text.
 
     Examples
     --------
@@ -82,18 +87,51 @@ def check_facade(
             f"{facade.name} is checked by its own",
             "run this facade with run_facade",
         )
+    if given.given:
+        _check_inputs(facade, given)
     return FacadeCheck(
-        facade=facade,
-        demand=given,
-        runs=runs,
-        checks=tuple(_checks(facade.mechanism, given, runs)),
+        facade=facade, demand=given, runs=runs, checks=tuple(_checks(facade, given, runs))
     )
 
 
-def _checks(mechanism: Mechanism, demand: FacadeDemand, runs: FacadeRuns | None) -> Iterator[Check]:
+def _check_inputs(facade: Facade, demand: FacadeDemand) -> None:
+    """Check that height, T0 and spectrum of the element are known, before anything is compared."""
+    height = facade.base_height_m
+    if height is None and (facade.free or facade.kind != "wall"):
+        raise ModelError(
+            f"base_height_m of {facade.name}",
+            Words("is not given"),
+            f"the demand on a {facade.kind} is the spectrum at its height above the ground",
+            "give base_height_m, 0 where it stands on the ground",
+        )
+    if facade.free and facade.t0_s is None:
+        carries = bool(facade.loads or facade.masses)
+        raise ModelError(
+            f"{'elastic_period_s' if carries else 'elastic_modulus_mpa'} of {facade.name}",
+            Words("is not given"),
+            f"a {facade.kind} that is free to vibrate is checked at its period T0 (C8.7.1.9)"
+            + (", whose formula leaves out what it carries" if carries else ""),
+            "give elastic_period_s" + ("" if carries else ", or the modulus of the masonry in MPa"),
+        )
+    for state in demand.given:
+        if height and isinstance(demand.of(state), ElasticSpectrum):
+            raise ModelError(
+                f"demand of {state}",
+                Words(f"is a spectrum of the ground, and {facade.name} stands at {height:g} m"),
+                "the building amplifies the motion of the ground",
+                "give the spectrum of the floor as a table",
+            )
+
+
+def _checks(facade: Facade, demand: FacadeDemand, runs: FacadeRuns | None) -> Iterator[Check]:
     """Yield the checks in the order of the table."""
-    yield _peak(mechanism, "SLD", demand.sld, "C8.7.1.8", 1.0)
-    yield _peak(mechanism, "SLV", demand.slv, "C8.7.1, q = 2", BEHAVIOUR_FACTOR)
+    mechanism = facade.mechanism
+    if facade.free:
+        yield _free(facade, "SLD", demand.sld)
+        yield _free(facade, "SLV", demand.slv)
+    else:
+        yield _peak(mechanism, "SLD", demand.sld, "C8.7.1.8", 1.0)
+        yield _peak(mechanism, "SLV", demand.slv, "C8.7.1, q = 2", BEHAVIOUR_FACTOR)
     yield _secant("SLV", demand.slv, "C8.7.1.10, 12", mechanism.t_slv_s, mechanism.d_slv_m)
     yield _secant("SLC", demand.slc, "C8.7.1.11, 12", mechanism.t_slc_s, mechanism.d_slc_m)
     yield _dynamic(mechanism, runs)
@@ -110,11 +148,22 @@ def _peak(
     value, remarks = None, [Remark("no_demand", (state,))]
     if spectrum is not None:
         with _named(f"demand of {state}"):
-            value = spectrum.sa_g(0.0, PEAK_DAMPING) / factor
+            value = spectrum.sa_g(0.0, ELASTIC_DAMPING) / factor
         records = not isinstance(spectrum, ElasticSpectrum | SpectrumTable)
         remarks = [Remark("peak_of_records")] if records else []
         remarks += [Remark("q", (f"{factor:g}",))] if factor != 1.0 else []
-    return _check(state, "linear", formula, value, mechanism.a0_g, remarks)
+    return _check(state, "linear", formula, value, mechanism.linear_g, remarks)
+
+
+def _free(facade: Facade, state: LimitState, spectrum: DemandSpectrum | None) -> Check:
+    """Return the check of an element free to vibrate: S_e(T0, 5 %) against alpha_0 g/FC."""
+    value, remark = None, Remark("no_demand", (state,))
+    period = facade.t0_s
+    if spectrum is not None and period is not None:
+        with _named(f"demand of {state} at T0"):
+            value = spectrum.sa_g(period, ELASTIC_DAMPING)
+        remark = Remark("free", (number(period), number(facade.base_height_m or 0.0)))
+    return _check(state, "linear", "C8.7.1.9", value, facade.mechanism.linear_g, [remark])
 
 
 def _secant(

@@ -7,159 +7,40 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.blocks.sides import Restitution, restitution_value, wall_restitution_value
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import Ends, in_range
 from rocksteady.results.numbers import number
+from rocksteady.risk.facades.actions import (
+    KILONEWTONS,
+    Load,
+    Moments,
+    PushingMass,
+    Thrust,
+    Tie,
+    check_numbers,
+    unfavourable,
+)
 from rocksteady.risk.facades.mechanism import Mechanism
 
-Kind = Literal["wall", "parapet", "gable"]
+Kind = Literal["wall", "parapet", "pinnacle", "gable"]
+FREE: Final = ("parapet", "pinnacle")
+"""Kinds that are free to vibrate, whatever stands behind."""
 
 KNOWLEDGE_LEVELS: Final[Mapping[str, float]] = {"LC1": 1.35, "LC2": 1.2, "LC3": 1.0}
 """Confidence factor of each level of knowledge (Circolare 2019 n. 7, C8.5.4)."""
 
-METRES: Final = "sizes are in metres: write 0.3 for 300 mm"
-KILONEWTONS: Final = "give it in kN, for the whole length of the facade"
-
-BOUNDS: Final[Mapping[str, tuple[float, float, Ends, str]]] = {
-    "thickness_m": (0.05, 5.0, "[]", METRES),
-    "height_m": (0.1, 50.0, "[]", METRES),
-    "length_m": (0.1, 200.0, "[]", METRES),
-    "unit_weight_kn_m3": (8.0, 30.0, "[]", "give it in kN/m^3, as 18: 1800 kg/m^3 are 17.7"),
-    "hinge_inset_m": (0.0, 5.0, "[]", METRES),
-    "confidence_factor": (1.0, 2.0, "[]", "give 1.35, 1.2 or 1.0, for LC1, LC2 or LC3"),
-    "weight_kn": (0.0, 1e6, "(]", KILONEWTONS),
-    "force_kn": (0.0, 1e6, "(]", KILONEWTONS),
-    "x_m": (-5.0, 10.0, "[]", f"give the distance inwards of the outer face; {METRES}"),
-    "z_m": (0.0, 100.0, "(]", f"give the height above the hinge; {METRES}"),
-}
-"""Lowest and highest number of each quantity, whether they belong to it, and what to do."""
+KAPPA: Final = 6.2
+"""Factor of T0 of a cantilever of one section (C8.7.1.9); 2 pi sqrt(12)/3.516 = 6.19."""
+KAPPA_GABLE: Final = 3.042
+"""That of a triangle on its base, 2 pi sqrt(12)/7.155: of beam theory, not of the circular."""
 
 MOST_HELD: Final = 10.0
 """M/K above which the forces of ties are taken for ones in another unit."""
 
 MOST_KN_M2: Final = 1e4
 """Mean stress at the base [kN/m^2] above which weights are taken for ones in another unit."""
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class Load:
-    """A weight on the facade that moves with it [kN].
-
-    Parameters
-    ----------
-    name
-        What it is, as "roof".
-    weight_kn
-        Weight on the whole length of the facade [kN].
-    x_m
-        Distance inwards from the outer face [m]; below 0 outside, as of a balcony.
-    z_m
-        Height above the hinge [m].
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    """
-
-    name: str
-    weight_kn: float
-    x_m: float
-    z_m: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        _check_numbers(self, "load", ("weight_kn", "x_m", "z_m"))
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class PushingMass:
-    """A mass that pushes the facade in an earthquake but does not load it [kN].
-
-    Parameters
-    ----------
-    name
-        What it is, as "vault".
-    weight_kn
-        Its weight on the whole length of the facade [kN].
-    z_m
-        Height above the hinge at which it pushes [m].
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    """
-
-    name: str
-    weight_kn: float
-    z_m: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        _check_numbers(self, "mass", ("weight_kn", "z_m"))
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class Tie:
-    """A tie that pulls the facade inwards with a constant force [kN].
-
-    Parameters
-    ----------
-    name
-        What it is, as "tie rods of floor 1".
-    force_kn
-        Its strength on the whole length of the facade [kN]: the least of steel, anchor and wall.
-    z_m
-        Height above the hinge [m].
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    """
-
-    name: str
-    force_kn: float
-    z_m: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        _check_numbers(self, "tie", ("force_kn", "z_m"))
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class Thrust:
-    """A static outward thrust on the facade [kN], as of an arch or a roof.
-
-    Parameters
-    ----------
-    name
-        What it is, as "vault".
-    force_kn
-        Its force on the whole length of the facade [kN].
-    z_m
-        Height above the hinge [m].
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    """
-
-    name: str
-    force_kn: float
-    z_m: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        _check_numbers(self, "thrust", ("force_kn", "z_m"))
 
 
 @checked
@@ -172,7 +53,7 @@ class Facade:
     name
         Name of the facade.
     kind
-        "wall" (default), "parapet" or "gable", a triangle on its base.
+        "wall" (default), "parapet", "pinnacle" or "gable", a triangle on its base.
     thickness_m, height_m
         Thickness and height above the hinge [m].
     length_m
@@ -187,18 +68,26 @@ class Facade:
     confidence_factor
         FC from 1 to 2: 1.35 (default) of knowledge level LC1, 1.2 of LC2, 1.0 of LC3.
     one_sided
-        Whether the building behind stops it; default None: True, of a parapet False.
+        Whether the building behind stops it; default None: True, of a parapet or pinnacle False.
     restitution
         Restitution of the impacts on the building behind, in [0, 1], or of two-sided rocking, in
         (0, 1]; "housner" (default) for conservation of angular momentum.
+    base_height_m
+        Height of the hinge above the ground z [m]; default None.  The checks of all but a wall
+        against a building need it.
+    elastic_modulus_mpa
+        Modulus of the masonry E [MPa]; default None.  The checks of an element free to vibrate need
+        it, or `elastic_period_s`.
+    elastic_period_s
+        Period of its elastic vibration T0 [s]; default None: that of `elastic_modulus_mpa`.
 
     Raises
     ------
     InputError
         If a number is outside its range.
     ModelError
-        If the facade falls by itself, is held beyond reason, or rocks to both sides with loads,
-        ties or thrusts.
+        If the facade falls by itself, also once ties have ended; is held beyond reason; or rocks to
+        both sides with loads, ties or thrusts.
 
     Examples
     --------
@@ -231,15 +120,20 @@ class Facade:
     confidence_factor: float = KNOWLEDGE_LEVELS["LC1"]
     one_sided: bool | None = None
     restitution: Restitution = "housner"
+    base_height_m: float | None = None
+    elastic_modulus_mpa: float | None = None
+    elastic_period_s: float | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
         names = ("thickness_m", "height_m", "length_m", "unit_weight_kn_m3", "hinge_inset_m")
-        _check_numbers(self, "", (*names, "confidence_factor"))
+        options = ("base_height_m", "elastic_modulus_mpa", "elastic_period_s")
+        given = [key for key in options if getattr(self, key) is not None]
+        check_numbers(self, "", (*names, "confidence_factor", *given))
         for group in ("loads", "masses", "ties", "thrusts"):
             object.__setattr__(self, group, tuple(getattr(self, group)))
         if self.one_sided is None:
-            object.__setattr__(self, "one_sided", self.kind != "parapet")
+            object.__setattr__(self, "one_sided", self.kind not in FREE)
         self._check_restitution()
         self._check_places()
         self._check_sides()
@@ -258,36 +152,127 @@ class Facade:
         full = self.unit_weight_kn_m3 * self.thickness_m * self.height_m * self.length_m
         return 0.5 * full if self.kind == "gable" else full
 
+    @property
+    def free(self) -> bool:
+        """Whether it is free to vibrate: a parapet, a pinnacle, or nothing stands behind it."""
+        return self.kind in FREE or not self.one_sided
+
+    @property
+    def t0_s(self) -> float | None:
+        """Period T0 of an element free to vibrate [s] (C8.7.1.9); None of others, or unknown.
+
+        ``T0 = kappa lambda L sqrt(W/(g E))``, lambda = L/t: a cantilever of one section, without
+        what it carries.
+        """
+        if not self.free or self.elastic_period_s is not None:
+            return self.elastic_period_s if self.free else None
+        if self.elastic_modulus_mpa is None or self.loads or self.masses:
+            return None
+        kappa = KAPPA_GABLE if self.kind == "gable" else KAPPA
+        slow = self.unit_weight_kn_m3 / (STANDARD_GRAVITY * 1e3 * self.elastic_modulus_mpa)
+        return kappa * self.height_m / self.thickness_m * self.height_m * math.sqrt(slow)
+
+    @property
+    def ending(self) -> tuple[Load | Tie | Thrust, ...]:
+        """What acts at rest and is not counted in d0."""
+        return tuple(each for each, _, lasts in self._actions if not lasts)
+
     @functools.cached_property
-    def mechanism(self) -> Mechanism:
-        """Overturning about the hinge."""
+    def _body(self) -> list[Moments]:
+        """Moments of the facade itself and of the pushing masses, which always act."""
         weight, height = self.weight_kn, self.height_m
         centre, square = (1.0 / 3.0, 1.0 / 6.0) if self.kind == "gable" else (0.5, 1.0 / 3.0)
         inner = 0.5 * self.thickness_m - self.hinge_inset_m
         across = self.thickness_m * self.thickness_m / 12.0 + inner * inner
-        carried = [(load.weight_kn, load.x_m - self.hinge_inset_m, load.z_m) for load in self.loads]
-        pushing = [(mass.weight_kn, mass.z_m) for mass in self.masses]
-        own_moment, own_second = weight * (height * centre), weight * (height * height * square)
-        weight_lever = weight * inner + math.fsum(w * x for w, x, _ in carried)
-        weight_moment = own_moment + math.fsum(w * z for w, _, z in carried)
-        push_second = math.fsum(w * z * z for w, z in pushing)
-        weight_second = own_second + math.fsum(w * z * z for w, _, z in carried)
-        inertia = weight_second + weight * across + math.fsum(w * x * x for w, x, _ in carried)
-        inertia += push_second
-        weights = weight + math.fsum(w for w, _, _ in carried)
-        reach = (weight_lever * weight_lever + weight_moment * weight_moment) / weights
+        second = weight * (height * height * square)
+        own = Moments(
+            weight_kn=weight,
+            weight_lever_kn_m=weight * inner,
+            weight_moment_kn_m=weight * (height * centre),
+            push_kn=weight,
+            push_moment_kn_m=weight * (height * centre),
+            second_moment_kn_m2=second,
+            lumped_moment_kn_m2=weight * (height * centre) ** 2,
+            inertia_kn_m2=second + weight * across,
+        )
+        return [own, *(Moments.of_mass(each.weight_kn, each.z_m) for each in self.masses)]
+
+    @functools.cached_property
+    def _actions(self) -> list[tuple[Load | Tie | Thrust, Moments, bool]]:
+        """Loads, ties and thrusts, their moments, and whether each counts up to collapse.
+
+        A tie counts where it is verified, a thrust unless it is said to end.  A load of which
+        nothing is said counts where it lowers the rotation of zero moment.
+        """
+        actions: list[tuple[Load | Tie | Thrust, Moments, bool | None]] = []
+        for load in self.loads:
+            lever = load.x_m - self.hinge_inset_m
+            moments = Moments.of_weight(load.weight_kn, lever, load.z_m)
+            known = None if load.lost_at_m is None else False
+            actions.append((load, moments, load.until_collapse if known is None else known))
+        for tie in self.ties:
+            moments = Moments.of_force(tie.force_kn, tie.z_m)
+            actions.append((tie, moments, bool(tie.until_collapse)))
+        for thrust in self.thrusts:
+            moments = Moments.of_force(-thrust.force_kn, thrust.z_m)
+            lasts = thrust.until_collapse is not False and thrust.lost_at_m is None
+            actions.append((thrust, moments, lasts))
+        certain = [*self._body, *(moments for _, moments, lasts in actions if lasts)]
+        taken = unfavourable(certain, (each for _, each, lasts in actions if lasts is None))
+        return [
+            (action, moments, any(moments is each for each in taken) if lasts is None else lasts)
+            for action, moments, lasts in actions
+        ]
+
+    @functools.cached_property
+    def mechanism(self) -> Mechanism:
+        """Overturning about the hinge."""
+        lasting = [*self._body, *(moments for _, moments, lasts in self._actions if lasts)]
+        ending = [
+            (action.lost_at_m or 0.0, moments)
+            for action, moments, lasts in self._actions
+            if not lasts
+        ]
+        if not ending:
+            return self._mechanism(lasting)
+        after = [
+            (end, self._mechanism([*lasting, *(each for lost, each in ending if lost > end)]))
+            for end in sorted({lost for lost, _ in ending})
+        ]
+        worse = unfavourable(lasting, (moments for _, moments in ending))
+        return self._mechanism(
+            [*lasting, *(moments for _, moments in ending)],
+            after=tuple(after),
+            in_runs=self._mechanism([*lasting, *worse]),
+        )
+
+    def _mechanism(
+        self,
+        parts: list[Moments],
+        after: tuple[tuple[float, Mechanism], ...] = (),
+        in_runs: Mechanism | None = None,
+    ) -> Mechanism:
+        """Return the mechanism of what acts."""
+        sums = Moments.total(parts)
+        lever, moment = sums.weight_lever_kn_m, sums.weight_moment_kn_m
+        reach = (lever * lever + moment * moment) / sums.weight_kn
         return Mechanism(
             name=self.name,
-            stabilising_kn_m=weight_lever + _moment(self.ties) - _moment(self.thrusts),
-            weight_moment_kn_m=weight_moment,
-            push_moment_kn_m=weight_moment + math.fsum(w * z for w, z in pushing),
-            push_kn=weights + math.fsum(w for w, _ in pushing),
-            second_moment_kn_m2=weight_second + push_second,
-            inertia_kn_m2=inertia,
-            compactness=reach / inertia,
+            stabilising_kn_m=sums.stabilising_kn_m,
+            weight_moment_kn_m=moment,
+            push_moment_kn_m=sums.push_moment_kn_m,
+            push_kn=sums.push_kn,
+            second_moment_kn_m2=sums.second_moment_kn_m2,
+            lumped_moment_kn_m2=sums.lumped_moment_kn_m2,
+            inertia_kn_m2=sums.inertia_kn_m2,
+            compactness=reach / sums.inertia_kn_m2,
             confidence_factor=self.confidence_factor,
             one_sided=bool(self.one_sided),
             restitution=self.restitution,
+            free=self.free,
+            elastic_period_s=self.t0_s,
+            after=after,
+            in_runs=in_runs,
         )
 
     def _check_restitution(self) -> None:
@@ -363,36 +348,29 @@ class Facade:
                 f"which are {number(mechanism.weight_moment_kn_m)} kN m",
                 KILONEWTONS,
             )
-        if held > 0.0:
-            return
         pushed = _moment(self.thrusts)
-        top = max((each.z_m for each in self.ties), default=self.height_m)
-        raise ModelError(
-            self.name,
-            Words("falls by itself"),
-            f"weights and ties hold {number(held + pushed)} kN m about the hinge against "
-            f"{number(pushed)} kN m of thrusts",
-            f"add ties of more than {number(-held / top)} kN at {number(top)} m, or check "
-            "hinge_inset_m, loads and thrusts",
-        )
+        if held <= 0.0:
+            top = max((each.z_m for each in self.ties), default=self.height_m)
+            raise ModelError(
+                self.name,
+                Words("falls by itself"),
+                f"weights and ties hold {number(held + pushed)} kN m about the hinge against "
+                f"{number(pushed)} kN m of thrusts",
+                f"add ties of more than {number(-held / top)} kN at {number(top)} m, or check "
+                "hinge_inset_m, loads and thrusts",
+            )
+        for each in (*(each for _, each in mechanism.after), mechanism.rocking):
+            if each.stabilising_kn_m <= 0.0:
+                names = ", ".join(one.name for one in self.ending)
+                raise ModelError(
+                    self.name,
+                    Words(f"falls by itself without {names}"),
+                    f"{number(-each.stabilising_kn_m)} kN m about the hinge are missing, and d0 "
+                    "counts only what is verified to act up to collapse",
+                    "set until_collapse = true where that is verified, or add ties",
+                )
 
 
 def _moment(forces: tuple[Tie, ...] | tuple[Thrust, ...]) -> float:
     """Return the moment of horizontal forces about the hinge [kN m]."""
     return math.fsum(each.force_kn * each.z_m for each in forces)
-
-
-def _check_numbers(
-    thing: Facade | Load | PushingMass | Tie | Thrust, kind: str, keys: tuple[str, ...]
-) -> None:
-    """Validate the name and the numbers of a thing, and keep them as floats."""
-    name: object = thing.name
-    if not isinstance(name, str) or not name.strip() or not name.isprintable():
-        # Others break lines, move the cursor of a terminal or turn the text around.
-        valid = "it must be a text of printable characters in one line"
-        raise InputError("name", name, valid, "give a name, as 'roof'")
-    place = f" of {kind} {thing.name}" if kind else ""
-    for key in keys:
-        low, high, ends, hint = BOUNDS[key]
-        value = in_range(f"{key}{place}", getattr(thing, key), low, high, ends, hint=hint)
-        object.__setattr__(thing, key, value)

@@ -18,7 +18,7 @@ from rocksteady.risk.facades.remark import Remark
 Method = Literal["linear", "nonlinear static", "dynamic"]
 
 PAGES: Final = "272-277"
-"""Pages of the circular, as the transcription has them."""
+"""Pages of the circular."""
 IN_TABLE: Final = ("no_demand", "q", "mean_of_runs", "eta")
 """Remarks that a text leaves out: its table shows them, or they follow from a formula."""
 MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "value", left=True))
@@ -39,7 +39,7 @@ class Check:
     formula
         Number of the formula or of the paragraph of the circular.
     page
-        Its pages, of the transcription.
+        Its pages.
     quantity, unit
         Quantity that is compared: "acceleration" in g, or "displacement" in m.
     demand
@@ -134,7 +134,8 @@ class FacadeCheck(Result):
                 damping = "10" if state == "SLC" else "8"
                 yield Remark("static_or_dynamic", (f"{period:.3g}", damping))
             if passing and failing and "linear" in passing | failing:
-                yield Remark("linear_or_displacement")
+                free = self.facade.free
+                yield Remark("free_or_displacement" if free else "linear_or_displacement")
 
     @property
     def verdict(self) -> str:
@@ -160,12 +161,21 @@ class FacadeCheck(Result):
     @property
     def remarks(self) -> tuple[Remark, ...]:
         """What a reader must know of the formulas."""
-        mechanism = self.mechanism
-        numbers = (1.0 / mechanism.e_star, mechanism.alpha0, mechanism.uplift_g, mechanism.a0_g)
-        remarks = [Remark("transcription"), Remark("second_conditions")]
+        mechanism, facade = self.mechanism, self.facade
+        both = (mechanism.a0_g, mechanism.e_star, mechanism.a0_lumped_g, mechanism.e_star_lumped)
+        remarks = []
+        if facade.ending:
+            names = ", ".join(each.name for each in facade.ending)
+            remarks.append(Remark("ending", (names,)))
+        key = "e_star_free" if facade.free else "e_star"
+        remarks.append(Remark(key, _texts(*both, *([mechanism.linear_g] if facade.free else []))))
+        if facade.kind == "gable" and not facade.free:
+            remarks.append(Remark("gable_top"))
+        remarks += [Remark("standard"), Remark("second_conditions")]
         if self.runs is not None:
-            remarks.append(Remark("uplift", tuple(f"{value:.3g}" for value in numbers)))
-            facade = self.facade
+            remarks.append(Remark("uplift", _texts(mechanism.uplift_g, mechanism.a0_g)))
+            if facade.free:
+                remarks.append(Remark("rigid_runs"))
             if facade.loads or facade.masses or facade.ties or facade.thrusts:
                 remarks.append(Remark("in_line"))
         return tuple(remarks)
@@ -193,10 +203,12 @@ class FacadeCheck(Result):
         # People read the checks first: the facts are a table below them.
         facts = [replace(fact, label="") for fact in mechanism.facts]
         facts.append(Fact("verdict", self.sentence))
+        facts.append(Fact("ending", [each.name for each in self.facade.ending]))
+        curve = [{"displacement_m": d, "capacity_g": a} for d, a in self.mechanism.curve]
         sizes = [
             {"name": fact.label, "value": fact.words}
             for fact in mechanism.facts
-            if fact.key not in ("name", "d_slv_m", "d_slc_m")
+            if fact.label and fact.key not in ("name", "d_slv_m", "d_slc_m")
         ]
         if self.runs is not None:
             facts.append(Fact("runs", self.runs.describe().to_dict()))
@@ -207,6 +219,7 @@ class FacadeCheck(Result):
                 Table("checks", rows),
                 Table("", shown, columns),
                 Table("", sizes, MECHANISM, title="Mechanism"),
+                Table("capacity_curve", curve),
             ],
             notes=[*map(str, self.reasons), *self._of_checks(), *map(str, self.remarks)],
         )
@@ -240,6 +253,11 @@ def _row(check: Check) -> dict[str, object]:
         "satisfied": check.satisfied,
         "remark": check.remark,
     }
+
+
+def _texts(*values: float) -> tuple[str, ...]:
+    """Return numbers as a remark has them."""
+    return tuple(f"{value:.3g}" for value in values)
 
 
 def _listed(checks: tuple[Check, ...]) -> str:

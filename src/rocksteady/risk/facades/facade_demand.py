@@ -65,10 +65,10 @@ class FacadeDemand:
                 )
 
     @property
-    def given(self) -> tuple[str, ...]:
+    def given(self) -> tuple[LimitState, ...]:
         """The limit states that have a demand."""
-        states = {"SLD": self.sld, "SLV": self.slv, "SLC": self.slc}
-        return tuple(state for state, spectrum in states.items() if spectrum is not None)
+        states: tuple[LimitState, ...] = ("SLD", "SLV", "SLC")
+        return tuple(state for state in states if self.of(state) is not None)
 
     def of(self, limit_state: LimitState) -> DemandSpectrum | None:
         """Return the spectrum of a limit state; None without.

@@ -46,7 +46,7 @@ class FacadeRuns(Result):
 
     A run counts as beyond d0 where the facade overturns, where it tilts beyond its balance and
     comes back, and where its end could not be decided.  A displacement is that of the control
-    point, ``d = d0 theta/theta0``, and infinite where the facade does not come back.
+    point, ``d = run_d0 theta/theta0``, and infinite where the facade does not come back.
 
     Attributes
     ----------
@@ -159,7 +159,8 @@ class FacadeRuns(Result):
         ]
         rows, runs = list(self._by_record()), list(self._by_run())
         criterion = (
-            "Circolare 2019 n. 7, C8.7.1.2.1.9 (pp. 272-277, unreviewed transcription): no run "
+            "Circolare 2019 n. 7, C8.7.1.2.1.9 (pp. 272-277, not checked against the printed "
+            "standard): no run "
             f"beyond d0, and a mean of the largest displacements of at most d_{self.limit_state}; "
             "of each record the larger of both signs counts."
         )
@@ -261,11 +262,12 @@ def run_facade(
     followed after the record's end to rest or proven overturning::
 
         theta'' = -p^2 [sin(theta0 - theta) - lambda a(t)/g cos(theta0 - theta)],
-        p^2 = sqrt(M^2 + K^2)/(I FC),    lambda = FC D/K,    d = d0 theta/theta0
+        p^2 = sqrt(M^2 + K^2)/(I FC),    lambda = FC D/K,    d = run_d0 theta/theta0
 
-    with the sign of a(t) that tilts outwards.  This is exact where the centres of all masses lie on
-    a line from the hinge, and to O(theta^2) elsewhere.  A vertical component changes the weight of
-    all that carries or holds, ties and thrusts too.
+    with the sign of a(t) that tilts outwards.  What ends and holds the facade is left out from the
+    beginning, and what ends and does not hold it acts throughout (`Mechanism.in_runs`).  This is
+    exact where the centres of all masses lie on a line from the hinge, and to O(theta^2) elsewhere.
+    A vertical component changes the weight of all that carries or holds, ties and thrusts too.
 
     Parameters
     ----------
@@ -322,6 +324,7 @@ def run_facade(
         run=run,
     )
     shape = (len(grounds), len(signs))
+    over = mechanism.run_d0_m / mechanism.d0_m  # at most 1
     status = dataset["status"].values.astype(np.int64).reshape(shape)
     tilt = dataset["peak_angle"].values.reshape(shape)
     return FacadeRuns(
@@ -334,7 +337,7 @@ def run_facade(
         scale=factors,
         vertical=tuple(ground.vertical is not None for ground in grounds),
         status=status,
-        share=np.where(np.isin(status, ENDED), tilt, np.inf),
+        share=np.where(np.isin(status, ENDED), tilt * over, np.inf),
         motions=None if different == len(grounds) else different,
     )
 

@@ -1,5 +1,6 @@
 """Overturning mechanism of a facade: activation multiplier, capacity curve, equivalent block."""
 
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -31,6 +32,9 @@ class Mechanism(Result):
         M = sum P (x - x_h) + sum T z - sum H z        K = sum P z
         D = sum (P + Q) z      S = sum (P + Q) z^2     I = sum (P + Q) r^2 (of Q: z^2 alone)
 
+    alpha_0 and a0 count all that acts at rest.  d0 counts only what is verified to act up to
+    collapse: the capacity curve drops where an action ends.
+
     Parameters
     ----------
     name
@@ -45,6 +49,8 @@ class Mechanism(Result):
         Sum of weights and pushing masses [kN].
     second_moment_kn_m2
         S, weights and pushing masses times squared heights [kN m^2].
+    lumped_moment_kn_m2
+        S with the mass of each body at its centre [kN m^2].
     inertia_kn_m2
         I, moment of inertia about the hinge times gravity [kN m^2].
     compactness
@@ -56,6 +62,16 @@ class Mechanism(Result):
     restitution
         Restitution of the impacts on the building behind, or of two-sided rocking; "housner" or a
         number.
+    free
+        Whether it is an element free to vibrate; default False.
+    elastic_period_s
+        T0 of an element free to vibrate [s], which begins its capacity curve; default None.
+    after
+        Displacement [m] at which actions end, and the mechanism of those that still act, ascending;
+        the last one is of those that act up to collapse.  Default none ends.
+    in_runs
+        Mechanism of the runs: without what ends and holds the facade, with what ends and does not;
+        default None, where it is the same.
 
     Examples
     --------
@@ -72,11 +88,26 @@ class Mechanism(Result):
     push_moment_kn_m: float
     push_kn: float
     second_moment_kn_m2: float
+    lumped_moment_kn_m2: float
     inertia_kn_m2: float
     compactness: float
     confidence_factor: float
     one_sided: bool
     restitution: Restitution = "housner"
+    free: bool = False
+    elastic_period_s: float | None = None
+    after: tuple[tuple[float, "Mechanism"], ...] = ()
+    in_runs: "Mechanism | None" = None
+
+    @property
+    def lasting(self) -> "Mechanism":
+        """Mechanism of the actions that are verified up to collapse."""
+        return self.after[-1][1] if self.after else self
+
+    @property
+    def rocking(self) -> "Mechanism":
+        """Mechanism of the runs."""
+        return self if self.in_runs is None else self.in_runs
 
     @property
     def alpha0(self) -> float:
@@ -85,14 +116,20 @@ class Mechanism(Result):
 
     @property
     def theta0_rad(self) -> float:
-        """Rotation without restoring moment, atan(M/K) [rad]."""
-        return float(atan2(self.stabilising_kn_m, self.weight_moment_kn_m))
+        """Rotation without restoring moment in runs, atan(M/K) [rad]."""
+        rocking = self.rocking
+        return float(atan2(rocking.stabilising_kn_m, rocking.weight_moment_kn_m))
 
     @property
     def e_star(self) -> float:
         """Participating mass fraction, e* = D^2/(sum(P + Q) S) (C8.7.1.5)."""
         push = self.push_moment_kn_m
         return push * push / (self.push_kn * self.second_moment_kn_m2)
+
+    @property
+    def e_star_lumped(self) -> float:
+        """Participating mass fraction e* with the mass of each body at its centre."""
+        return self.e_star * self.second_moment_kn_m2 / self.lumped_moment_kn_m2
 
     @property
     def mass_kg(self) -> float:
@@ -106,19 +143,47 @@ class Mechanism(Result):
         return self.alpha0 / (self.e_star * self.confidence_factor)
 
     @property
+    def a0_lumped_g(self) -> float:
+        """Acceleration a0 with the mass of each body at its centre, never above `a0_g` [g]."""
+        return self.alpha0 / (self.e_star_lumped * self.confidence_factor)
+
+    @property
+    def linear_g(self) -> float:
+        """Capacity of the linear checks [g]: alpha_0/FC if free to vibrate, else the smaller a0."""
+        if self.free:
+            return self.alpha0 / self.confidence_factor
+        return min(self.a0_g, self.a0_lumped_g)
+
+    @property
     def uplift_g(self) -> float:
-        """Base acceleration that lifts the equivalent block, alpha_0/FC [g]."""
-        return self.alpha0 / self.confidence_factor
+        """Base acceleration that lifts the equivalent block of the runs, alpha_0/FC [g]."""
+        return self.rocking.alpha0 / self.confidence_factor
 
     @property
     def arm_m(self) -> float:
         """Height of the displacement d, S/D [m]: 2/3 of the height of a rectangle."""
-        return self.second_moment_kn_m2 / self.push_moment_kn_m
+        lasting = self.lasting
+        return lasting.second_moment_kn_m2 / lasting.push_moment_kn_m
+
+    def _zero_m(self, arm_m: float) -> float:
+        """Return the displacement at a height at which the moment of these actions is zero."""
+        return self.stabilising_kn_m / self.weight_moment_kn_m * arm_m
 
     @property
     def d0_m(self) -> float:
-        """Displacement without restoring moment, tan(theta0) S/D [m]: 2 t/3 of a rectangle."""
-        return self.stabilising_kn_m / self.weight_moment_kn_m * self.arm_m
+        """Displacement without restoring moment up to collapse [m]: 2 t/3 of a rectangle."""
+        arm, stages = self.arm_m, ((0.0, self), *self.after)
+        zeros = [self.lasting._zero_m(arm)]
+        for (start, stage), (end, _) in itertools.pairwise(stages):
+            zero = stage._zero_m(arm)
+            if zero < end:
+                zeros.append(max(zero, start))
+        return min(zeros)
+
+    @property
+    def run_d0_m(self) -> float:
+        """Displacement of the rotation theta0 of the runs [m]; at most `d0_m`."""
+        return self.rocking._zero_m(self.arm_m)
 
     @property
     def d_slv_m(self) -> float:
@@ -143,16 +208,21 @@ class Mechanism(Result):
     @property
     def p_rad_s(self) -> float:
         """Frequency parameter of the equivalent block, sqrt(g sqrt(M^2 + K^2)/(I FC)) [rad/s]."""
-        moment = hypot(self.stabilising_kn_m, self.weight_moment_kn_m)
-        return math.sqrt(STANDARD_GRAVITY * moment / (self.inertia_kn_m2 * self.confidence_factor))
+        block = self.rocking
+        moment = hypot(block.stabilising_kn_m, block.weight_moment_kn_m)
+        return math.sqrt(STANDARD_GRAVITY * moment / (block.inertia_kn_m2 * self.confidence_factor))
 
     @property
     def base_factor(self) -> float:
         """Factor of the base acceleration of the equivalent block, (D/K) FC."""
-        return self.push_moment_kn_m / self.weight_moment_kn_m * self.confidence_factor
+        block = self.rocking
+        return block.push_moment_kn_m / block.weight_moment_kn_m * self.confidence_factor
 
     def capacity_g(self, displacement_m: float) -> float:
-        """Return the capacity a(d) = a0 (1 - d/d0) [g], below 0 beyond d0.
+        """Return the capacity a(d) = a0 (1 - d/d0) of what acts at d [g], below 0 beyond d0.
+
+        At d = 0 all acts; what is not verified has ended at any d above 0.  The curve of an element
+        free to vibrate begins with (2 pi/T0)^2 d (C8.7.1.6).
 
         Raises
         ------
@@ -161,7 +231,33 @@ class Mechanism(Result):
         """
         hint = "give the displacement in metres"
         distance = non_negative("displacement_m", displacement_m, hint=hint)
-        return self.a0_g * (1.0 - distance / self.d0_m)
+        if distance >= self.d0_m:
+            return self.lasting.a0_g * (1.0 - distance / self.d0_m)
+        ended = [each for start, each in self.after if 0.0 < distance >= start]
+        stage = ended[-1] if ended else self
+        rigid = stage.a0_g * (1.0 - distance / stage._zero_m(self.arm_m))
+        if self.elastic_period_s is None:
+            return rigid
+        rate = 2.0 * math.pi / self.elastic_period_s
+        return min(rigid, rate * rate * distance / STANDARD_GRAVITY)
+
+    @property
+    def curve(self) -> tuple[tuple[float, float], ...]:
+        """Corners of the capacity curve from d = 0 to d0: displacement [m], capacity [g]."""
+        d0, arm = self.d0_m, self.arm_m
+        points = [(0.0, self.capacity_g(0.0))]
+        least = 1e-9 * self.a0_g  # what rounding leaves at d0
+        for end, _ in (*self.after, (d0, self)):
+            if end <= d0:
+                sides = (math.nextafter(end, 0.0), math.nextafter(end, d0))
+                heights = (self.capacity_g(side) for side in sides)
+                points += [(end, each if each > least else 0.0) for each in heights]
+        if self.elastic_period_s is not None:
+            rate = (2.0 * math.pi / self.elastic_period_s) ** 2 / STANDARD_GRAVITY
+            for stage in (self, *(each for _, each in self.after)):
+                place = stage.a0_g / (rate + stage.a0_g / stage._zero_m(arm))
+                points += [(place, self.capacity_g(place))] if place < d0 else []
+        return tuple(dict.fromkeys(sorted(points, key=lambda point: point[0])))
 
     def period_s(self, share: float, factor: float) -> float:
         """Return a secant period, factor pi sqrt(d/a(d)) [s], at a share of d0 in (0, 1).
@@ -182,8 +278,8 @@ class Mechanism(Result):
         """Return the equivalent block: alpha = theta0, p of the mechanism with FC.
 
         The base acceleration of a run is `base_factor` times that of the ground; a rotation theta
-        is the displacement d0 theta/theta0.  Exact where all masses are in line with the hinge and
-        no tie, thrust or pushing mass acts, else to the order of theta^2.
+        is the displacement `run_d0_m` theta/theta0.  Exact where all masses are in line with the
+        hinge and no tie, thrust or pushing mass acts, else to the order of theta^2.
 
         Raises
         ------
@@ -191,11 +287,12 @@ class Mechanism(Result):
             If the facade is too stocky for a restitution "housner".
         """
         alpha, rate = self.theta0_rad, self.p_rad_s
-        radius = self.compactness * STANDARD_GRAVITY / (rate * rate)
+        compactness = self.rocking.compactness
+        radius = compactness * STANDARD_GRAVITY / (rate * rate)
         try:
             made = Block.general(
                 mass=1.0,
-                inertia=radius * radius / self.compactness,
+                inertia=radius * radius / compactness,
                 radius=radius,
                 alpha=alpha,
                 restitution="housner" if self.one_sided else self.restitution,
@@ -215,10 +312,35 @@ class Mechanism(Result):
         facts = [
             Fact("name", self.name, "facade"),
             Fact("alpha0", self.alpha0, "activation multiplier alpha_0 (1)", number(self.alpha0)),
-            Fact("e_star", self.e_star, "participating mass fraction e* (5)", number(self.e_star)),
+            Fact("e_star", self.e_star, "e* (5), mass spread", number(self.e_star)),
+            Fact(
+                "e_star_lumped",
+                self.e_star_lumped,
+                "e*, mass at the centres",
+                number(self.e_star_lumped),
+            ),
             Fact("mass_kg", self.mass_kg, "participating mass", quantity(self.mass_kg, "kg")),
             Fact("confidence_factor", self.confidence_factor, "confidence factor FC"),
-            Fact("a0_g", self.a0_g, "activation acceleration a0 (3)", quantity(self.a0_g, "g")),
+            Fact("a0_g", self.a0_g, "a0 (3), mass spread", quantity(self.a0_g, "g")),
+            Fact(
+                "a0_lumped_g",
+                self.a0_lumped_g,
+                "a0, mass at the centres",
+                quantity(self.a0_lumped_g, "g"),
+            ),
+            Fact(
+                "linear_g",
+                self.linear_g,
+                "capacity of the linear checks",
+                quantity(self.linear_g, "g"),
+            ),
+            Fact(
+                "elastic_period_s",
+                self.elastic_period_s,
+                "" if self.elastic_period_s is None else "elastic period T0",
+                "" if self.elastic_period_s is None else quantity(self.elastic_period_s, "s"),
+            ),
+            Fact("arm_m", self.arm_m, "height of the displacement d", length(self.arm_m)),
             Fact("d0_m", self.d0_m, "displacement of zero capacity d0", length(self.d0_m)),
             Fact("d_slv_m", self.d_slv_m, "d_SLV = 0.4 d0", length(self.d_slv_m)),
             Fact("d_slc_m", self.d_slc_m, "d_SLC = 0.6 d0", length(self.d_slc_m)),

@@ -19,15 +19,9 @@ from rocksteady.risk.facades._facade_schema import (
     FacadeTable,
     SpectrumKeys,
 )
+from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
-from rocksteady.risk.facades.facade import (
-    KNOWLEDGE_LEVELS,
-    Facade,
-    Load,
-    PushingMass,
-    Thrust,
-    Tie,
-)
+from rocksteady.risk.facades.facade import KNOWLEDGE_LEVELS, Facade
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand
 from rocksteady.risk.facades.spectrum_table import read_spectrum_table
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
@@ -75,6 +69,7 @@ class FacadeFile(Result):
             "ties": len(facade.ties),
             "thrusts": len(facade.thrusts),
         }
+        ending = [each.name for each in facade.ending]
         facts = [
             Fact("name", facade.name, "facade"),
             Fact("kind", facade.kind, "kind"),
@@ -82,6 +77,10 @@ class FacadeFile(Result):
             Fact("height_m", facade.height_m, "height", f"{facade.height_m:g} m"),
             Fact("weight_kn", facade.weight_kn, "own weight", f"{facade.weight_kn:.4g} kN"),
             *(Fact(key, count, key) for key, count in acting.items()),
+            Fact("ending", ending, "not counted in d0", ", ".join(ending) or "none"),
+            Fact("base_height_m", facade.base_height_m),
+            Fact("elastic_modulus_mpa", facade.elastic_modulus_mpa),
+            Fact("t0_s", facade.t0_s),
             Fact("confidence_factor", facade.confidence_factor, "confidence factor FC"),
             Fact("one_sided", facade.one_sided, "one-sided"),
             Fact("demand", list(self.demand.given), "demand", ", ".join(self.demand.given) or "—"),
@@ -102,9 +101,9 @@ def read_facade(path: Path | str) -> FacadeFile:
     path
         The file: a table ``[facade]`` with the keys of `Facade`, or ``knowledge_level`` in place of
         ``confidence_factor``; any number of ``[[loads]]``, ``[[masses]]``, ``[[ties]]`` and
-        ``[[thrusts]]``; ``[demand.sld]``, ``[demand.slv]`` and ``[demand.slc]`` with the keys of
-        `ElasticSpectrum`, or ``table``, a file beside it as `read_spectrum_table` reads it, and
-        ``damping``.
+        ``[[thrusts]]``, which but for masses may say ``until_collapse`` or ``lost_at_m``;
+        ``[demand.sld]``, ``[demand.slv]`` and ``[demand.slc]`` with the keys of `ElasticSpectrum`,
+        or ``table``, a file beside it as `read_spectrum_table` reads it, and ``damping``.
 
     Returns
     -------

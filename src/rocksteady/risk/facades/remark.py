@@ -22,15 +22,27 @@ TEMPLATES: Final[Mapping[str, str]] = {
     "mean_of_runs": "mean of the largest displacements, no run beyond d0",
     "linear_or_displacement": "The linear check compares the peak acceleration divided by q = 2 "
     "with a0, which does not depend on size; the displacement capacity grows with the thickness.",
+    "free_or_displacement": "The linear check compares S_e(T0) with alpha_0 g/FC, which does not "
+    "depend on size; the displacement capacity grows with the thickness.",
     "static_or_dynamic": "The nonlinear static demand is the displacement of an elastic "
     "oscillator of the secant period {0} s with {1} % damping; the dynamic one is that of a rigid "
     "block that lifts, falls back and loses velocity at each impact.",
-    "transcription": "Formulas of Circolare 2019 n. 7, C8.7.1, pp. 272-277, from an unreviewed "
-    "transcription: compare with the official text.",
+    "standard": "Formulas of Circolare 2019 n. 7, C8.7.1, pp. 272-277: not checked against the "
+    "printed standard.",
     "second_conditions": "The second conditions on d_SLV and d_SLC could not be read: 0.4 d0 and "
     "0.6 d0 alone are used.",
-    "uplift": "a0 FC is 1/e* = {0} times the acceleration alpha_0 g = {1} g that lifts a rigid "
-    "block: motion begins at {2} g in the runs (with FC), at a0 = {3} g in the static checks.",
+    "ending": "d0 counts only what is verified to act up to collapse (C8.7.1.2.1.6): not {0}.",
+    "e_star": "a0 is {0} g with the mass spread (e* = {1}) and {2} g with the mass of each body "
+    "at its centre (e* = {3}): the smaller decides the linear checks.",
+    "e_star_free": "a0 would be {0} g with the mass spread (e* = {1}) and {2} g with the mass of "
+    "each body at its centre (e* = {3}); alpha_0 g/FC = {4} g decides (C8.7.1.9).",
+    "free": "S_e(T0 = {0} s) with 5 % damping, at z = {1} m, without q: the element is free to "
+    "vibrate",
+    "rigid_runs": "The runs take the element as rigid: its elastic vibration is not in them.",
+    "gable_top": "The gable is checked as bound to what stands behind it: a top that is free to "
+    "vibrate has one_sided = false.",
+    "uplift": "Motion begins at alpha_0 g/FC = {0} g in the runs, where a rigid block lifts "
+    "without what is not counted in d0; the capacity curve begins at a0 = {1} g.",
     "in_line": "With loads, ties, thrusts or pushing masses the equivalent block is accurate to "
     "the order of theta^2; it is exact where all masses lie in line with the hinge.",
 }

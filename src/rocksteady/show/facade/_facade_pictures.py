@@ -88,12 +88,14 @@ def _words_of_capacity(check: FacadeCheck, words: Language) -> str:
         for each in check.checks
         if each.unit == "m" and each.demand is not None
     ]
+    drops = words.joined([length(place, words) for place, _ in mechanism.after])
     return words(
         "alt_capacity",
-        a0=words.quantity(mechanism.a0_g, "g"),
+        a0=words.quantity(mechanism.capacity_g(0.0), "g"),
         d0=length(mechanism.d0_m, words),
         slv=length(mechanism.d_slv_m, words),
         slc=length(mechanism.d_slc_m, words),
+        drops=words("alt_drops", places=drops) if drops else "",
         demands=words("alt_demands", demands="; ".join(demands)) if demands else "",
     )
 

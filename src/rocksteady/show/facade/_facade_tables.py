@@ -98,14 +98,15 @@ def sentences_of(check: FacadeCheck, words: Language) -> list[str]:
 
 def check_rows(check: FacadeCheck, words: Language) -> list[Row]:
     """Return a row for each check."""
-    return [_check_row(each, words) for each in check.checks]
+    return [_check_row(each, words, free=check.facade.free) for each in check.checks]
 
 
-def _check_row(each: Check, words: Language) -> Row:
+def _check_row(each: Check, words: Language, *, free: bool) -> Row:
     """Return a check in words."""
     word, look = LOOKS[each.satisfied]
     key = f"quantity_{each.method}"
-    key = f"{key}_{each.limit_state}" if each.method == "linear" else key
+    if each.method == "linear":
+        key = f"{key}_free" if free else f"{key}_{each.limit_state}"
     ratio = each.ratio
     return {
         "state": each.limit_state,
@@ -165,7 +166,12 @@ def facade_rows(check: FacadeCheck, words: Language) -> list[Row]:
         ),
         ("fact_sides", words["one_sided" if facade.one_sided else "two_sided"], ""),
         ("fact_restitution", ratio, given),
+        ("fact_free", words["free" if facade.free else "bound"], ""),
     ]
+    if facade.base_height_m is not None:
+        rows.append(("fact_z", metres(facade.base_height_m), ""))
+    if facade.elastic_modulus_mpa is not None:
+        rows.append(("fact_modulus", words.quantity(facade.elastic_modulus_mpa, "MPa", 4), ""))
     return [{"name": words[key], "words": text, "note": note} for key, text, note in rows]
 
 
@@ -196,10 +202,20 @@ def acting_rows(check: FacadeCheck, words: Language) -> list[Row]:
             "force": words.number(getattr(each, "weight_kn", None) or each.force_kn),
             "x": words.number(getattr(each, "x_m", None), LENGTH_DIGITS),
             "z": words.number(each.z_m, LENGTH_DIGITS),
+            "end": _end_of(each, facade, words),
         }
         for kind, group in groups
         for each in group
     ]
+
+
+def _end_of(action: Any, facade: Facade, words: Language) -> str:
+    """Return whether d0 counts an action, or the displacement at which it ends."""
+    if not any(action is each for each in facade.ending):
+        return words["end_counts"]
+    if action.lost_at_m is None:
+        return words["end_not"]
+    return words("end_at", place=length(action.lost_at_m, words))
 
 
 def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
@@ -210,9 +226,18 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
     rows = [
         ("α₀", "m_alpha0", words.number(mechanism.alpha0), "C8.7.1.1 †"),
         ("e*", "m_e_star", words.number(mechanism.e_star), "C8.7.1.5 †"),
+        ("e*", "m_e_lumped", words.number(mechanism.e_star_lumped), "C8.7.1.5 †"),
         ("M*", "m_mass", words.quantity(mechanism.mass_kg, "kg", 4), "e* †"),
         ("FC", "m_fc", words.number(mechanism.confidence_factor), "C8.5.IV †"),
         ("a₀", "m_a0", words.quantity(mechanism.a0_g, "g"), "C8.7.1.3 †"),
+        ("a₀", "m_a0_lumped", words.quantity(mechanism.a0_lumped_g, "g"), "C8.7.1.3 †"),
+        (
+            "α₀ g/FC" if mechanism.free else "min a₀",
+            "m_linear",
+            words.quantity(mechanism.linear_g, "g"),
+            f"C8.7.1.{9 if mechanism.free else 8} †",
+        ),
+        ("z_d", "m_arm", length(mechanism.arm_m, words), "C8.7.1.2.1 †"),
         ("d₀", "m_d0", length(mechanism.d0_m, words), "C8.7.1.2.1 †"),
         ("d_SLV", "m_dslv", length(mechanism.d_slv_m, words), "C8.7.1.2.1 †"),
         ("d_SLC", "m_dslc", length(mechanism.d_slc_m, words), "C8.7.1.2.1 †"),
@@ -223,6 +248,8 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
         ("λ", "m_lambda", words.number(mechanism.base_factor), block),
         ("α₀ g/FC", "m_uplift", words.quantity(mechanism.uplift_g, "g"), block),
     ]
+    if mechanism.elastic_period_s is not None:
+        rows.append(("T₀", "m_t0", words.quantity(mechanism.elastic_period_s, "s"), "C8.7.1.9 †"))
     return [
         {"symbol": symbol, "meaning": words[key], "value": value, "source": source}
         for symbol, key, value, source in rows

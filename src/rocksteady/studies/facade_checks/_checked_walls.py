@@ -143,9 +143,9 @@ def checked_walls(plane: Plane, *, kept: Kept, done: Callable[[str], None]) -> C
     walls = plane.walls()
     shape = (len(plane.heights_m), len(plane.slendernesses))
     levels = plane.levels_g[:, np.newaxis, np.newaxis]
-    a0, d_slv = (
+    capacity, d_slv = (
         np.array([getattr(wall.mechanism, name) for wall in walls]).reshape(shape)
-        for name in ("a0_g", "d_slv_m")
+        for name in ("linear_g", "d_slv_m")
     )
     per_g = _spectral(plane, kept("spectra"))[:, np.newaxis]
     done("spectra")
@@ -156,7 +156,7 @@ def checked_walls(plane: Plane, *, kept: Kept, done: Callable[[str], None]) -> C
         done(f"runs: {name}")
     return CheckedWalls(
         plane=plane,
-        linear=levels / Q / a0,
+        linear=levels / Q / capacity,
         spectral=levels[..., np.newaxis] * per_g / d_slv[..., np.newaxis],
         dynamics=tuple(dynamics),
     )

@@ -99,6 +99,7 @@ def worked_values(wall: WorkedWall) -> dict[str, Any]:
         "d_slv_m": mechanism.d_slv_m,
         "d0_m": mechanism.d0_m,
         "a0_g": mechanism.a0_g,
+        "linear_g": mechanism.linear_g,
         "uplift_g": mechanism.uplift_g,
         "governing": runs.records[wall.governing],
         "direction": wall.direction,

@@ -9,6 +9,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rocksteady.errors import InputError
+from rocksteady.risk.facades.actions import Tie
+from rocksteady.risk.facades.check_facade import check_facade
+from rocksteady.risk.facades.facade import Facade
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.plots.facades.capacity import plot_capacity
 from tests.show.facade.checked_facades import alone, site, thin, tied
@@ -29,6 +32,23 @@ def test_it_falls_from_a0_to_zero_at_d0() -> None:
     x, y = (np.asarray(values, dtype=float) for values in drawn().lines[0].get_data())
     assert x.tolist() == pytest.approx([0.0, 200.0])
     assert y.tolist() == pytest.approx([4.0 / 30.0 / 1.35, 0.0])
+
+
+def test_it_drops_where_a_tie_that_is_not_verified_ends() -> None:
+    """Read back: a0 of the tied wall at 0, then the line of the wall without its tie."""
+    for until, end in (({}, 0.0), ({"lost_at_m": 0.05}, 50.0)):
+        facade = Facade(
+            name="held", thickness_m=0.3, height_m=3.0, confidence_factor=1.0,
+            ties=(Tie(name="rod", force_kn=2.0, z_m=3.0, **until),),  # type: ignore[arg-type]
+        )  # fmt: skip
+        axes = plot_capacity(check_facade(facade), Figure().add_subplot())
+        x, y = (np.asarray(values, dtype=float) for values in axes.lines[0].get_data())
+        # M = 16.2 x .15 + 2 x 3 = 8.43 and 2.43, K = D = 24.3: alpha_0 .346914 and .1.
+        drop = np.array([8.43, 2.43]) / 24.3 / 0.75 - end / 1500.0
+        assert x[-3:-1] == pytest.approx([end, end])
+        assert y[-3:-1] == pytest.approx(drop)
+        assert (x[0], y[0]) == pytest.approx((0.0, 8.43 / 24.3 / 0.75))
+        assert (x[-1], y[-1]) == pytest.approx((200.0, 0.0))
 
 
 def test_limits_stand_at_their_parts_of_d0() -> None:

@@ -9,9 +9,11 @@ ENGLISH: Final[dict[str, str]] = {
     # Plots
     "wall": "wall",
     "parapet": "parapet",
+    "pinnacle": "pinnacle",
     "gable": "gable",
     "the_wall": "the wall",
     "the_parapet": "the parapet",
+    "the_pinnacle": "the pinnacle",
     "the_gable": "the gable",
     "hinge": "hinge",
     "axis_position": "position [m]",
@@ -25,6 +27,7 @@ ENGLISH: Final[dict[str, str]] = {
     "demand_static": "static demand {state}",
     "demand_dynamic": "mean of runs {state}",
     "demand_linear": "linear demand {state}",
+    "capacity_linear": "capacity of the linear checks",
     "mean_largest": "mean {share}",
     "sign_as recorded": "as recorded",
     "sign_reversed": "reversed",
@@ -63,10 +66,7 @@ ENGLISH: Final[dict[str, str]] = {
     "why_agree": "All methods agree.",
     "why_nothing": "Give a demand, or 7 records or more, for a verdict.",
     # Table of checks
-    "checks_caption": (
-        "Each check with its formula. † Taken from an unreviewed transcription of the circular: "
-        "compare with the official text."
-    ),
+    "checks_caption": ("Each check with its formula. † Not checked against the printed standard."),
     "col_state": "limit state",
     "col_method": "method",
     "col_formula": "formula, page",
@@ -78,6 +78,7 @@ ENGLISH: Final[dict[str, str]] = {
     "pages": "pp. {page}",
     "quantity_linear_SLD": "peak acceleration S_e(0) ≤ a₀",
     "quantity_linear_SLV": "peak acceleration S_e(0)/q ≤ a₀, q = 2",
+    "quantity_linear_free": "spectral acceleration S_e(T₀, z) ≤ α₀ g/FC",
     "quantity_nonlinear static": "spectral displacement S_D(T_{state}) ≤ d_{state}",
     "quantity_dynamic": "no run beyond d₀, mean of largest d ≤ d_{state}",
     "beyond_all": "beyond d₀",
@@ -88,9 +89,10 @@ ENGLISH: Final[dict[str, str]] = {
     ),
     "alt_capacity": (
         "Capacity over displacement, from {a0} at zero to zero at {d0}, with the limits {slv} of "
-        "SLV and {slc} of SLC{demands}."
+        "SLV and {slc} of SLC{drops}{demands}."
     ),
     "alt_demand": "{state} {demand}",
+    "alt_drops": "; it changes where actions end, at {places}",
     "alt_demands": "; demands: {demands}",
     "alt_runs": (
         "Largest displacement over d₀ of {records} records and {signs} signs; {beyond} records go "
@@ -108,6 +110,7 @@ ENGLISH: Final[dict[str, str]] = {
     "section_runs": "Records",
     "section_wall": "The wall",
     "section_parapet": "The parapet",
+    "section_pinnacle": "The pinnacle",
     "section_gable": "The gable",
     "section_mechanism": "The mechanism",
     "section_demand": "Demand",
@@ -126,6 +129,11 @@ ENGLISH: Final[dict[str, str]] = {
     "fact_unit_weight": "unit weight",
     "fact_weight": "weight",
     "fact_hinge": "hinge, from the outer face",
+    "fact_z": "height of the hinge above the ground z",
+    "fact_modulus": "elastic modulus E",
+    "fact_free": "vibration",
+    "free": "free to vibrate (C8.7.1.9)",
+    "bound": "bound to the building",
     "fact_fc": "confidence factor FC",
     "fact_level": "knowledge level {level}",
     "fact_sides": "rocking",
@@ -140,6 +148,10 @@ ENGLISH: Final[dict[str, str]] = {
     "col_name": "name",
     "col_kind": "kind",
     "col_force": "force",
+    "col_end": "up to collapse",
+    "end_counts": "counted",
+    "end_not": "not counted",
+    "end_at": "to d = {place}",
     "col_x": "x",
     "col_z": "z",
     "kind_load": "vertical load, moves with it",
@@ -147,15 +159,22 @@ ENGLISH: Final[dict[str, str]] = {
     "kind_tie": "tie, pulls inwards",
     "kind_thrust": "thrust, pushes outwards",
     # The mechanism
-    "mechanism_caption": "Quantities from geometry and weights. † Unreviewed transcription.",
+    "mechanism_caption": (
+        "Quantities from geometry and weights. † Not checked against the printed standard."
+    ),
     "col_symbol": "symbol",
     "col_meaning": "meaning",
     "col_value": "value",
     "col_source": "from",
     "m_alpha0": "activation multiplier",
-    "m_e_star": "participating mass fraction",
+    "m_e_star": "participating mass fraction, mass spread",
+    "m_e_lumped": "participating mass fraction, mass at the centres",
+    "m_linear": "capacity of the linear checks",
+    "m_t0": "period of elastic vibration",
+    "m_arm": "height of the displacement d",
     "m_mass": "participating mass",
-    "m_a0": "spectral acceleration at activation",
+    "m_a0": "spectral acceleration at activation, mass spread",
+    "m_a0_lumped": "the same, mass at the centres",
     "m_d0": "displacement at which the capacity vanishes",
     "m_dslv": "displacement capacity of SLV, 0.4 d₀",
     "m_dslc": "displacement capacity of SLC, 0.6 d₀",
@@ -208,12 +227,15 @@ ENGLISH: Final[dict[str, str]] = {
         "push it, ties T and thrusts H, the stabilising moment is M = ΣP(x − x_h) + ΣTz − ΣHz and "
         "the overturning moment at α = 1 is D = Σ(P + Q)z: α₀ = M/D (1)†. With "
         "e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)†, a₀ = α₀ g/(e* FC) (3)†, and the capacity falls "
-        "linearly to zero at d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz)."
+        "linearly to zero at d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = atan(M/ΣPz). α₀ counts all that acts "
+        "at rest; d₀ counts what is verified to act up to collapse (C8.7.1.2.1.6)†."
     ),
     "method_2_name": "Linear check.",
     "method_2": (
         "SLD: the peak acceleration at the base is at most a₀ (8)†. SLV: the peak acceleration "
-        "divided by the behaviour factor q = 2 is at most a₀†."
+        "divided by the behaviour factor q = 2 is at most a₀†. a₀ is the smaller of two: with the "
+        "mass spread over each body, and with the mass at its centre. An element free to vibrate: "
+        "S_e(T₀, 5 %, z) is at most α₀ g/FC for both, T₀ = 6.2 (L/t) L √(W/(g E)) (9)†."
     ),
     "method_3_name": "Nonlinear static check.",
     "method_3": (
@@ -225,7 +247,8 @@ ENGLISH: Final[dict[str, str]] = {
         "No run goes beyond d₀, and the mean over 7 records or more of the largest displacements "
         "is at most d_SLV or d_SLC (C8.7.1.2.1.9)†. Between impacts a run solves "
         "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] with p² = g √(M² + K²)/(I FC), λ = FC D/K, "
-        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block, not an oscillator."
+        "K = ΣPz, and d = d₀ θ/θ₀: a rigid block, not an oscillator. What ends and holds is left "
+        "out from the beginning; what ends and does not hold acts throughout."
     ),
     # Assumptions
     "assumed": "Assumed",
@@ -264,7 +287,9 @@ ENGLISH: Final[dict[str, str]] = {
         "No flexible floors, roofs or diaphragms: loads keep their weight, and the building behind "
         "does not move relative to the ground."
     ),
-    "not_ties": "Ties pull with a constant force: no stretching, no yielding, no pull-out.",
+    "not_ties": (
+        "Ties pull with a constant force until they end: no stretching, no yielding, no pull-out."
+    ),
     "not_corners": "No bond with cross walls and no friction against them.",
     "not_height": (
         "No amplification over the height of the building, unless the demand is a floor spectrum "

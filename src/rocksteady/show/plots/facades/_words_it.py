@@ -7,9 +7,11 @@ ITALIAN: Final[dict[str, str]] = {
     # Plots
     "wall": "parete",
     "parapet": "parapetto",
+    "pinnacle": "pinnacolo",
     "gable": "timpano",
     "the_wall": "la parete",
     "the_parapet": "il parapetto",
+    "the_pinnacle": "il pinnacolo",
     "the_gable": "il timpano",
     "hinge": "cerniera",
     "axis_position": "posizione [m]",
@@ -23,6 +25,7 @@ ITALIAN: Final[dict[str, str]] = {
     "demand_static": "domanda statica {state}",
     "demand_dynamic": "media delle analisi {state}",
     "demand_linear": "domanda lineare {state}",
+    "capacity_linear": "capacità delle verifiche lineari",
     "mean_largest": "media {share}",
     "sign_as recorded": "verso registrato",
     "sign_reversed": "verso opposto",
@@ -63,8 +66,7 @@ ITALIAN: Final[dict[str, str]] = {
     "why_nothing": "Per un esito servono una domanda oppure almeno 7 accelerogrammi.",
     # Table of checks
     "checks_caption": (
-        "Ogni verifica con la sua formula. † Da una trascrizione della circolare non revisionata: "
-        "confrontare con il testo ufficiale."
+        "Ogni verifica con la sua formula. † Non confrontata con il testo stampato della norma."
     ),
     "col_state": "stato limite",
     "col_method": "metodo",
@@ -77,6 +79,7 @@ ITALIAN: Final[dict[str, str]] = {
     "pages": "pp. {page}",
     "quantity_linear_SLD": "accelerazione di picco S_e(0) ≤ a₀",
     "quantity_linear_SLV": "accelerazione di picco S_e(0)/q ≤ a₀, q = 2",
+    "quantity_linear_free": "accelerazione spettrale S_e(T₀, z) ≤ α₀ g/FC",
     "quantity_nonlinear static": "spostamento spettrale S_D(T_{state}) ≤ d_{state}",
     "quantity_dynamic": "nessuna analisi oltre d₀, media dei d massimi ≤ d_{state}",
     "beyond_all": "oltre d₀",
@@ -87,9 +90,10 @@ ITALIAN: Final[dict[str, str]] = {
     ),
     "alt_capacity": (
         "Capacità in funzione dello spostamento, da {a0} a zero fino ad annullarsi a {d0}, con i "
-        "limiti {slv} per SLV e {slc} per SLC{demands}."
+        "limiti {slv} per SLV e {slc} per SLC{drops}{demands}."
     ),
     "alt_demand": "{state} {demand}",
+    "alt_drops": "; cambia dove cessano le azioni, a {places}",
     "alt_demands": "; domande: {demands}",
     "alt_runs": (
         "Spostamento massimo rapportato a d₀ per {records} accelerogrammi e {signs} versi; "
@@ -107,6 +111,7 @@ ITALIAN: Final[dict[str, str]] = {
     "section_runs": "Accelerogrammi",
     "section_wall": "La parete",
     "section_parapet": "Il parapetto",
+    "section_pinnacle": "Il pinnacolo",
     "section_gable": "Il timpano",
     "section_mechanism": "Il meccanismo di ribaltamento",
     "section_demand": "Domanda sismica",
@@ -125,6 +130,11 @@ ITALIAN: Final[dict[str, str]] = {
     "fact_unit_weight": "peso specifico",
     "fact_weight": "peso",
     "fact_hinge": "cerniera, dalla faccia esterna",
+    "fact_z": "quota della cerniera dal suolo z",
+    "fact_modulus": "modulo elastico E",
+    "fact_free": "vibrazione",
+    "free": "libero di vibrare (C8.7.1.9)",
+    "bound": "vincolato alla costruzione",
     "fact_fc": "fattore di confidenza FC",
     "fact_level": "livello di conoscenza {level}",
     "fact_sides": "oscillazione",
@@ -139,6 +149,10 @@ ITALIAN: Final[dict[str, str]] = {
     "col_name": "nome",
     "col_kind": "tipo",
     "col_force": "forza",
+    "col_end": "fino al collasso",
+    "end_counts": "considerata",
+    "end_not": "non considerata",
+    "end_at": "fino a d = {place}",
     "col_x": "x",
     "col_z": "z",
     "kind_load": "carico verticale portato",
@@ -146,15 +160,23 @@ ITALIAN: Final[dict[str, str]] = {
     "kind_tie": "catena o tirante, trattiene verso l'interno",
     "kind_thrust": "spinta statica verso l'esterno",
     # The mechanism
-    "mechanism_caption": "Grandezze ricavate da geometria e pesi. † Trascrizione non revisionata.",
+    "mechanism_caption": (
+        "Grandezze ricavate da geometria e pesi. † Non confrontate con il testo stampato della "
+        "norma."
+    ),
     "col_symbol": "simbolo",
     "col_meaning": "significato",
     "col_value": "valore",
     "col_source": "da",
     "m_alpha0": "moltiplicatore di attivazione",
-    "m_e_star": "frazione di massa partecipante",
+    "m_e_star": "frazione di massa partecipante, massa distribuita",
+    "m_e_lumped": "frazione di massa partecipante, massa nei baricentri",
+    "m_linear": "capacità delle verifiche lineari",
+    "m_t0": "periodo di vibrazione elastica",
+    "m_arm": "quota dello spostamento d",
     "m_mass": "massa partecipante",
-    "m_a0": "accelerazione spettrale di attivazione",
+    "m_a0": "accelerazione spettrale di attivazione, massa distribuita",
+    "m_a0_lumped": "la stessa, massa nei baricentri",
     "m_d0": "spostamento a capacità nulla",
     "m_dslv": "capacità di spostamento SLV, 0,4 d₀",
     "m_dslc": "capacità di spostamento SLC, 0,6 d₀",
@@ -210,12 +232,16 @@ ITALIAN: Final[dict[str, str]] = {
         "ΣHz è il momento stabilizzante e D = Σ(P + Q)z quello ribaltante per α = 1: α₀ = M/D "
         "(1)†. Con e* = D²/(Σ(P + Q) Σ(P + Q)z²) (5)† si ha a₀ = α₀ g/(e* FC) (3)†, e la "
         "capacità decresce linearmente fino ad annullarsi a d₀ = tan θ₀ Σ(P + Q)z²/D, θ₀ = "
-        "atan(M/ΣPz)."
+        "atan(M/ΣPz). α₀ considera tutte le azioni presenti in quiete, d₀ soltanto quelle di cui "
+        "è verificata la presenza fino al collasso (C8.7.1.2.1.6)†."
     ),
     "method_2_name": "Verifica lineare.",
     "method_2": (
         "SLD: l'accelerazione di picco alla base non supera a₀ (8)†. SLV: l'accelerazione di picco "
-        "divisa per il fattore di comportamento q = 2 non supera a₀†."
+        "divisa per il fattore di comportamento q = 2 non supera a₀†. a₀ è il minore di due "
+        "valori: con la massa distribuita nei corpi e con la massa nei loro baricentri. Elemento "
+        "libero di vibrare: S_e(T₀, 5 %, z) non supera α₀ g/FC per entrambi, con T₀ = 6,2 (L/t) L "
+        "√(W/(g E)) (9)†."
     ),
     "method_3_name": "Verifica statica non lineare.",
     "method_3": (
@@ -227,7 +253,9 @@ ITALIAN: Final[dict[str, str]] = {
         "Nessuna analisi supera d₀, e la media su almeno 7 accelerogrammi degli spostamenti "
         "massimi non supera d_SLV o d_SLC (C8.7.1.2.1.9)†. Tra un urto e l'altro si risolve "
         "θ″ = −p² [sin(θ₀ − θ) + λ (a/g) cos(θ₀ − θ)] con p² = g √(M² + K²)/(I FC), λ = FC D/K, "
-        "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore."
+        "K = ΣPz, e d = d₀ θ/θ₀: un blocco rigido, non un oscillatore. Le azioni che cessano e "
+        "trattengono sono escluse dall'inizio; quelle che cessano e non trattengono agiscono "
+        "sempre."
     ),
     # Assumptions
     "assumed": "Si assume",
@@ -270,8 +298,8 @@ ITALIAN: Final[dict[str, str]] = {
         "l'edificio retrostante non si muove rispetto al suolo."
     ),
     "not_ties": (
-        "Le catene e i tiranti esercitano una forza costante: nessun allungamento, snervamento o "
-        "sfilamento."
+        "Le catene e i tiranti esercitano una forza costante finché non cessano: nessun "
+        "allungamento, snervamento o sfilamento."
     ),
     "not_corners": "Nessun ammorsamento con i muri trasversali, né attrito contro di essi.",
     "not_height": (
@@ -315,17 +343,43 @@ ITALIAN: Final[dict[str, str]] = {
         "secante {0} s e smorzamento {1} %; quella dinamica è lo spostamento di un blocco rigido "
         "che si solleva, ricade e perde velocità a ogni urto."
     ),
-    "remark_transcription": (
-        "Le formule della Circolare 2019 n. 7, C8.7.1, pp. 272–277, provengono da una trascrizione "
-        "non revisionata: confrontare con il testo ufficiale."
+    "remark_free_or_displacement": (
+        "La verifica lineare confronta S_e(T0) con alpha_0 g/FC, che non dipende dalle dimensioni; "
+        "la capacità di spostamento cresce con lo spessore."
+    ),
+    "remark_standard": (
+        "Formule della Circolare 2019 n. 7, C8.7.1, pp. 272–277: non confrontate con il testo "
+        "stampato della norma."
+    ),
+    "remark_ending": (
+        "d0 considera soltanto le azioni di cui è verificata la presenza fino al collasso "
+        "(C8.7.1.2.1.6): non {0}."
+    ),
+    "remark_e_star": (
+        "a0 vale {0} g con la massa distribuita (e* = {1}) e {2} g con la massa di ogni corpo nel "
+        "suo baricentro (e* = {3}): nelle verifiche lineari decide il minore."
+    ),
+    "remark_e_star_free": (
+        "a0 varrebbe {0} g con la massa distribuita (e* = {1}) e {2} g con la massa di ogni corpo "
+        "nel suo baricentro (e* = {3}); decide alpha_0 g/FC = {4} g (C8.7.1.9)."
+    ),
+    "remark_free": (
+        "S_e(T0 = {0} s) con smorzamento 5 %, a z = {1} m, senza q: l'elemento è libero di vibrare"
+    ),
+    "remark_rigid_runs": (
+        "Le analisi dinamiche considerano l'elemento rigido: la sua vibrazione elastica è esclusa."
+    ),
+    "remark_gable_top": (
+        "Il timpano è verificato come vincolato alla costruzione retrostante: una sommità libera "
+        "di vibrare ha one_sided = false."
     ),
     "remark_second_conditions": (
-        "La seconda condizione su d_SLV e su d_SLC non è leggibile nella trascrizione: si usano "
-        "soltanto 0,4 d₀ e 0,6 d₀."
+        "La seconda condizione su d_SLV e su d_SLC non è leggibile: si usano soltanto 0,4 d₀ e "
+        "0,6 d₀."
     ),
     "remark_uplift": (
-        "a₀ FC è 1/e* = {0} volte l'accelerazione α₀ g = {1} g che solleva un blocco rigido: il "
-        "moto inizia a {2} g nelle analisi dinamiche (con FC), ad a₀ = {3} g in quelle statiche."
+        "Il moto inizia ad α₀ g/FC = {0} g nelle analisi dinamiche, dove si solleva un blocco "
+        "rigido senza le azioni non considerate in d₀; la curva di capacità inizia ad a₀ = {1} g."
     ),
     "remark_in_line": (
         "Con carichi, catene, spinte o masse che spingono il blocco equivalente è approssimato "

@@ -73,15 +73,17 @@ def plot_capacity(
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
     mechanism, scale = check.mechanism, line_scale(axes)
-    d0, a0 = MM * mechanism.d0_m, mechanism.a0_g
+    d0 = MM * mechanism.d0_m
+    curved = np.array(mechanism.curve)
+    a0 = max(float(curved[:, 1].max()), mechanism.linear_g)
     demands = _demands(check)
     at_zero = _accelerations(check)
     widest = max([d0, *(min(d, MOST * d0) for *_, d in demands)])
     highest = max([a0, *(min(a, 2.0 * a0) for _, a in at_zero)])
     axes.set(xlim=(0.0, 1.12 * widest), ylim=(0.0, 1.2 * highest))
     (curve,) = axes.plot(
-        [0.0, d0], [a0, 0.0], color=inks.ink, lw=2.0 * scale, label=words["capacity_curve"],
-        zorder=3.0,
+        MM * curved[:, 0], curved[:, 1], color=inks.ink, lw=2.0 * scale,
+        label=words["capacity_curve"], zorder=3.0,
     )  # fmt: skip
     handles: list[Any] = [curve]
     limits = {"SLV": MM * mechanism.d_slv_m, "SLC": MM * mechanism.d_slc_m}
@@ -100,6 +102,11 @@ def plot_capacity(
         )  # fmt: skip
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
+    if at_zero:
+        handles += axes.plot(
+            [0.0], [mechanism.linear_g], "o", mfc=inks.paper, mec=inks.ink, ms=6.0 * scale,
+            ls="none", zorder=4.0, clip_on=False, label=words["capacity_linear"],
+        )  # fmt: skip
     axes.set(xlabel=words["axis_displacement"], ylabel=words["axis_acceleration"])
     decimal_marks(axes, words)
     draw_legend(axes, place, handles=handles)
