@@ -52,7 +52,12 @@ def test_the_impulse_velocity_just_lifts_the_mass_centre_over_the_edge(
 def test_forty_per_cent_of_it_is_about_ten_in_centimetres() -> None:
     block = rectangle(0.10, 2.0)
     published = 10.0 * 10.0 / math.sqrt(200.0) / 100.0
-    assert ishiyama_bounds(block.positive, G).pgv_m_s == pytest.approx(published, rel=0.03)
+    bounds = ishiyama_bounds(block.positive, G)
+    assert bounds.pgv_m_s == pytest.approx(published, rel=0.03)
+    assert bounds.simple_m_s == pytest.approx(published, rel=1e-14)
+    # Of slender rectangles 0.4 V_i = .4 sqrt(980.665/1.5) B/sqrt(H) = 10.2277 B/sqrt(H).
+    slender = ishiyama_bounds(rectangle(0.01, 2.0).positive, G)
+    assert slender.simple_m_s / slender.pgv_m_s == pytest.approx(10.0 / 10.2277, abs=1e-4)
 
 
 @given(st.floats(0.01, 0.02), st.floats(0.1, 10.0), st.floats(0.01, 3.0))
@@ -112,6 +117,7 @@ def test_the_circolares_worked_wall(factor: float, a0: float, slv: float, slc: f
     assert found.t_slc_s == pytest.approx(slc, abs=1e-6)
     assert (found.d0_m, found.d_slv_m, found.d_slc_m) == pytest.approx((0.2, 0.08, 0.12))
     assert found.a0_g * factor == pytest.approx(4.0 / 3.0 * 0.1)
+    assert found.a0_lumped_g * factor == pytest.approx(0.1)
 
 
 def test_shares_are_those_of_the_brief_and_leave_no_gap() -> None:

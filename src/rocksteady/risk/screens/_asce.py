@@ -8,7 +8,6 @@ The capacity at a rotation t and the effective frequency there are
   ``beta_e = gamma/sqrt(4 pi^2 + gamma^2)``;
 
 and t solves SA_H(f_e, beta_e) = SA_cap.  a is tan(alpha), h the height of the mass centre.
-Confidence: the steps read in the source, the expressions from memory, high.
 
 **No root is missed.**  The demand is a chain of power laws S = c T^m in the period T = 1/f_e.
 On (0, alpha) both T and the elasticity e(t) = t f1'/(f1 - 1) are monotone: T rises, and e falls

@@ -5,14 +5,11 @@ from typing import Any
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
-from rocksteady.risk.screens._rows import MEMORY_HIGH, Case
+from rocksteady.risk.screens._rows import Case
 from rocksteady.risk.screens.screen import Screen
 from rocksteady.risk.screens.spectra import spectrum_of
 
-SOURCE = (
-    "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body: "
-    "steps read in the source, expressions from memory"
-)
+SOURCE = "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body"
 
 
 def asce_row(case: Case) -> Screen:
@@ -87,7 +84,6 @@ def _row(case: Case, value: float | None, *, details: Any = (), **fields: Any) -
         equation="A.2, A-5 on",
         edition="ASCE/SEI 43-05",
         source=SOURCE,
-        confidence=MEMORY_HIGH,
         value=value,
         unit="rad",
         details=tuple(details),

@@ -16,7 +16,7 @@ def uplift_acceleration_g(block: Block, vertical_g: float = 0.0) -> float:
 
     Moment about the edge: a M R cos(alpha) = (g + a_v) M R sin(alpha), so a = (g + a_v) tan(alpha),
     a_v being the upward acceleration of the base at that instant.  No edition is implied: it is
-    statics, often quoted as West's formula.  Confidence: from memory, high; it holds for any rigid
+    statics, often quoted as West's formula; it holds for any rigid
     block, of the side that lifts first.
 
     Parameters
@@ -41,7 +41,7 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
 
     Shenton (1996) for a rectangle, with a = tan(alpha) and A = PGA/g:
     ``mu >= (A (1 + 4 a^2) + 3 a) / (4 + a^2 + 3 A a)``, equal to a at A = a and growing with A.
-    Confidence: checked numerically.  Here in its general form, for any mass distribution, from the
+    Here in its general form, for any mass distribution, from the
     horizontal and the vertical force at the edge when rotation begins with theta'' = p^2 (A cos
     alpha - sin alpha): ``(A - k (A - a)) / (1 + k a (A - a))`` with k = (p^2 R/g) cos^2(alpha),
     which is Shenton's expression for p^2 R/g = 3/4.  Below uplift it is A.

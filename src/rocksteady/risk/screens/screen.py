@@ -9,7 +9,7 @@ from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 
 Standing = Literal["computed", "approximate", "needs input", "refused"]
-"""Whether a row has an answer; "approximate" where it was made for rectangles."""
+"""Whether a row has an answer; "approximate" where the block is outside its formula."""
 
 Detail = tuple[str, float, str]
 """Name, value and unit of an intermediate quantity."""
@@ -26,17 +26,16 @@ class Screen(Result):
         Name of the row.
     equation, edition, source
         Number or form of the equation, edition of the document, and the full reference.
-    confidence
-        How the formula was had: read in the source, from memory, or checked numerically.
     status
-        "computed"; "approximate" where the row was made for rectangles and the block is no
-        rectangle; "needs input"; "refused" where friction governs.
+        "computed"; "approximate" where the block is outside what the row was made for; "needs
+        input"; "refused" where friction governs.
     value, unit
         The threshold or capacity; None where an input is missing.
     verdict
         In a few words.
     passes
-        Whether the demand is below it; None where there is no verdict.
+        Whether the demand is below a value that bounds falling; None where there is no verdict, as
+        of uplift and friction, and below a median.
     needs
         What is missing; empty where nothing is.
     details
@@ -49,7 +48,6 @@ class Screen(Result):
     equation: str
     edition: str
     source: str
-    confidence: str
     status: Standing
     value: float | None
     unit: str
@@ -70,7 +68,6 @@ class Screen(Result):
             "name": self.name,
             "equation": self.equation,
             "edition": self.edition,
-            "confidence": self.confidence,
             "status": self.status,
             "value": self.value,
             "unit": self.unit,
@@ -91,7 +88,7 @@ class Screen(Result):
             Column("value", "value", number),
             Column("unit", "unit", left=True),
         )
-        shown = ("verdict", "equation", "edition", "confidence", "status", "source")
+        shown = ("verdict", "equation", "edition", "status", "source")
         return Description(
             headline=f"{self.name}: {self.words}; {self.verdict}",
             facts=[

@@ -13,13 +13,14 @@ from rocksteady.results.result import Result
 from rocksteady.risk.screens import _rows
 from rocksteady.risk.screens._asce_row import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
+from rocksteady.risk.screens._rows import SLIDES
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import Mode
 from rocksteady.risk.screens.screen import Screen
 
 DISCLAIMER = (
-    "Each row implements the equation that it names; the engineer verifies. The rows stand side "
-    "by side and are not averaged."
+    "Each row implements the equation that it names, not checked against the printed standard; the "
+    "engineer verifies. The rows stand side by side and are not averaged."
 )
 RESULTS = (
     Column("name", "screen", left=True),
@@ -30,7 +31,6 @@ SOURCES = (
     Column("name", "screen", left=True),
     Column("equation", "equation", left=True),
     Column("edition", "edition", left=True),
-    Column("confidence", "confidence", left=True),
 )
 
 
@@ -73,8 +73,8 @@ class Screens(Result):
 
     @property
     def negative(self) -> bool:
-        """Whether any row does not pass."""
-        return any(row.passes is False for row in self.rows)
+        """Whether any row does not pass, or the block slides and rows on rocking are refused."""
+        return self.motion in SLIDES or any(row.passes is False for row in self.rows)
 
     def row(self, name: str) -> Screen:
         """Return the row of a name.
@@ -155,7 +155,7 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     Returns
     -------
     Screens
-        A row for each formula: equation, edition, confidence, value, unit, verdict.
+        A row for each formula: equation, edition, value, unit, verdict.
 
     Raises
     ------

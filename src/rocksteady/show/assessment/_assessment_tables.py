@@ -229,7 +229,6 @@ def screen_rows(assessment: Assessment) -> list[Row]:
                 "look": look,
                 "equation": greek(row.equation),
                 "edition": row.edition,
-                "confidence": row.confidence,
                 "status": row.status,
                 "source": greek(row.source),
                 "remark": greek(row.remark),

@@ -17,7 +17,7 @@ HELP = (
     "Published formulas for uplift, rocking and overturning of a block, side by side: statics, "
     "Shenton's friction, ASCE 43-05, Ishiyama, Kaneko-Hayashi, the Circolare, p PGV/(g tan alpha) "
     "and FEMA P-58's cabinets.\n\n"
-    "Each row prints its equation, edition and confidence, and implements that equation alone: "
+    "Each row prints its equation and edition, and implements that equation alone: "
     "the engineer verifies. A row whose input is missing names it. Peaks and spectra may be those "
     "of a floor."
 )
@@ -33,7 +33,7 @@ CheckFlag = Annotated[
     bool,
     typer.Option(
         "--check",
-        help="Leave with exit code 1 where a row does not pass.",
+        help="Leave with exit code 1 where a row does not pass or the block slides.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
