@@ -81,6 +81,17 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
     assert found.colour == "red"
 
 
+def test_the_plot_is_that_of_the_fragility(found: Assessment) -> None:
+    assert found.fragility is not None
+    lines, expected = (
+        [line.get_ydata() for line in each.plot().axes[0].lines]
+        for each in (found, found.fragility)
+    )
+    assert len(lines) > 0
+    for one, other in zip(lines, expected, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
 def test_the_cases_count_what_runs_of_their_own_do(found: Assessment) -> None:
     """Each record by itself, scaled by its own factor, for the restitutions of the band."""
     block = found.facts.block
@@ -127,8 +138,7 @@ def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
     assert width.value is not None
     assert width.value > 0.34
     assert width.confirmed
-    assert width.fitted is not None
-    assert width.fitted <= 0.1
+    assert width.probability <= 0.1
     k = math.hypot(0.34, 1.8) / math.sqrt(12.0)
     half = 0.17 * (1.0 + (width.change or 0.0))
     body = Block.asymmetric(left=half, right=half, height=1.8, gyration=k)
@@ -157,8 +167,7 @@ def test_where_runs_about_the_demand_give_less_than_the_curve_remedies_change_so
     assert base < 0.11 < probability
     width = next(each for each in found.remedies if each.name == "width")
     assert (width.change or 0.0) > 0.0
-    assert width.fitted is not None
-    assert width.fitted <= 0.11 * base / probability
+    assert width.probability <= 0.11 * base / probability
 
 
 def test_the_friction_cap_is_the_slope_of_the_block_with_a_higher_mass_centre(
@@ -180,11 +189,19 @@ def test_a_target_out_of_reach_has_no_width_and_one_reached_needs_none() -> None
     )
     assert (width.change, ballast.change) == (None, None)
     assert "not even" in width.words
+    assert "not even" in ballast.words
+    for remedy, body in ((width, vase.body.wider(3.0)), (ballast, vase.body.with_share(10, 0.05))):
+        case = case_of("", "", search.runs(vase.block_of(body)))  # of the largest change tried
+        assert (remedy.probability, remedy.basis) == (case.probability, case.basis)
+        assert remedy.probability > 0.01
+        assert not remedy.confirmed
+        assert remedy.result == remedy.words
     chest = described(geometry={"width_m": 0.9, "height_m": 1.8}, demand={"pgv_m_s": 0.05})
     done = find_remedies(Search(chest, SUITE, level_of(chest, SUITE), 0.1, None))
     width = next(each for each in done if each.name == "width")
     assert width.change is None
     assert "within the target as they are" in width.words
+    assert all(isinstance(each.probability, float) and each.basis for each in done)
 
 
 def test_the_risk_is_that_of_the_fragility_over_the_velocity(found: Assessment) -> None:
@@ -223,6 +240,8 @@ def test_where_friction_governs_there_is_no_probability(friction: float, verdict
     found = assess_object(described(friction=friction), SUITE)
     assert found.verdict == verdict
     assert (found.probability, found.fragility, found.colour) == (None, None, "grey")
+    with pytest.raises(ModelError, match="plot has no curve: the object slides"):
+        found.plot()
     assert (found.cases, found.remedies) == ((), ())
     assert "rocking is no answer" in found.sentence
     assert "friction of 0.2" in found.reason
@@ -333,8 +352,7 @@ def test_a_remedy_is_the_least_change_to_one_part_in_a_hundred(name: str) -> Non
     search = Search(bust, suite, level_of(bust, suite), 0.1, None)
     remedy = next(each for each in find_remedies(search) if each.name == name)
     assert remedy.change is not None
-    assert remedy.fitted is not None
-    assert 0.03 < remedy.fitted <= 0.1
+    assert 0.03 < remedy.probability <= 0.1
 
     def block_of(change: float) -> Block:
         body = bust.body
@@ -343,7 +361,7 @@ def test_a_remedy_is_the_least_change_to_one_part_in_a_hundred(name: str) -> Non
         )
 
     own = block_of(remedy.change)
-    assert case_of("", "", search.runs(own)).probability == remedy.fitted
+    assert case_of("", "", search.runs(own)).probability == remedy.probability
     # What was run just short of it: alpha grows with either change.
     short = block_of((1.0 + remedy.change) / 1.0101 - 1.0).alpha
     tried = [block for block in search.made if short <= block.alpha < own.alpha]

@@ -135,3 +135,24 @@ def test_what_is_no_peak_is_refused(changed: dict[str, Any], name: str) -> None:
     with pytest.raises(InputError) as refusal:
         assess_two_numbers(**arguments)
     assert refusal.value.name == name
+
+
+def test_vertical_motion_lowers_uplift_and_is_printed() -> None:
+    plain = assess_two_numbers(BLOCK, 0.17, 0.4)
+    assert (plain.probability, plain.verdict) == (0.0, "rest")
+    shaken = assess_two_numbers(BLOCK, 0.17, 0.4, vertical_g=0.5, vertical_share=0.4)
+    assert shaken.uplift_pga_g == pytest.approx(0.8 * 0.32 / 1.8)
+    assert shaken.probability == assess_two_numbers(BLOCK, 0.35, 0.4).probability
+    assert shaken.sentence.endswith("with 0.4 of 0.5 g of vertical motion downwards at the peak.")
+    assert "vertical" not in plain.sentence
+    for wrong in ({"vertical_g": -0.1}, {"vertical_share": 1.5}, {"vertical_g": 1.0}):
+        with pytest.raises(InputError, match="vertical"):
+            assess_two_numbers(BLOCK, 0.35, 0.4, **wrong)
+
+
+def test_friction_that_impacts_need_is_named() -> None:
+    soft = Block.rectangle(width=0.32, height=1.8, restitution=0.8)
+    found = assess_two_numbers(soft, 0.35, 0.4, friction=0.5)
+    assert (found.friction_cause, found.probability) == ("impacts", None)
+    assert found.friction_needed == pytest.approx(1.8 / 0.32 * 0.2 / 1.8)
+    assert "0.625 for impacts" in found.sentence

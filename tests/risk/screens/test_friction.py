@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import Block
+from rocksteady.errors import InputError
 from rocksteady.risk.screens.friction import (
     first_motion,
     needed_friction,
@@ -37,7 +38,7 @@ def forces(
 def test_shentons_worked_value() -> None:
     a, ratio = 1.0 / 6.0, 0.35
     published = (ratio * (1.0 + 4.0 * a * a) + 3.0 * a) / (4.0 + a * a + 3.0 * ratio * a)
-    found = needed_friction(Block.rectangle(width=0.3, height=1.8), 0.35)
+    found = needed_friction(Block.rectangle(width=0.3, height=1.8), 0.35).largest
     assert found == pytest.approx(published, rel=1e-13)
     assert round(found, 4) == 0.2115
 
@@ -48,42 +49,52 @@ def test_shentons_worked_value() -> None:
     st.floats(0.2, 3.0),
     st.floats(0.05, 2.0),
     st.floats(1.01, 8.0),
-    st.floats(-0.6, 0.6),
+    st.floats(0.0, 0.9),
 )
 def test_the_need_is_the_ratio_of_the_forces_at_the_edge_of_any_block(
-    left: float, right: float, height: float, gyration: float, excess: float, upwards: float
+    left: float, right: float, height: float, gyration: float, excess: float, vertical: float
 ) -> None:
+    """Of the base motion in the worst direction: no other up to that magnitude needs more."""
     block = Block.asymmetric(
         left=left * height, right=right * height, height=2.0 * height, gyration=gyration,
         restitution=0.5,
     )  # fmt: skip
-    pga = excess * max(left, right) * (1.0 + upwards)
+    pga = excess * max(left, right)
+    need = needed_friction(block, pga, vertical).at_uplift
     ratios = []
-    for distance in (left * height, right * height):
-        h, v, turning = forces(distance, height, gyration, pga, upwards)
-        assert turning > 0.0
-        ratios.append(h / v)
-    assert needed_friction(block, pga, upwards) == pytest.approx(max(ratios), rel=1e-9)
+    for part in (-1.0, -0.6, 0.0, 1.0):
+        upwards, lifting = part * vertical, []
+        for distance in (left * height, right * height):
+            h, v, turning = forces(distance, height, gyration, pga, upwards)
+            lifting.append(h / v if turning > 0.0 else pga / (1.0 + upwards))
+        ratios.append(max(lifting))
+        assert uplift_acceleration_g(block, vertical) <= min(left, right) * (1.0 + upwards) + 1e-12
+        assert need >= ratios[-1] * (1.0 - 1e-9)
+    assert need == pytest.approx(ratios[0], rel=1e-9)
 
 
 @given(st.floats(0.05, 0.6), st.floats(0.3, 4.0))
 def test_at_uplift_the_need_is_the_slope_and_it_grows_from_there(slope: float, size: float) -> None:
     block = Block.rectangle(width=slope * size, height=size)
-    needs = [needed_friction(block, slope * factor) for factor in (0.5, 1.0, 1.3, 2.0, 5.0)]
+    needs = [
+        needed_friction(block, slope * factor).at_uplift for factor in (0.5, 1.0, 1.3, 2.0, 5.0)
+    ]
     assert needs[0] == pytest.approx(0.5 * slope)
     assert needs[1] == pytest.approx(slope, rel=1e-12)
     assert needs == sorted(needs)
     assert needs[-1] > slope
 
 
-def test_a_floor_that_rises_holds_the_block_down() -> None:
+def test_vertical_motion_has_no_sign_and_lifts_sooner() -> None:
     block = Block.rectangle(width=0.32, height=1.8)
     slope = 0.32 / 1.8
     assert uplift_acceleration_g(block) == pytest.approx(slope)
-    assert uplift_acceleration_g(block, 0.3) == pytest.approx(1.3 * slope)
-    assert uplift_acceleration_g(block, -0.3) == pytest.approx(0.7 * slope)
+    assert uplift_acceleration_g(block, 0.3) == pytest.approx(0.7 * slope)
     on_the_moon = Block.rectangle(width=0.32, height=1.8, gravity=1.62)
     assert uplift_acceleration_g(on_the_moon) == pytest.approx(1.62 / G * slope)
+    for formula in (needed_friction, lambda *given: first_motion(*given[:2], 0.5, given[2])):
+        with pytest.raises(InputError, match=r"vertical_g = 0\.2 .* below 0\.165"):
+            formula(on_the_moon, 0.1, 0.2)
 
 
 def test_the_side_of_the_smaller_angle_lifts_first() -> None:
@@ -94,7 +105,7 @@ def test_the_side_of_the_smaller_angle_lifts_first() -> None:
 
 def test_motions_change_where_shentons_borders_are() -> None:
     block = Block.rectangle(width=0.3, height=1.8)
-    a, need = 1.0 / 6.0, needed_friction(block, 0.35)
+    a, need = 1.0 / 6.0, needed_friction(block, 0.35).largest
     assert first_motion(block, 0.35, need * 1.0001) == "rocks"
     assert first_motion(block, 0.35, need * 0.9999) == "slides and rocks"
     assert first_motion(block, 0.35, a * 0.9999) == "slides"
@@ -107,4 +118,46 @@ def test_an_asymmetric_block_counts_by_its_worse_direction() -> None:
     block = Block.asymmetric(left=0.1, right=0.3, height=1.0)  # slopes .2 and .6
     assert first_motion(block, 0.4, 1.0) == "rocks"  # one side lifts, the other rests
     assert first_motion(block, 0.4, 0.35) == "slides"  # the other needs .4 to rest
-    assert math.isclose(needed_friction(block, 0.4), 0.4)
+    assert math.isclose(needed_friction(block, 0.4).at_uplift, 0.4)
+    assert first_motion(block, 0.4, 0.42) == "slides and rocks"  # impacts need 0.433
+
+
+@given(
+    st.floats(0.05, 0.9),
+    st.floats(0.05, 0.9),
+    st.floats(0.2, 3.0),
+    st.floats(0.1, 1.0),
+)
+def test_an_impact_needs_the_ratio_of_its_impulses(
+    left: float, right: float, height: float, ratio: float
+) -> None:
+    """From the velocity of the mass centre before and after: it turns about one edge, then both."""
+    block = Block.asymmetric(
+        left=left * height, right=right * height, height=2.0 * height, restitution=ratio
+    )
+    needs = []
+    for sign, pivot, struck in ((1.0, left, right), (-1.0, right, left)):
+        # About an edge at (-sign d, 0) the centre moves by omega (-h, sign d).
+        before = -sign * np.array([-height, sign * pivot * height])  # rotation comes back to 0
+        after = -sign * ratio * np.array([-height, -sign * struck * height])
+        across, up = after - before
+        assert up > 0.0
+        needs.append(abs(across) / up)
+    found = needed_friction(block, 2.0 * max(left, right))
+    assert found.at_impact == pytest.approx(max(needs), rel=1e-9)
+    if left == right:
+        assert max(needs) == pytest.approx((1.0 - ratio) / (1.0 + ratio) / left)
+    assert found.largest == max(found)
+    assert found.cause == ("impacts" if max(needs) > found.at_uplift else "uplift")
+    assert needed_friction(block.against_wall(0.5), 2.0).at_impact == 0.0
+
+
+def test_impacts_that_lose_much_need_more_friction_than_uplift_and_at_rest_there_are_none() -> None:
+    soft = Block.rectangle(width=0.3, height=1.8, restitution=0.8)
+    need = needed_friction(soft, 0.2)
+    assert need.at_impact == pytest.approx(6.0 * 0.2 / 1.8)
+    assert (need.largest, need.cause) == (need.at_impact, "impacts")
+    assert [first_motion(soft, 0.2, mu) for mu in (0.66, 0.67)] == ["slides and rocks", "rocks"]
+    assert needed_friction(soft, 0.1).at_impact == 0.0
+    housner = Block.rectangle(width=0.3, height=1.8)
+    assert needed_friction(housner, 0.2).cause == "uplift"

@@ -12,6 +12,7 @@ from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
+from rocksteady.model.blocks._sizes import METRES, TALL
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import named_block
@@ -29,6 +30,8 @@ from rocksteady.model.motions.segments import Harmonic
 
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
 """Fields of the flags of a block, by the measures that they are."""
+LENGTHS = ("width", "height", "radius")
+"""Measures in metres."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -229,6 +232,7 @@ class BlockFlags:
         ModelError
             If the flags describe a block in two ways, or half of one.
         """
+        self._check_lengths()
         if self.one_sided:
             return self._against_wall()
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
@@ -258,6 +262,30 @@ class BlockFlags:
                 hint="give one of these pairs, or the three",
             )
         return block if pair is None else block.with_restitution(pair)
+
+    def _check_lengths(self) -> None:
+        """Refuse sizes that are taken for millimetres, in the words of object files.
+
+        Raises
+        ------
+        InputError
+            With the flag, if a size is above 50 m.
+        """
+        lengths = {
+            name: (axis[0], axis[-1]) for name, axis in self.sizes.items() if name in LENGTHS
+        }
+        lengths |= {name: (value, value) for name, value in self.asymmetric.items()}
+        if self.mass_centre_height_m is not None:
+            lengths["--mass-centre-height-m"] = (self.mass_centre_height_m,) * 2
+        for name, ends in lengths.items():
+            for end in ends:
+                if end > TALL:
+                    raise InputError(
+                        FLAG_OF_ARGUMENT.get(name, name),
+                        end,
+                        f"a size here is at most {TALL:g} m",
+                        f"{METRES}, or describe a larger block by --alpha-rad and --p-rad-s",
+                    )
 
     def _against_wall(self) -> Block | DimensionlessBlock:
         """Return the block against a wall, of which the restitution is that."""

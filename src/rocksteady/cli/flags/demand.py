@@ -81,7 +81,18 @@ VerticalG = Annotated[
     typer.Option(
         "--vertical-g",
         metavar="G",
-        help="Set the upward acceleration of the base at the peak \\[g]; negative lifts sooner.",
+        help="Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
+        "worse direction counts.",
+        rich_help_panel=DEMAND,
+    ),
+]
+VerticalShare = Annotated[
+    float,
+    typer.Option(
+        "--vertical-share",
+        metavar="X",
+        help="Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
+        "rule of ASCE 4.",
         rich_help_panel=DEMAND,
     ),
 ]
@@ -98,11 +109,26 @@ VerticalPerHorizontal = Annotated[
 
 @dataclass(frozen=True, kw_only=True)
 class PeakFlags:
-    """Peak acceleration, peak velocity and friction."""
+    """Peak accelerations, peak velocity and friction."""
 
     pga_g: PeakG = None
     pgv_m_s: PgvMS = None
     friction: Friction = None
+    vertical_g: VerticalG = 0.0
+    vertical_share: VerticalShare = 1.0
+
+    @property
+    def vertical(self) -> dict[str, float]:
+        """Vertical motion and its share, as the demand takes them."""
+        return {"vertical_g": self.vertical_g, "vertical_share": self.vertical_share}
+
+    @property
+    def vertical_flags(self) -> dict[str, float | None]:
+        """Both by their flags; None where a flag is not given, or given as its default."""
+        return {
+            "--vertical-g": self.vertical_g or None,
+            "--vertical-share": None if self.vertical_share == 1.0 else self.vertical_share,
+        }
 
     def both_peaks(self) -> tuple[float, float]:
         """Return PGA and PGV.
@@ -128,12 +154,11 @@ class PeakFlags:
 
 @dataclass(frozen=True, kw_only=True)
 class SpectrumFlags:
-    """A spectrum or a record, and what acts vertically."""
+    """A spectrum or a record, and the ratio of vertical to horizontal spectra."""
 
     spectrum: SpectrumFile = None
     damping: Damping = None
     record: DemandRecord = None
-    vertical_g: VerticalG = 0.0
     vertical_per_horizontal: VerticalPerHorizontal = 0.0
 
     @property
@@ -153,7 +178,7 @@ class SpectrumFlags:
 
         vertical = {
             "sa_v_per_sa_h": self.vertical_per_horizontal,
-            "vertical_g": self.vertical_g,
+            **peaks.vertical,
         }
         if self.damping is not None and self.spectrum is None:
             raise FlagError(

@@ -97,6 +97,7 @@ FLAG_OF_ARGUMENT = {
     "spectrum_damping": "--damping",
     "sa_v_per_sa_h": "--vertical-per-horizontal",
     "vertical_g": "--vertical-g",
+    "vertical_share": "--vertical-share",
     "vertical": "--vertical",
     "by": "--by",
     "legend": "--legend",

@@ -11,7 +11,11 @@ TALLEST = 200.0
 """Of the standing towers and obelisks none is taller [m]."""
 
 TALL = 50.0
-"""Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
+"""Size [m] above which those in whole numbers are taken for millimetres or centimetres, and above
+which commands and object files, which people type, take none."""
+
+METRES = "sizes are in metres: write 0.6 for 600 mm"
+"""What to do where a size is above it."""
 
 
 def question_millimetres(sizes: Mapping[str, float], *, height: float) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Motions = Sequence[Record | BaseMotion]
 
+Basis = Literal["curve", "count", "statics"]
+"""What a probability is from: a fitted curve, the share of runs, or what lifts or slides."""
 MULTIPLES = (0.63, 0.8, 1.0, 1.25, 1.6)
 """Levels about a demand at which a changed object is run: a third of an octave apart."""
 OWN = RestitutionBand(draws=1)

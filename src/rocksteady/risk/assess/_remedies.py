@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.results.numbers import length, number, percent
-from rocksteady.risk.assess._counts import Counts, Motions, run_at
+from rocksteady.risk.assess._counts import Basis, Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured
 from rocksteady.risk.assess._sensitivity import (
     CENTRE,
@@ -61,13 +61,14 @@ class Remedy:
     value, unit
         The design variable: width between the edges [m], ballast [kg] or as a share of the mass, or
         the largest coefficient of friction.
-    fitted, counted
-        Probability of the changed object at the demand, fitted over the levels about it, and the
-        share of its runs; None where it was not run.
+    probability, basis
+        Probability of the changed object at the demand, and what it is from: "curve" (through its
+        runs about the demand), "count" (of its runs there) or "statics".  Where no change is
+        enough, or none is needed, that of the largest change tried, or of the object as it is.
     fell, trials
-        Those runs.
+        Its runs at the demand; None by statics.
     confirmed
-        Whether the fitted probability of the changed object's own runs is at the target or below.
+        Whether a change was found that brings the probability to the target or below.
     """
 
     name: str
@@ -75,8 +76,8 @@ class Remedy:
     change: float | None = None
     value: float | None = None
     unit: str = ""
-    fitted: float | None = None
-    counted: float | None = None
+    probability: float
+    basis: Basis
     fell: int | None = None
     trials: int | None = None
     confirmed: bool = False
@@ -84,9 +85,9 @@ class Remedy:
     @property
     def result(self) -> str:
         """What to do, and the probability that follows."""
-        if self.fitted is None:
+        if self.value is None:
             return self.words
-        return f"{self.words}; the probability is then {percent(self.fitted)}"
+        return f"{self.words}; the probability is then {percent(self.probability)}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values."""
@@ -164,18 +165,18 @@ class Search:
             )
         return self.made[block]
 
-    def least(self, made: Callable[[float], Body], most: float) -> tuple[float, Case] | None:
+    def least(self, made: Callable[[float], Body], most: float) -> tuple[float | None, Case]:
         """Return the least change, from 0 to `most`, whose own fitted probability is the target.
 
         Every step runs the changed object, and its own fit is what counts.  The search ends with
         two changes, 1 % of the object apart: one is above the target, the other, which is
-        returned, at the target or below.  None where the largest change is not enough.
+        returned, at the target or below.  The change is None where the largest is not enough.
         """
         block_of = self.described.block_of
         low = high = change = 0.0
         # Fitted probabilities at both ends, as distances from the target.
         above = below = 0.0
-        best: tuple[float, Case] | None = None
+        best: tuple[float | None, Case] | None = None
         for _ in range(ROUNDS):
             block = block_of(made(change))
             counts = self.runs(block)
@@ -197,7 +198,7 @@ class Search:
                 break
             part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
             change = math.expm1(math.log1p(low) + part * apart)
-        return best
+        return best or (None, case)
 
     def _beyond(self, case: Case) -> float:
         """Return by how much a probability is above the target, in standard deviations."""
@@ -260,26 +261,23 @@ def _width(search: Search) -> Remedy:
     """Return the least width between the edges."""
     body = search.described.body
     before = body.left + body.right
-    least = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
-    if least is None:
-        return Remedy(
-            name="width", words=f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
+    change, case = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
+    if change is None:
+        return _of_runs(
+            case, "width", f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
         )
-    change, case = least
     if change == 0.0:
-        return Remedy(name="width", words=NO_FALLS, unit="m")
+        return _of_runs(case, "width", NO_FALLS, unit="m")
     width = before * (1.0 + change)
-    return _confirmed(
-        Remedy(
-            name="width",
-            words=f"widen the base from {length(before)} to {length(width)}, mass centre and "
-            "inertia unchanged",
-            change=change,
-            value=width,
-            unit="m",
-        ),
+    return _of_runs(
         case,
-        search.target,
+        "width",
+        f"widen the base from {length(before)} to {length(width)}, mass centre and inertia "
+        "unchanged",
+        change=change,
+        value=width,
+        unit="m",
+        confirmed=True,
     )
 
 
@@ -287,31 +285,29 @@ def _ballast(search: Search) -> Remedy:
     """Return the least ballast at the base."""
     body = search.described.body
     if body.centre_height <= BALLAST_HEIGHT_M:
-        return Remedy(name="ballast", words="the mass centre is at the base already")
-    least = search.least(
+        case = case_of("", "", search.runs(search.described.block))
+        return _of_runs(case, "ballast", "the mass centre is at the base already")
+    share, case = search.least(
         lambda share: body.with_share(share, BALLAST_HEIGHT_M) if share > 0.0 else body,
         MOST_BALLAST,
     )
-    if least is None:
-        return Remedy(name="ballast", words=f"not even {MOST_BALLAST:g} times its mass is enough")
-    share, case = least
+    if share is None:
+        return _of_runs(case, "ballast", f"not even {MOST_BALLAST:g} times its mass is enough")
     if share == 0.0:
-        return Remedy(name="ballast", words=NO_FALLS)
+        return _of_runs(case, "ballast", NO_FALLS)
     mass = None if body.mass_kg is None else share * body.mass_kg
     centre = body.with_share(share, BALLAST_HEIGHT_M).centre_height
     amount = f"{number(100.0 * share)} % of its mass" if mass is None else f"{number(mass)} kg"
-    return _confirmed(
-        Remedy(
-            name="ballast",
-            words=f"fix {amount} of ballast in its base, {length(BALLAST_HEIGHT_M)} above the "
-            f"floor, which lowers the mass centre from {length(body.centre_height)} to "
-            f"{length(centre)}",
-            change=share,
-            value=share if mass is None else mass,
-            unit="of its mass" if mass is None else "kg",
-        ),
+    return _of_runs(
         case,
-        search.target,
+        "ballast",
+        f"fix {amount} of ballast in its base, {length(BALLAST_HEIGHT_M)} above the "
+        f"floor, which lowers the mass centre from {length(body.centre_height)} to "
+        f"{length(centre)}",
+        change=share,
+        value=share if mass is None else mass,
+        unit="of its mass" if mass is None else "kg",
+        confirmed=True,
     )
 
 
@@ -332,18 +328,20 @@ def _friction_cap(described: ObjectFile) -> Remedy:
         + ("" if friction is not None else "; its friction now is not given"),
         change=change,
         value=cap,
-        fitted=0.0,
+        probability=0.0,
+        basis="statics",
         confirmed=True,
     )
 
 
-def _confirmed(remedy: Remedy, case: Case, target: float) -> Remedy:
-    """Return a remedy with the count of its own runs."""
-    return replace(
-        remedy,
-        fitted=case.probability,
-        counted=case.counted,
+def _of_runs(case: Case, name: str, words: str, **fields: Any) -> Remedy:
+    """Return a remedy with the probability of the runs of the object so changed."""
+    return Remedy(
+        name=name,
+        words=words,
+        probability=case.probability,
+        basis=case.basis,
         fell=case.fell,
         trials=case.trials,
-        confirmed=case.probability <= target,
+        **fields,
     )

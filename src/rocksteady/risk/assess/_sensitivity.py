@@ -9,7 +9,15 @@ import numpy as np
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.risk.assess._counts import MULTIPLES, THE_DEMAND, Counts, Motions, is_fitted, run_at
+from rocksteady.risk.assess._counts import (
+    MULTIPLES,
+    THE_DEMAND,
+    Basis,
+    Counts,
+    Motions,
+    is_fitted,
+    run_at,
+)
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.described.schema import Range
@@ -37,6 +45,8 @@ class Case:
     probability, counted
         Probability of falling at the demand: fitted over the levels about it, and the share of the
         runs there; where no curve can be fitted both are the share.
+    basis
+        What the probability is from: "curve" or "count".
     fell, trials
         Runs at the demand.
     median
@@ -47,6 +57,7 @@ class Case:
     change: str
     probability: float
     counted: float
+    basis: Basis
     fell: int
     trials: int
     median: float
@@ -128,12 +139,14 @@ def case_of(parameter: str, change: str, counts: Counts) -> Case:
     fell, trials = counts.totals(THE_DEMAND)
     probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
     counted = fell / trials
+    # A step, or no curve, has no value between the levels: the share is all there is.
+    fitted = is_fitted(curve)
     return Case(
         parameter=parameter,
         change=change,
-        # A step, or no curve, has no value between the levels: the share is all there is.
-        probability=probability if is_fitted(curve) else counted,
+        probability=probability if fitted else counted,
         counted=counted,
+        basis="curve" if fitted else "count",
         fell=fell,
         trials=trials,
         median=float(curve.median),

@@ -5,10 +5,12 @@ from typing import NamedTuple
 
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
+from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
 from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
 from rocksteady.risk.assess.two_numbers import share_words
+from rocksteady.risk.screens.demand import Demand
 
 AMBER = 0.2
 """Share of the target probability up to which an object is green; up to the target it is amber."""
@@ -36,17 +38,13 @@ class Findings:
         What follows from the geometry.
     level, demand
         The demand, and the demand in words.
-    pga_g, motion
-        Its PGA, and what that begins; None without.
-    friction_needed
-        To rock without sliding at it; None without a PGA.
+    onset
+        What its PGA begins, with the friction needed.
     target
         Probability that is accepted.
-    probability, cases
+    found, cases
         Probability of falling at the demand, and cases with one thing changed; none where it
         slides.
-    fitted
-        Whether that is of a curve, and not the share of the runs.
     remedy
         That of the least change, where one is needed.
     """
@@ -54,14 +52,31 @@ class Findings:
     facts: ObjectFacts
     level: DemandLevel
     demand: str
-    pga_g: float | None
-    motion: str | None
-    friction_needed: float | None
+    onset: Onset
     target: float
-    probability: float | None = None
+    found: Probability = NO_ANSWER
     cases: tuple[Case, ...] = ()
-    fitted: bool = True
     remedy: Remedy | None = None
+
+    @property
+    def peak(self) -> str:
+        """The peak acceleration in words, with the vertical motion."""
+        return peak_words(self.facts.demand)
+
+
+def peak_words(demand: Demand) -> str:
+    """Return the peak acceleration of a demand in words, with its vertical motion."""
+    words = f"a PGA of {quantity(demand.pga_g or 0.0, 'g')}"
+    return f"{words} with {demand.vertical_words}" if demand.vertical_words else words
+
+
+def verdict_of(found: Probability, target: float) -> str:
+    """Return the verdict on a probability in two words."""
+    if found.value is None:
+        return "slides"
+    if found.basis == "statics":
+        return "stands"
+    return "above target" if found.value > target else "below target"
 
 
 def colour_of(probability: float | None, target: float) -> str:
@@ -82,45 +97,44 @@ def colour_of(probability: float | None, target: float) -> str:
 def answer_of(findings: Findings) -> Answer:
     """Return the answer of some numbers, for a client."""
     facts, remedy, target = findings.facts, findings.remedy, findings.target
-    pga = findings.pga_g or 0.0
+    found, need = findings.found, findings.onset.friction_needed
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
-    if findings.motion in ("slides", "slides and rocks"):
+    verdict, colour = verdict_of(found, target), colour_of(found.value, target)
+    if found.value is None:
+        assert need is not None  # without a PGA nothing is known to slide
         low = facts.friction[0] if facts.friction else 0.0
-        need = findings.friction_needed or 0.0
         return Answer(
-            "slides",
-            "grey",
-            f"{facts.name} slides at a PGA of {quantity(pga, 'g')}: rocking is no answer, and no "
+            verdict,
+            colour,
+            f"{facts.name} slides at {findings.peak}: rocking is no answer, and no "
             "probability of falling is given.",
-            f"Rocking alone needs a coefficient of friction of {number(need)}; the lowest given is "
-            f"{number(low)}. Analyse the sliding, leave room for it, or measure a higher "
-            "friction.",
+            f"Rocking alone needs a coefficient of friction of {number(need.largest)} for "
+            f"{need.cause}; the lowest given is {number(low)}. Analyse the sliding, leave room for "
+            "it, or measure a higher friction.",
         )
-    if findings.motion == "rest":
+    if found.basis == "statics":
         return Answer(
-            "stands",
-            "green",
-            f"{facts.name} stays where it stands: a PGA of {quantity(pga, 'g')} does not lift it.",
+            verdict,
+            colour,
+            f"{facts.name} stays where it stands: {findings.peak} does not lift it.",
             f"{lifts}. The fragility curve is of motions scaled to the demand's intensity, some of "
             "which have a higher PGA.",
         )
-    probability = findings.probability or 0.0
-    verdict = "above target" if probability > target else "below target"
-    side = "more than" if probability > target else "within"
-    share = f"{share_words(probability)} objects of this shape and size would fall"
-    if not findings.fitted:  # a share is no smaller than one of the runs
+    side = "more than" if found.value > target else "within"
+    share = f"{share_words(found.value)} objects of this shape and size would fall"
+    if found.basis == "count":  # a share is no smaller than one of the runs
         base = findings.cases[0]
         share = f"{base.fell or 'None'} of its {base.trials} runs fall"
     sentence = (
-        f"{share} at {_article(findings.level.words)} ({percent(probability)}): {side} the target "
-        f"of {number(100.0 * target)} %."
+        f"{share} at {with_article(findings.level.words)} ({percent(found.value)}): {side} the "
+        f"target of {number(100.0 * target)} %."
     )
     if remedy is not None:
         sentence = f"{sentence[:-1]}; the least change that meets the target is to {remedy.words}."
-    return Answer(verdict, colour_of(probability, target), sentence, _reason(findings, lifts))
+    return Answer(verdict, colour, sentence, _reason(findings, lifts))
 
 
-def _article(words: str) -> str:
+def with_article(words: str) -> str:
     """Return words with the indefinite article before them, as "an Sa(1 s) of 0.3 g"."""
     return f"{'an' if words.startswith('Sa') else 'a'} {words}"
 

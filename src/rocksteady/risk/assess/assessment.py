@@ -4,11 +4,11 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -17,36 +17,37 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._assessment_tables import tables_of
-from rocksteady.risk.assess._counts import MULTIPLES, count_runs, is_fitted
+from rocksteady.risk.assess._counts import MULTIPLES, Basis, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, measured
+from rocksteady.risk.assess._probability import (
+    NO_ANSWER,
+    Probability,
+    fit_fragilities,
+    onset_of,
+    probability_of,
+)
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import (
     Case,
-    band_of,
     parameter_words,
     tornado,
     vary,
 )
 from rocksteady.risk.assess._verdicts import Findings, answer_of
-from rocksteady.risk.assess._vertical_levels import levels_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Stripes
-from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.bands import Bands
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
 from rocksteady.risk.fragility.damage_states import OVERTURNED, DamageState
-from rocksteady.risk.fragility.fit_fragility import fit_fragility
 from rocksteady.risk.fragility.fitting import Fitting
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.failure_risk import Risk, compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
-from rocksteady.risk.screens.demand import Demand
-from rocksteady.risk.screens.friction import first_motion, needed_friction
 from rocksteady.risk.screens.screens import Screens, screen_block
 from rocksteady.seismic.measures.scalar import Intensity
 from rocksteady.sweep.run import Run
@@ -66,6 +67,8 @@ class Assessment(Result):
         The object, what follows from its geometry, and published formulas side by side.
     friction_needed
         Friction with which it rocks without sliding at the demand's PGA; None without a PGA.
+    friction_cause
+        What needs that friction: "uplift" or "impacts"; None without a PGA.
     demand
         The demand in words.
     verdict
@@ -76,8 +79,11 @@ class Assessment(Result):
     sentence, reason
         The answer and why.
     probability, probability_band
-        Probability of falling at the demand, from the fragility curve, and its confidence band;
-        None where there is none.
+        Probability of falling at the demand, and the confidence band of its curve; None where
+        there is none.
+    basis, method
+        What the probability is from: "curve", "count" (of the runs at the demand) or "statics" (the
+        demand does not lift it), None where it slides; and the same in words.
     fragility
         Curves of all damage states, with the runs; None where it slides.
     cases
@@ -96,6 +102,7 @@ class Assessment(Result):
     facts: ObjectFacts
     screens: Screens
     friction_needed: float | None
+    friction_cause: str | None
     demand: str
     verdict: str
     colour: str
@@ -103,6 +110,8 @@ class Assessment(Result):
     reason: str
     probability: float | None = None
     probability_band: tuple[float, float] | None = None
+    basis: Basis | None = None
+    method: str = ""
     fragility: Fragility | None = None
     cases: tuple[Case, ...] = ()
     remedies: tuple[Remedy, ...] = ()
@@ -120,6 +129,23 @@ class Assessment(Result):
         """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
         rows = tornado(self.cases) if self.cases else []
         return [(parameter_words(row["parameter"]), row["low"], row["high"]) for row in rows]
+
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the fragility, as `Fragility.plot`.
+
+        Raises
+        ------
+        ModelError
+            If there is none: the object slides.
+        """
+        if self.fragility is None:
+            raise ModelError(
+                "plot",
+                Words("has no curve"),
+                "the object slides, and rocking is no answer",
+                "read summary()",
+            )
+        return self.fragility.plot(*arguments, **options)
 
     def describe(self) -> Description:
         """Return the sentence, facts, screens, sensitivity, remedies, risk, caveats and inputs."""
@@ -152,13 +178,20 @@ class Assessment(Result):
             Fact("reason", self.reason, "why"),
             Fact("probability", self.probability, "probability", share),
             Fact("probability_band", self.probability_band and list(self.probability_band)),
+            Fact("basis", self.basis),
+            Fact("method", self.method, "from", self.method),
             Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),
             *(Fact("", label=each.name, text=each.result) for each in self.remedies),
             Fact("demand", self.demand, "demand"),
+            Fact("vertical_g", self.described.demand.vertical_g),
+            Fact("vertical_share", self.described.demand.vertical_share),
+            Fact("friction_cause", self.friction_cause),
             Fact("friction_needed", self.friction_needed),
         ]
         if self.friction_needed is not None:
             words = f"{number(self.friction_needed)} or more, to rock without sliding at the demand"
+            if self.friction_cause == "impacts":
+                words += ", for impacts"
             facts[-1] = Fact("friction_needed", self.friction_needed, "friction needed", words)
         if self.fragility is not None and curve is not None:
             median = float(curve.median)
@@ -177,6 +210,11 @@ class Assessment(Result):
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         if self.fragility is not None:
             warnings += self._shortened(self.fragility) + self._beyond(self.fragility)
+        if self.described.demand.vertical_at_peak_g:
+            warnings.append(
+                "The vertical motion of the demand decides on uplift and sliding; the runs have "
+                "that of the records, where there is any."
+            )
         if self.cases and self.curve is not None and not is_fitted(self.curve):
             warnings.append(
                 "No curve of falling can be fitted to these runs: the probability is the share of "
@@ -281,41 +319,36 @@ def assess_object(
     intensity = Intensity(given.assessment.intensity_measure, given.assessment.period_s)
     level = demand_level(intensity, given.demand, suite, block, described.source)
     friction = None if given.friction is None else bounds_of(given.friction)[0]
-    screens = screen_block(block, _demand_of(described), friction=friction)
-    pga, lift = given.demand.pga_g, given.demand.vertical_g or 0.0
-    motion = None
-    if pga is not None:
-        # Without a friction only uplift is judged.
-        motion = first_motion(block, pga, 100.0 if friction is None else friction, lift)
+    screens = screen_block(block, described.demand, friction=friction)
+    onset = onset_of(described)
     findings = Findings(
         facts=facts,
         level=level,
         demand=_words_of(described, level),
-        pga_g=pga,
-        motion=motion,
-        friction_needed=None if pga is None else needed_friction(block, pga, lift),
+        onset=onset,
         target=given.assessment.target_probability,
     )
     assessment = Assessment(
         described=described,
         facts=facts,
         screens=screens,
-        friction_needed=findings.friction_needed,
+        friction_needed=onset.friction_needed and onset.friction_needed.largest,
+        friction_cause=onset.friction_needed and onset.friction_needed.cause,
         demand=findings.demand,
         verdict="",
         colour="grey",
         sentence="",
         reason="",
+        method=NO_ANSWER.method,
         motions=tuple(suite),
     )
-    if motion not in ("slides", "slides and rocks"):
+    if not onset.slides:
         assessment = _rocking(assessment, suite, intensity, findings, run)
         assessment = replace(assessment, risks=_risks(assessment, suite, _curves(hazard)))
         findings = replace(
             findings,
-            probability=assessment.probability,
+            found=Probability(value=assessment.probability, basis=assessment.basis),
             cases=assessment.cases,
-            fitted=assessment.curve is not None and is_fitted(assessment.curve),
             remedy=cheapest(assessment.remedies),
         )
     answer = answer_of(findings)._asdict()
@@ -330,39 +363,25 @@ def _rocking(
     run: Run | None,
 ) -> Assessment:
     """Return the assessment with its ensemble, fragility, sensitivity and remedies."""
-    described, block = assessment.described, assessment.facts.block
-    level, resting = findings.level, findings.motion == "rest"
-    options = described.given.assessment
+    described, level = assessment.described, findings.level
     inner = None if run is None else replace(run, store=None, progress=None)
-    fragility = fit_fragility(
-        run_ensemble(
-            block,
-            suite,
-            stripes=levels_of(intensity, block, suite, options.levels),
-            restitution=band_of(described, most=options.draws),
-            run=run,
-        ),
-        fitting=_fitting(options),
-    )
+    fitting = _fitting(described.given.assessment)
+    (fragility,) = fit_fragilities([described], suite, [intensity], [fitting], run=run)
     cases = vary(described, suite, level, run=inner)
-    curve = fragility.state(OVERTURNED).curve
-    at = np.array([level.of(fragility.measure, block)])
-    probability = float(curve.probability(at)[0])
-    band = curve.probability_band(at)
-    if not is_fitted(curve):  # a step, or no curve: the runs at the demand are what there is
-        probability, band = cases[0].counted, None
+    found = probability_of(described, findings.onset, fragility, level, cases[0].counted)
     remedies: tuple[Remedy, ...] = ()
-    if not resting and probability > findings.target:
+    if found.value and found.value > findings.target:
         # Where the runs about the demand give less than the curve, remedies owe the same factor.
-        goal = findings.target * min(1.0, cases[0].probability / probability)
+        goal = findings.target * min(1.0, cases[0].probability / found.value)
         remedies = find_remedies(Search(described, suite, level, goal, inner))
-    shown = None if band is None or resting else (float(band[0][0]), float(band[1][0]))
     return replace(
         assessment,
         fragility=fragility,
         cases=cases,
-        probability=0.0 if resting else probability,
-        probability_band=shown,
+        probability=found.value,
+        probability_band=found.band,
+        basis=found.basis,
+        method=found.method,
         remedies=remedies,
     )
 
@@ -379,22 +398,6 @@ def _fitting(options: Options) -> Fitting:
     return Fitting(states=[*states, *added], bands=bands)
 
 
-def _demand_of(described: ObjectFile) -> Demand:
-    """Return the demand of the object as the screens take it."""
-    given = described.given.demand
-    spectrum = given.spectrum
-    table = None
-    if spectrum is not None:
-        table = np.column_stack([spectrum.period_s, spectrum.sa_g])
-    return Demand(
-        pga_g=given.pga_g,
-        pgv_m_s=given.pgv_m_s,
-        spectrum=table,
-        spectrum_damping=None if spectrum is None else spectrum.damping,
-        vertical_g=given.vertical_g or 0.0,
-    )
-
-
 def _words_of(described: ObjectFile, level: DemandLevel) -> str:
     """Return the demand in words."""
     given = described.given.demand
@@ -405,7 +408,9 @@ def _words_of(described: ObjectFile, level: DemandLevel) -> str:
         for value, unit in ((given.pga_g, "g of PGA"), (given.pgv_m_s, "m/s of PGV"))
         if value is not None
     ]
-    return f"{' and '.join(peaks) or level.words}, of the {given.place}"
+    vertical = described.demand.vertical_words
+    words = f"{' and '.join(peaks) or level.words}, of the {given.place}"
+    return f"{words}, with {vertical}" if vertical else words
 
 
 def _curves(hazard: HazardCurve | Sequence[HazardCurve] | None) -> list[HazardCurve]:

@@ -1,18 +1,12 @@
 """Many objects under one demand: a probability, a colour and a sentence for each."""
 
-import math
 import time
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -20,29 +14,39 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._counts import count_runs
-from rocksteady.risk.assess._verdicts import AMBER, WORDS, colour_of
-from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
-from rocksteady.risk.assess.two_numbers import assess_two_numbers, share_words
-from rocksteady.risk.ensemble.levels import Stripes
-from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-from rocksteady.risk.ensemble.runs import run_ensemble
-from rocksteady.risk.fits.vector_fit import VectorFit, fit_vector
-from rocksteady.risk.screens.friction import (
-    first_motion,
-    needed_friction,
-    uplift_acceleration_g,
+from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
+from rocksteady.risk.assess._probability import (
+    NO_ANSWER,
+    AtDemand,
+    Onset,
+    Probability,
+    count_at_demand,
+    fit_fragilities,
+    onset_of,
+    probability_of,
 )
+from rocksteady.risk.assess._verdicts import (
+    AMBER,
+    WORDS,
+    colour_of,
+    peak_words,
+    verdict_of,
+    with_article,
+)
+from rocksteady.risk.assess.caveats import CAVEATS
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.two_numbers import assess_two_numbers, share_words
+from rocksteady.risk.fragility.damage_states import OVERTURNED
+from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
+from rocksteady.seismic.measures.scalar import Intensity
 from rocksteady.sweep.run import Run
 
-Integers = NDArray[np.int64]
-
-FEWEST = 5
-"""Objects that lift, below which no curve is fitted through all of them."""
-MEASURES = ("p PGV/(g tan alpha)", "tan alpha")
-"""What the curve of all objects is over."""
+METHOD = (
+    "Each object is assessed as one of its own file: by the curve through its runs at all levels "
+    "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand."
+)
 
 
 @checked_result
@@ -54,17 +58,15 @@ class ObjectsTable(Result):
     ----------
     rows
         One mapping per object, in the order given: ``name``, ``kind``, ``alpha_rad``, ``p_rad_s``,
-        ``uplift_pga_g``, ``friction_needed``, ``lifted``, ``fell`` and ``trials`` of the runs,
-        ``probability`` and the same ``counted``, ``fitted`` and by the ``closed_form``, ``colour``,
-        ``class``, ``verdict`` and ``sentence``; further columns of its table after them.
+        ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
+        ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
+        ``probability`` with its ``basis`` and ``method`` as in `Assessment`, the share ``counted``
+        at the demand and the probability by the ``closed_form``, ``colour``, ``class``, ``verdict``
+        and ``sentence``; further columns of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
     target_probability
         Above it an object is red, above a fifth of it amber.
-    curve
-        P(falls | lifts) over p PGV/(g tan alpha) and tan alpha of all objects and motions, or over
-        the first alone where all have one shape or one size; None where too few lift, or without a
-        PGV.
     records, seconds
         Number of motions, and time that it took [s].
     """
@@ -73,7 +75,6 @@ class ObjectsTable(Result):
     pga_g: float | None
     pgv_m_s: float | None
     target_probability: float
-    curve: VectorFit | None
     records: int
     seconds: float
 
@@ -126,17 +127,13 @@ class ObjectsTable(Result):
             Fact("demand", demand, "demand"),
             Fact("target_probability", self.target_probability, "target", f"{number(target)} %"),
             Fact("colours", counts, "colours", words),
+            Fact("method", METHOD),
             Fact("seconds", self.seconds),
         ]
         colours_mean = (
             f"Red is a probability above {number(target)} %, amber one above "
             f"{number(AMBER * target)} %, green one below; grey is no answer, because the object "
             "slides or its friction is too low for rocking alone."
-        )
-        source = (
-            "The probability is that of the curve through the runs of all objects where there is "
-            "one, else the share of the object's own runs; each has its own restitution alone. "
-            "Objects against a wall are no part of the curve."
         )
         return Description(
             headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
@@ -150,7 +147,7 @@ class ObjectsTable(Result):
                     alarm="red",
                 )
             ],
-            notes=[colours_mean, source, *CAVEATS],
+            notes=[colours_mean, METHOD, *CAVEATS],
         )
 
 
@@ -164,27 +161,28 @@ def assess_objects(
     target_probability: float = 0.1,
     run: Run | None = None,
 ) -> ObjectsTable:
-    """Assess many objects under one demand, in one sweep.
+    """Assess many objects under one demand.
 
-    Every object meets every motion in both signs, without vertical motion and with its own
-    restitution, at one level.  Of all that lift one curve is fitted over p PGV/(g tan alpha) and
-    tan alpha, so that the probability of an object does not hang on a few dozen runs alone.  Over
-    the first alone large slender objects would get half of what their runs show: at one PGV it does
-    not distinguish a slender object from a small one.
+    Each gets the probability that `assess_object` gives for it under this demand, by the same
+    method: its own runs at all levels and restitutions, with one curve through them.  Bands,
+    sensitivity and remedies are left to `assess_object`.
 
     Parameters
     ----------
     objects
-        As `read_objects` returns them; for a range the middle is taken.
+        As `read_objects` returns them; for a range the middle is taken.  Each keeps its own
+        vertical motion and its options, the target excepted.
     motions
-        Records of the ground or the floor.
+        Records of the ground or the floor, as for `assess_object`.
     pga_g, pgv_m_s
-        Peaks of the demand, [g] and [m/s]; one of the two at least.  Motions are scaled to the PGV
-        where it is given.  An object that the PGA does not lift stands.
+        Peaks of the demand, [g] and [m/s]; one of the two at least.  With one alone it is the
+        measure of an object whose own measure needs the other.  An object that the PGA does not
+        lift stands.
     target_probability
         Above it an object is red, above a fifth of it amber; default 0.1.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Run()`.  Objects with other levels or
+        restitutions than the first have stores of their own beside it, as runs-2.zarr.
 
     Returns
     -------
@@ -224,161 +222,122 @@ def assess_objects(
         )
     ]
     pga, pgv = peaks
-    level = pgv if pgv is not None else pga
-    if level is None:
+    if pga is None and pgv is None:
         raise ModelError(
             "pga_g, pgv_m_s",
             Words("are both missing"),
             "objects are assessed at a peak velocity, a peak acceleration or both",
             "give the PGV, and the PGA where it is known",
         )
-    blocks = [each.block for each in bodies]
-    ensemble = run_ensemble(
-        blocks,
-        suite,
-        stripes=Stripes("pgv_m_s" if pgv is not None else "pga_g", [level], beside=()),
-        restitution=RestitutionBand(draws=1),
-        vertical=False,
-        run=run,
+    asked = [each.with_peaks(pga_g=pga, pgv_m_s=pgv).with_target(target) for each in bodies]
+    intensities = [_measure_of(each) for each in asked]
+    levels = [
+        demand_level(intensity, each.given.demand, suite, each.block, each.source)
+        for each, intensity in zip(asked, intensities, strict=True)
+    ]
+    onsets = [onset_of(each) for each in asked]
+    rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
+    fitting = Fitting(states=[OVERTURNED], bands=None)
+    fragilities = dict(
+        zip(
+            rocking,
+            fit_fragilities(
+                [asked[place] for place in rocking],
+                suite,
+                [intensities[place] for place in rocking],
+                [fitting] * len(rocking),
+                run=run,
+            ),
+            strict=True,
+        )
     )
-    counts = count_runs(ensemble, blocks)
-    trials, lifted, fell = (
-        np.array([getattr(each, name)[:, 0] for each in counts])
-        for name in ("trials", "lifted", "fell")
-    )
-    curve = None if pgv is None else _pooled(blocks, pgv, lifted, fell)
-    rows = tuple(
-        _row(described, block, (pga, pgv), target, curve, (trials[k], lifted[k], fell[k]))
-        for k, (described, block) in enumerate(zip(bodies, blocks, strict=True))
-    )
+    inner = None if run is None else replace(run, store=None, progress=None)
+    counts = count_at_demand(asked, suite, levels, run=inner)
+    rows = []
+    for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
+        found = NO_ANSWER
+        if place in fragilities:
+            share = counts[place].fell / counts[place].trials
+            found = probability_of(each, onset, fragilities[place], level, share)
+        rows.append(_row(each, onset, found, level, counts[place]))
     return ObjectsTable(
-        rows=rows,
+        rows=tuple(rows),
         pga_g=pga,
         pgv_m_s=pgv,
         target_probability=target,
-        curve=curve,
         records=len(suite),
         seconds=time.perf_counter() - began,
     )
 
 
-def _pooled(
-    blocks: Sequence[Block], pgv: float, lifted: Integers, fell: Integers
-) -> VectorFit | None:
-    """Return P(falls | lifts) of all objects that stand free of walls.
-
-    None where too few lift, or no curve fits.
-    """
-    free = np.array([not block.one_sided for block in blocks])
-    lifted = np.where(free[:, np.newaxis], lifted, 0)
-    if (lifted.sum(axis=1) > 0).sum() < FEWEST:
-        return None
-    uplifted = lifted > 0
-    records = np.broadcast_to(np.arange(lifted.shape[1]), lifted.shape)[uplifted]
-    points = np.array([_point(block, pgv) for block in blocks])
-    for width in (2, 1):
-        at = np.broadcast_to(points[:, np.newaxis, :width], (*lifted.shape, width))[uplifted]
-        try:
-            curve = fit_vector(
-                at, fell[uplifted], lifted[uplifted], groups=records, names=MEASURES[:width]
-            )
-        except InputError:  # of one shape, or of one size: the two depend on each other
-            continue
-        if curve.status == "fitted" and curve.coefficients[1] > 0.0:
-            return curve
-    return None
-
-
-def _point(block: Block, pgv: float) -> tuple[float, float]:
-    """Return p PGV/(g tan alpha) and tan alpha of the side that lifts first."""
-    side = first_side(block)
-    slope = tan(side.alpha)
-    return side.p * pgv / (block.gravity * slope), slope
+def _measure_of(described: ObjectFile) -> Intensity:
+    """Return an object's measure of intensity; of a demand with one peak alone that peak."""
+    options, demand = described.given.assessment, described.given.demand
+    own = Intensity(options.intensity_measure, options.period_s)
+    peak = PEAKS.get(own.name)
+    if peak is None or getattr(demand, peak) is not None:
+        return own
+    return Intensity("pga_g" if demand.pgv_m_s is None else "pgv_m_s")
 
 
 def _row(
-    described: ObjectFile,
-    block: Block,
-    peaks: tuple[float | None, float | None],
-    target: float,
-    curve: VectorFit | None,
-    runs: tuple[Integers, Integers, Integers],
+    described: ObjectFile, onset: Onset, found: Probability, level: DemandLevel, counts: AtDemand
 ) -> dict[str, Any]:
     """Return the row of an object."""
-    pga, pgv = peaks
-    trials, lifted, fell = (int(each.sum()) for each in runs)
-    friction = described.given.friction
-    motion = None
-    if pga is not None:
-        motion = first_motion(block, pga, 100.0 if friction is None else bounds_of(friction)[0])
-    closed, fitted, counted = None, None, fell / trials
-    if pga is not None and pgv is not None and not block.one_sided:
-        closed = assess_two_numbers(block, pga, pgv).probability
-    if curve is not None and pgv is not None and not block.one_sided:
-        falls = float(curve.probability(np.array(_point(block, pgv)[: len(curve.names)])))
-        fitted = None if math.isnan(falls) else falls * lifted / trials
-    probability: float | None = counted if fitted is None else fitted
-    if motion == "rest":
-        probability = 0.0
-    elif motion in ("slides", "slides and rocks"):
-        probability = None
-    colour = colour_of(probability, target)
-    side = first_side(block)
+    block, demand, target = (
+        described.block,
+        described.demand,
+        described.given.assessment.target_probability,
+    )
+    closed = None
+    if demand.pga_g is not None and demand.pgv_m_s is not None and not block.one_sided:
+        closed = assess_two_numbers(
+            block,
+            demand.pga_g,
+            demand.pgv_m_s,
+            vertical_g=demand.vertical_g,
+            vertical_share=demand.vertical_share,
+        ).probability
+    colour = colour_of(found.value, target)
+    side, need = first_side(block), onset.friction_needed
     row = {
         "name": described.name,
         "kind": described.given.kind,
         "colour": colour,
         "class": WORDS[colour],
-        "probability": probability,
-        "counted": counted,
-        "fitted": fitted,
+        "probability": found.value,
+        "basis": found.basis,
+        "method": found.method,
+        "counted": counts.fell / counts.trials,
         "closed_form": closed,
-        "fell": fell,
-        "lifted": lifted,
-        "trials": trials,
+        **counts._asdict(),
         "alpha_rad": side.alpha,
         "p_rad_s": side.p,
-        "uplift_pga_g": uplift_acceleration_g(block),
-        "friction_needed": None if pga is None else needed_friction(block, pga),
-        "verdict": _verdict(probability, motion, target),
-        "sentence": _sentence(
-            described.name, probability, motion, (fell, trials), peaks, fitted=fitted is not None
-        ),
+        "uplift_pga_g": uplift_acceleration_g(block, demand.vertical_at_peak_g),
+        "friction_needed": need and need.largest,
+        "friction_cause": need and need.cause,
+        "vertical_g": demand.vertical_g,
+        "vertical_share": demand.vertical_share,
+        "verdict": verdict_of(found, target),
+        "sentence": _sentence(described, found, level, counts),
     }
     return row | {
         (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
     }
 
 
-def _verdict(probability: float | None, motion: str | None, target: float) -> str:
-    """Return the verdict in two words."""
-    if probability is None:
-        return "slides"
-    if motion == "rest":
-        return "stands"
-    return "above target" if probability > target else "below target"
-
-
 def _sentence(
-    name: str,
-    probability: float | None,
-    motion: str | None,
-    runs: tuple[int, int],
-    peaks: tuple[float | None, float | None],
-    *,
-    fitted: bool,
+    described: ObjectFile, found: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
-    pga, pgv = peaks
-    if probability is None:
-        return f"{name} slides at a PGA of {number(pga or 0.0)} g: rocking is no answer."
-    if motion == "rest":
-        return f"{name} stands: a PGA of {number(pga or 0.0)} g does not lift it."
-    level = f"a PGV of {number(pgv)} m/s" if pgv is not None else f"a PGA of {number(pga or 0.0)} g"
-    fell, trials = runs
-    if not fitted:  # a share is no smaller than one of the runs
-        return f"{name}: {fell or 'none'} of its {trials} runs fall at {level}."
+    name, fell, trials = described.name, counts.fell, counts.trials
+    if found.value is None:
+        return f"{name} slides at {peak_words(described.demand)}: rocking is no answer."
+    if found.basis == "statics":
+        return f"{name} stands: {peak_words(described.demand)} does not lift it."
+    if found.basis == "count":  # a share is no smaller than one of the runs
+        return f"{name}: {fell or 'none'} of its {trials} runs fall at {with_article(level.words)}."
     return (
-        f"{name}: {share_words(probability).lower()} objects of its shape and size would fall at "
-        f"{level}; in {fell} of its own {trials} runs it fell."
+        f"{name}: {share_words(found.value).lower()} objects of its shape and size would fall at "
+        f"{with_article(level.words)}; of its {trials} runs there {fell or 'none'} fell."
     )

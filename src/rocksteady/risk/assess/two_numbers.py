@@ -7,12 +7,14 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.screens.demand import Demand, peak_value
 from rocksteady.risk.screens.friction import (
+    FrictionNeed,
     Mode,
     first_motion,
     needed_friction,
@@ -32,9 +34,9 @@ SOURCE = (
 )
 CAVEAT = (
     "Not covered: the uncertainty of the shaking, bouncing, sliding during rocking, a soft floor, "
-    "three dimensions, vertical motion, and restitution other than Housner's. The probability is a "
-    "share of many motions of this PGA and PGV, not a prediction for one of them. It is no "
-    "substitute for anchorage rules; the engineer verifies."
+    "three dimensions, vertical motion after uplift, and restitution other than Housner's. The "
+    "probability is a share of many motions of this PGA and PGV, not a prediction for one of them. "
+    "It is no substitute for anchorage rules; the engineer verifies."
 )
 STRONGEST_PGA_G = 4.0
 """Beyond it a PGA is remarked on: about 4 g was recorded in 2008 (IWTH25, vertical included)."""
@@ -74,7 +76,7 @@ class QuickAssessment(Result):
 
     Attributes
     ----------
-    block, pga_g, pgv_m_s, friction
+    block, pga_g, pgv_m_s, friction, vertical_g, vertical_share
         Inputs of the assessment; no friction where it is not known.
     probability
         Probability of overturning; None where the block slides, since the formula is for rocking
@@ -87,9 +89,11 @@ class QuickAssessment(Result):
     other_median_pgv_m_s, other_beta
         The same of runs of this package.
     uplift_pga_g
-        PGA that lifts the block [g].
+        PGA that lifts the block [g], with the vertical motion.
     friction_needed
-        Friction with which it rocks without sliding at this PGA (Shenton 1996).
+        Friction with which it rocks without sliding at this PGA, impacts included.
+    friction_cause
+        What needs that friction: "uplift" (Shenton 1996) or "impacts".
     verdict
         "rest", "rocks" or "slides", alone or while it rocks; without friction it does not slide.
     sentence
@@ -102,6 +106,8 @@ class QuickAssessment(Result):
     pga_g: float
     pgv_m_s: float
     friction: float | None
+    vertical_g: float
+    vertical_share: float
     probability: float | None
     other_probability: float | None
     median_pgv_m_s: float
@@ -110,20 +116,37 @@ class QuickAssessment(Result):
     other_beta: float
     uplift_pga_g: float
     friction_needed: float
+    friction_cause: str
     verdict: str
     sentence: str
     remarks: tuple[str, ...] = ()
+
+    @property
+    def demand(self) -> Demand:
+        """Both peaks and the vertical motion."""
+        return Demand(
+            pga_g=self.pga_g,
+            pgv_m_s=self.pgv_m_s,
+            vertical_g=self.vertical_g,
+            vertical_share=self.vertical_share,
+        )
 
     def describe(self) -> Description:
         """Return the sentence, both probabilities, the thresholds and the source."""
         shares = [percent(share) for share in (self.probability, self.other_probability)]
         given = "not given" if self.friction is None else f"{number(self.friction)} given"
+        need = f"{number(self.friction_needed)} to rock without sliding at this PGA"
+        if self.friction_cause == "impacts":
+            need += ", for impacts"
+        vertical = self.demand.vertical_words
         return Description(
             headline=self.sentence,
             facts=[
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
                 Fact("pga_g", self.pga_g, "PGA", quantity(self.pga_g, "g")),
                 Fact("pgv_m_s", self.pgv_m_s, "PGV", quantity(self.pgv_m_s, "m/s")),
+                Fact("vertical_g", self.vertical_g, "vertical" if vertical else "", vertical),
+                Fact("vertical_share", self.vertical_share),
                 Fact("probability", self.probability, "probability of falling", shares[0]),
                 Fact("other_probability", self.other_probability, "second probability", shares[1]),
                 Fact(
@@ -143,8 +166,9 @@ class QuickAssessment(Result):
                     "friction_needed",
                     self.friction_needed,
                     "friction needed",
-                    f"{number(self.friction_needed)} to rock without sliding at this PGA; {given}",
+                    f"{need}; {given}",
                 ),
+                Fact("friction_cause", self.friction_cause),
                 Fact("friction", self.friction),
                 Fact("verdict", self.verdict),
                 Fact("sentence", self.sentence),
@@ -157,12 +181,18 @@ class QuickAssessment(Result):
 
 @checked
 def assess_two_numbers(
-    block: Block, pga_g: float, pgv_m_s: float, friction: float | None = None
+    block: Block,
+    pga_g: float,
+    pgv_m_s: float,
+    friction: float | None = None,
+    *,
+    vertical_g: float = 0.0,
+    vertical_share: float = 1.0,
 ) -> QuickAssessment:
     """Compute the probability that a block falls, from PGA and PGV.
 
-    ``P = 1[PGA > g tan alpha] Phi(ln(p PGV/(0.757 g tan alpha))/0.592)``, of the side that lifts
-    first.
+    ``P = 1[PGA > (g - a_v) tan alpha] Phi(ln(p PGV/(0.757 g tan alpha))/0.592)``, of the side that
+    lifts first.
 
     Parameters
     ----------
@@ -175,6 +205,8 @@ def assess_two_numbers(
     friction
         Coefficient between block and base; None (default) where it is not known, and then its need
         is stated.  Below the need rocking alone is no answer, and there is no probability.
+    vertical_g, vertical_share
+        As for `Demand`: they lower what lifts the block and raise the friction that it needs.
 
     Returns
     -------
@@ -184,7 +216,7 @@ def assess_two_numbers(
     Raises
     ------
     InputError
-        If a peak is not above 0, or the friction is negative.
+        If a peak is not above 0, the friction is negative, or the base falls as fast as the block.
 
     Examples
     --------
@@ -195,15 +227,16 @@ def assess_two_numbers(
     >>> print(answer.sentence)
     About 2 in 5 blocks of this shape and size would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
     """
-    pga = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give the peak in g; 0.3 is usual")
-    pgv = in_range("pgv_m_s", pgv_m_s, 0.0, LARGEST, hint="give the peak in m/s; 0.4 is usual")
+    pga, pgv = peak_value("pga_g", pga_g), peak_value("pgv_m_s", pgv_m_s)
+    demand = Demand(pga_g=pga, pgv_m_s=pgv, vertical_g=vertical_g, vertical_share=vertical_share)
+    vertical = demand.vertical_at_peak_g
     if friction is not None:
         hint = "give the coefficient of friction, as 0.4"
         friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
-    uplift = uplift_acceleration_g(block)
+    uplift = uplift_acceleration_g(block, vertical)
     mode: Mode = "rocks" if pga > uplift else "rest"
     if friction is not None:
-        mode = first_motion(block, pga, friction)
+        mode = first_motion(block, pga, friction, vertical)
     side = first_side(block)
     unit = block.gravity * tan(side.alpha) / side.p
     medians = MEDIAN * unit, OTHER_MEDIAN * unit
@@ -217,12 +250,14 @@ def assess_two_numbers(
             normal_share(math.log(pgv / median) / beta)
             for median, beta in zip(medians, (BETA, OTHER_BETA), strict=True)
         ]
-    need = needed_friction(block, pga)
+    need = needed_friction(block, pga, vertical)
     return QuickAssessment(
         block=block,
         pga_g=pga,
         pgv_m_s=pgv,
         friction=friction,
+        vertical_g=demand.vertical_g,
+        vertical_share=demand.vertical_share,
         probability=shares[0],
         other_probability=shares[1],
         median_pgv_m_s=medians[0],
@@ -230,32 +265,34 @@ def assess_two_numbers(
         other_median_pgv_m_s=medians[1],
         other_beta=OTHER_BETA,
         uplift_pga_g=uplift,
-        friction_needed=need,
+        friction_needed=need.largest,
+        friction_cause=need.cause,
         verdict="slides" if mode == "slides and rocks" else mode,
-        sentence=_sentence(mode, shares[0], (pga, pgv), uplift, need),
-        remarks=tuple(_remarks(block, pga, pgv, friction, need)),
+        sentence=_sentence(mode, shares[0], demand, uplift, need),
+        remarks=tuple(_remarks(block, pga, pgv, friction, need.largest)),
     )
 
 
 def _sentence(
-    mode: Mode, share: float | None, peaks: tuple[float, float], uplift: float, need: float
+    mode: Mode, share: float | None, demand: Demand, uplift: float, need: FrictionNeed
 ) -> str:
     """Return the answer in one sentence."""
-    pga, pgv = quantity(peaks[0], "g"), quantity(peaks[1], "m/s")
+    pga, pgv = quantity(demand.pga_g or 0.0, "g"), quantity(demand.pgv_m_s or 0.0, "m/s")
+    vertical = f" with {demand.vertical_words}" if demand.vertical_words else ""
     if mode == "rest":
         return (
-            f"It stays where it stands: a PGA of {pga} does not lift it; {quantity(uplift, 'g')} "
-            "would."
+            f"It stays where it stands: a PGA of {pga}{vertical} does not lift it; "
+            f"{quantity(uplift, 'g')} would."
         )
     if share is None:
         more = "also slides while it rocks" if mode == "slides and rocks" else "slides"
         return (
-            f"It {more} at a PGA of {pga}: rocking alone needs a coefficient of friction of "
-            f"{number(need)}, and no probability of falling is given."
+            f"It {more} at a PGA of {pga}{vertical}: rocking alone needs a coefficient of friction "
+            f"of {number(need.largest)} for {need.cause}, and no probability of falling is given."
         )
     return (
         f"{share_words(share)} blocks of this shape and size would fall at a PGA of {pga} and a "
-        f"PGV of {pgv}."
+        f"PGV of {pgv}{vertical}."
     )
 
 

@@ -65,8 +65,8 @@ class Case:
         """What the peak acceleration begins; None without it or without friction."""
         if self.demand.pga_g is None or self.friction is None:
             return None
-        upwards = self.demand.vertical_g
-        return first_motion(self.block, self.demand.pga_g, self.friction, upwards)
+        vertical = self.demand.vertical_at_peak_g
+        return first_motion(self.block, self.demand.pga_g, self.friction, vertical)
 
     @cached_property
     def rectangular(self) -> bool:
@@ -115,7 +115,7 @@ class Case:
 
 def uplift_row(case: Case) -> Screen:
     """Return the row of uplift."""
-    value = uplift_acceleration_g(case.block, case.demand.vertical_g)
+    value = uplift_acceleration_g(case.block, case.demand.vertical_at_peak_g)
     pga = case.demand.pga_g
     needs = ""
     if pga is None:
@@ -132,7 +132,7 @@ def uplift_row(case: Case) -> Screen:
         remark = "Of the side that lifts first."
     return Screen(
         name="uplift",
-        equation="(g + a_v) tan(α)",
+        equation="(g - a_v) tan(α)",
         edition="statics (West)",
         source="moment about the edge; often quoted as West's formula for overturning, which it "
         "is not",
@@ -151,10 +151,13 @@ def friction_row(case: Case) -> Screen:
     pga, friction = case.demand.pga_g, case.friction
     needs = ""
     value = tan(max(side.alpha for side in free_sides(case.block)))
+    details: tuple[tuple[str, float, str], ...] = ()
     if pga is None:
         verdict, needs = "needs a PGA; this is its least, at uplift", "pga_g"
     else:
-        value = needed_friction(case.block, pga, case.demand.vertical_g)
+        need = needed_friction(case.block, pga, case.demand.vertical_at_peak_g)
+        value = need.largest
+        details = (("at uplift", need.at_uplift, ""), ("at impacts", need.at_impact, ""))
         if case.mode is None:
             verdict, needs = "needs the friction; below it the block slides", "friction"
         else:
@@ -171,6 +174,7 @@ def friction_row(case: Case) -> Screen:
         unit="",
         verdict=verdict,
         needs=needs,
+        details=details,
         remark="A friction above width/height alone does not ensure pure rocking: the need grows "
         "with the PGA."
         + ("" if case.other is None else " The greater of both sides: shaking reverses."),
@@ -362,7 +366,9 @@ def velocity_row(case: Case) -> Screen:
     if pgv is not None:
         value, needs = velocity_number(case.side, gravity, pgv), ""
         share = share_at(value)
-        lifts = pga is None or pga > uplift_acceleration_g(case.block, case.demand.vertical_g)
+        lifts = pga is None or pga > uplift_acceleration_g(
+            case.block, case.demand.vertical_at_peak_g
+        )
         if not lifts:
             verdict, passes = "stays down: PGA below uplift", True
         elif value < LEAST_NUMBER:

@@ -1,5 +1,6 @@
 """Demand on a block: peak acceleration and velocity, and a response spectrum."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -8,11 +9,23 @@ from typing import Any
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.checks.validation import LARGEST, Ends, in_range
 from rocksteady.model.motions.record import Record
+from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens.spectra import read_table, tabulated
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import integrate_record
+
+PEAKS = {
+    "pga_g": "give the peak in g; 0.3 is usual",
+    "pgv_m_s": "give the peak in m/s; 0.4 is usual",
+}
+"""What to do where a peak is not valid."""
+VERTICAL: Mapping[str, tuple[float, float, Ends, str]] = {
+    "vertical_g": (0.0, 10.0, "[]", "give the peak without a sign: the worse direction counts"),
+    "vertical_share": (0.0, 1.0, "[]", "give the share that acts at the horizontal peak, as 0.4"),
+}
+"""Lowest and highest vertical motion, which ends belong to it, and what to do."""
 
 
 @checked
@@ -37,8 +50,11 @@ class Demand:
     sa_v_per_sa_h
         Ratio of vertical to horizontal spectral acceleration, default 0.
     vertical_g
-        Base acceleration upwards at the instant of the peak [g], default 0; below 0 it lifts the
-        block sooner.
+        Peak vertical acceleration of the base [g], default 0.  A magnitude: its direction at the
+        horizontal peak is not known, and the worse one, downwards, counts.
+    vertical_share
+        Share of it that acts at the horizontal peak, in [0, 1]; default 1, 0.4 by the 100-40-40
+        rule of ASCE 4.
 
     Raises
     ------
@@ -57,20 +73,18 @@ class Demand:
     spectrum_damping: Any = None
     sa_v_per_sa_h: float = 0.0
     vertical_g: float = 0.0
+    vertical_share: float = 1.0
 
     def __post_init__(self) -> None:
         """Validate, and read a file."""
-        hint = "give the peak in g; 0.3 is usual"
-        self._set("pga_g", peak_value("pga_g", self.pga_g, hint))
-        hint = "give the peak in m/s; 0.4 is usual"
-        self._set("pgv_m_s", peak_value("pgv_m_s", self.pgv_m_s, hint))
+        for name in PEAKS:
+            if getattr(self, name) is not None:
+                self._set(name, peak_value(name, getattr(self, name)))
         hint = "give the ratio of the spectra, as 0.67"
         ratio = in_range("sa_v_per_sa_h", self.sa_v_per_sa_h, 0.0, 10.0, "[]", hint=hint)
         self._set("sa_v_per_sa_h", ratio)
-        hint = "give the acceleration of the base in g, upwards positive"
-        self._set(
-            "vertical_g", in_range("vertical_g", self.vertical_g, -1.0, 10.0, "()", hint=hint)
-        )
+        for name, (low, high, ends, hint) in VERTICAL.items():
+            self._set(name, in_range(name, getattr(self, name), low, high, ends, hint=hint))
         if self.spectrum is None or isinstance(self.spectrum, ResponseSpectrum | Record):
             self._refuse_damping()
         else:
@@ -86,7 +100,12 @@ class Demand:
 
     @classmethod
     def from_record(
-        cls, record: Record, *, sa_v_per_sa_h: float = 0.0, vertical_g: float = 0.0
+        cls,
+        record: Record,
+        *,
+        sa_v_per_sa_h: float = 0.0,
+        vertical_g: float = 0.0,
+        vertical_share: float = 1.0,
     ) -> "Demand":
         """Return the demand of a record: its PGA, PGV and spectrum.
 
@@ -94,7 +113,7 @@ class Demand:
         ----------
         record
             The record, whose ground begins at rest.
-        sa_v_per_sa_h, vertical_g
+        sa_v_per_sa_h, vertical_g, vertical_share
             As for the class.
 
         Raises
@@ -109,7 +128,21 @@ class Demand:
             spectrum=record,
             sa_v_per_sa_h=sa_v_per_sa_h,
             vertical_g=vertical_g,
+            vertical_share=vertical_share,
         )
+
+    @property
+    def vertical_at_peak_g(self) -> float:
+        """Vertical acceleration that acts at the horizontal peak [g], without a sign."""
+        return self.vertical_share * self.vertical_g
+
+    @property
+    def vertical_words(self) -> str:
+        """That acceleration in words; empty where there is none."""
+        if not self.vertical_at_peak_g:
+            return ""
+        share = "" if self.vertical_share == 1.0 else f"{number(self.vertical_share)} of "
+        return f"{share}{quantity(self.vertical_g, 'g')} of vertical motion downwards at the peak"
 
     def _refuse_damping(self) -> None:
         """Refuse a damping that belongs to no table."""
@@ -125,6 +158,6 @@ class Demand:
         object.__setattr__(self, name, value)
 
 
-def peak_value(name: str, value: float | None, hint: str) -> float | None:
-    """Return a peak above 0; None stays None."""
-    return None if value is None else in_range(name, value, 0.0, LARGEST, hint=hint)
+def peak_value(name: str, value: object) -> float:
+    """Return a peak, which is above 0."""
+    return in_range(name, value, 0.0, LARGEST, hint=PEAKS[name])

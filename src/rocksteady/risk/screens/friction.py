@@ -1,7 +1,14 @@
-"""Uplift and friction: which of rest, rocking and sliding a peak acceleration begins."""
+"""Uplift and friction: which of rest, rocking and sliding a peak acceleration begins.
 
-from typing import Literal
+A vertical acceleration at that instant is a magnitude: nobody knows its direction, so the worse one
+counts.  That is downwards, in all of this module: a base that accelerates downwards by a_v takes
+a_v from gravity, and a block under a smaller gravity lifts, slides and needs more friction sooner.
+The need grows with A/(g - a_v) since ``I_0 > M R^2``.
+"""
 
+from typing import Literal, NamedTuple
+
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side
@@ -9,35 +16,86 @@ from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
 """How a block at rest answers a peak acceleration."""
+MODES: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
+"""All of them, the worst last: sliding alone has no answer by rocking."""
+
+
+class FrictionNeed(NamedTuple):
+    """Least coefficients of friction with which a block rocks and does not slide.
+
+    Attributes
+    ----------
+    at_uplift
+        As rotation begins, after Shenton (1996).
+    at_impact
+        As the other edge strikes the base; 0 of a block that does not lift, or against a wall.
+    """
+
+    at_uplift: float
+    at_impact: float
+
+    @property
+    def largest(self) -> float:
+        """The need: the greater of both."""
+        return max(self)
+
+    @property
+    def cause(self) -> str:
+        """What the need comes from."""
+        return "impacts" if self.at_impact > self.at_uplift else "uplift"
+
+
+def least_gravity_g(block: Block, vertical_g: float) -> float:
+    """Return gravity on a base that accelerates downwards, over the standard one.
+
+    Raises
+    ------
+    InputError
+        If the base falls as fast as the block: what then lifts or slides is no question.
+    """
+    gravity_g = block.gravity / STANDARD_GRAVITY
+    if vertical_g >= gravity_g:
+        raise InputError(
+            "vertical_g",
+            vertical_g,
+            f"at the horizontal peak it must stay below {gravity_g:g} g: the base else falls as "
+            "fast as the block",
+            "give a smaller share of it, as 0.4, where the two peaks do not coincide",
+        )
+    return gravity_g - vertical_g
 
 
 def uplift_acceleration_g(block: Block, vertical_g: float = 0.0) -> float:
     """Return the base acceleration [g] that lifts a block at rest.
 
-    Moment about the edge: a M R cos(alpha) = (g + a_v) M R sin(alpha), so a = (g + a_v) tan(alpha),
-    a_v being the upward acceleration of the base at that instant.  No edition is implied: it is
-    statics, often quoted as West's formula; it holds for any rigid
-    block, of the side that lifts first.
+    Moment about the edge: a M R cos(alpha) = (g - a_v) M R sin(alpha), so a = (g - a_v) tan(alpha),
+    a_v being the vertical acceleration of the base at that instant, downwards.  No edition is
+    implied: it is statics, often quoted as West's formula; it holds for any rigid block, of the
+    side that lifts first.
 
     Parameters
     ----------
     block
         The block.
     vertical_g
-        Upward base acceleration [g]; below 0 the base falls away and the block lifts sooner.
+        Magnitude of the vertical base acceleration at that instant [g]; default 0.
+
+    Raises
+    ------
+    InputError
+        If the base falls as fast as the block.
 
     Examples
     --------
     >>> block = Block.rectangle(width=0.32, height=1.8)
-    >>> print(f"{uplift_acceleration_g(block):.4f} {uplift_acceleration_g(block, -0.2):.4f}")
+    >>> print(f"{uplift_acceleration_g(block):.4f} {uplift_acceleration_g(block, 0.2):.4f}")
     0.1778 0.1422
     """
-    gravity_g = block.gravity / STANDARD_GRAVITY
-    return (gravity_g + vertical_g) * tan(first_side(block).alpha)
+    return least_gravity_g(block, vertical_g) * tan(first_side(block).alpha)
 
 
-def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> float:
-    """Return the friction with which a block at rest lifts and does not slide.
+def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> FrictionNeed:
+    """Return the friction with which a block at rest lifts, rocks and does not slide.
 
     Shenton (1996) for a rectangle, with a = tan(alpha) and A = PGA/g:
     ``mu >= (A (1 + 4 a^2) + 3 a) / (4 + a^2 + 3 A a)``, equal to a at A = a and growing with A.
@@ -49,6 +107,13 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     For a block whose sides differ it is the greater of both: shaking reverses.  Against a wall it
     is that of the free side: the wall holds what is driven into it.
 
+    A block that lifts has impacts, whose impulses need friction too, whatever the acceleration.
+    An impact that ends a rotation omega about the edge at a distance b from the mass centre, which
+    stands h high, and begins e omega about the edge at b', gives the mass centre ``h (1 - e)
+    omega`` across and ``(b + e b') omega`` upwards, per mass: ``mu >= h (1 - e)/(b + e b')``, for
+    like sides ``cot(alpha) (1 - e)/(1 + e)``.  With Housner's restitution a rectangle needs less
+    than a.  Checked numerically.  Impacts on a wall are left out.
+
     Parameters
     ----------
     block
@@ -56,7 +121,12 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     pga_g
         Peak acceleration [g].
     vertical_g
-        Upward base acceleration at that instant [g]; it adds to gravity.
+        Magnitude of the vertical base acceleration at that instant [g]; default 0.
+
+    Raises
+    ------
+    InputError
+        If the base falls as fast as the block.
 
     References
     ----------
@@ -65,12 +135,30 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> floa
     Examples
     --------
     >>> block = Block.rectangle(width=0.3, height=1.8)
-    >>> print(f"{needed_friction(block, 0.35):.4f}")
-    0.2115
+    >>> print("{:.4f} at uplift, {:.4f} at impacts".format(*needed_friction(block, 0.35)))
+    0.2115 at uplift, 0.1241 at impacts
     """
-    gravity_g = block.gravity / STANDARD_GRAVITY
-    ratio = pga_g / (gravity_g + vertical_g)
-    return max(_at_side(side, block.gravity, ratio) for side in free_sides(block))
+    ratio = pga_g / least_gravity_g(block, vertical_g)
+    lifts = ratio > tan(first_side(block).alpha)
+    return FrictionNeed(
+        at_uplift=max(_at_side(side, block.gravity, ratio) for side in free_sides(block)),
+        at_impact=_at_impacts(block) if lifts else 0.0,
+    )
+
+
+def _at_impacts(block: Block) -> float:
+    """Return the friction that the impacts of a block on its base need; 0 of one at a wall."""
+    if block.one_sided:
+        return 0.0
+    one, other = block.positive, block.negative
+    return max(_at_impact(left, struck) for left, struck in ((one, other), (other, one)))
+
+
+def _at_impact(left: Side, struck: Side) -> float:
+    """Return the friction that an impact needs which ends the rotation about one edge."""
+    ratio = left.restitution
+    across = left.centre_height * (1.0 - ratio)
+    return across / (left.distance + ratio * struck.distance)
 
 
 def _at_side(side: Side, gravity: float, ratio: float) -> float:
@@ -92,19 +180,27 @@ def first_motion(block: Block, pga_g: float, friction: float, vertical_g: float 
     slides with less than a = tan(alpha), and slides and rocks in between.  For a block whose sides
     differ the worse of both directions counts: sliding before both, both before rocking alone.
 
+    Parameters
+    ----------
+    block, pga_g, vertical_g
+        As for `needed_friction`.
+    friction
+        Coefficient between block and base.
+
     Examples
     --------
     >>> block = Block.rectangle(width=0.3, height=1.8)
     >>> [first_motion(block, 0.35, mu) for mu in (0.1, 0.2, 0.3)]
     ['slides', 'slides and rocks', 'rocks']
     """
-    ratio = pga_g / (block.gravity / STANDARD_GRAVITY + vertical_g)
+    ratio = pga_g / least_gravity_g(block, vertical_g)
     modes: list[Mode] = []
     for side in free_sides(block):
         slope = tan(side.alpha)
         mode: Mode = "rest" if ratio <= slope else "rocks"
         if friction < _at_side(side, block.gravity, ratio):
             mode = "slides" if friction < slope else "slides and rocks"
+        if mode == "rocks" and friction < _at_impacts(block):
+            mode = "slides and rocks"
         modes.append(mode)
-    order: tuple[Mode, ...] = ("rest", "rocks", "slides and rocks", "slides")
-    return max(modes, key=order.index)
+    return max(modes, key=MODES.index)

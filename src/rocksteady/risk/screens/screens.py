@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.facts import block_text, block_values
@@ -101,6 +101,7 @@ class Screens(Result):
             if value is not None
         ]
         shaking = f" at {' and '.join(peaks)}" if peaks else ""
+        vertical = ("vertical", demand.vertical_words) if demand.vertical_words else ()
         friction = "not known" if self.friction is None else number(self.friction)
         shown = [row.values() for row in self.rows]
         words = [{**row.values(), "value": row.words} for row in self.rows]
@@ -118,7 +119,8 @@ class Screens(Result):
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
                 Fact("pga_g", demand.pga_g),
                 Fact("pgv_m_s", demand.pgv_m_s),
-                Fact("vertical_g", demand.vertical_g),
+                Fact("vertical_g", demand.vertical_g, *vertical),
+                Fact("vertical_share", demand.vertical_share),
                 Fact("sa_v_per_sa_h", demand.sa_v_per_sa_h),
                 Fact("friction", self.friction, "friction", friction),
                 Fact("motion", self.motion, "motion", self.motion or "needs PGA and friction"),
@@ -160,7 +162,7 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     Raises
     ------
     InputError
-        If the friction is negative, or the base falls faster than the block.
+        If the friction is negative, or the base falls as fast as the block.
 
     Examples
     --------
@@ -173,13 +175,6 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     if friction is not None:
         hint = "give the coefficient of friction, as 0.4"
         friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
-    if block.gravity / STANDARD_GRAVITY + demand.vertical_g <= 0.0:
-        raise InputError(
-            "vertical_g",
-            demand.vertical_g,
-            "the base falls faster than the block",
-            "give a base acceleration above -1 g",
-        )
     case = _rows.Case(block, demand, friction)
     rows = (
         _rows.uplift_row(case),

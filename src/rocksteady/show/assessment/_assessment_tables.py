@@ -107,7 +107,7 @@ def _remedy_words(assessment: Assessment) -> tuple[str, str]:
     if not possible:
         return ("none within reach" if assessment.remedies else "none needed"), ""
     least = min(possible, key=lambda each: each.change or 0.0)
-    return least.words, f"then {percent(least.fitted)}"
+    return least.words, f"then {percent(least.probability)}"
 
 
 def object_rows(assessment: Assessment) -> list[Row]:
@@ -259,10 +259,14 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
             "name": each.name,
             "words": each.words,
             "change": NOTHING if each.change is None else f"{number(100.0 * each.change)} %",
-            "fitted": percent(each.fitted),
-            "counted": percent(each.counted),
+            "probability": percent(each.probability),
+            "basis": each.basis,
             "runs": "" if each.trials is None else f"{each.fell:,} of {each.trials:,}",
-            "word": "" if not each.trials else "confirmed" if each.confirmed else "not confirmed",
+            "word": ""
+            if each.change is None or not each.trials
+            else "confirmed"
+            if each.confirmed
+            else "not confirmed",
             "look": "agrees" if each.confirmed else "open",
         }
         for each in assessment.remedies

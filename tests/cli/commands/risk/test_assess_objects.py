@@ -188,3 +188,27 @@ def test_the_example_needs_no_file(tmp_path: Path) -> None:
     assert ran.out.startswith("About ")
     assert "The motions are synthetic: they are no earthquake's." in " ".join(ran.out.split())
     assert (tmp_path / "answer" / "fragility.xml").is_file()
+
+
+def test_a_file_and_a_table_of_one_object_print_one_answer(place: Path) -> None:
+    """To the bit; a column of the table is a key of the file."""
+    toml = (
+        'name = "vase"\nfriction = 0.9\n[geometry]\nwidth_m = 0.12\nheight_m = 0.5\n[demand]\n'
+        "pga_g = 0.4\npgv_m_s = 0.15\nvertical_g = 0.3\nvertical_share = 0.4\n[assessment]\n"
+        "replicates = 0\ntarget_probability = 0.95\n"
+    )
+    (place / "vase.toml").write_text(toml, encoding="utf-8")
+    row = "name,kind,width_m,height_m,friction,vertical_g,vertical_share\n"
+    (place / "vase.csv").write_text(f"{row}vase,vase,0.12,0.5,0.9,0.3,0.4\n", encoding="utf-8")
+    peaks = "--records motions --pga-g 0.4 --pgv-m-s 0.15 --target 0.95 --json"
+    file = rocksteady("assess vase.toml --records motions --json").json
+    ran = rocksteady(f"assess vase.csv {peaks}")
+    assert ran.code == 0, ran.err
+    (found,) = ran.json["objects"]
+    for key in ("probability", "basis", "method", "verdict", "colour", "uplift_pga_g",
+                "friction_needed", "friction_cause", "vertical_g", "vertical_share"):  # fmt: skip
+        assert file[key] == found[key], key
+    assert file["uplift_pga_g"] == pytest.approx(0.88 * 0.12 / 0.5)
+    assert 0.0 < file["probability"] < 0.95
+    line = refused(f"assess vase.csv {peaks} --vertical-g 0.2")
+    assert "vertical motion are columns of the table" in line

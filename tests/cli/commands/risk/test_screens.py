@@ -64,10 +64,12 @@ def test_a_record_is_the_demand_and_can_be_scaled_to_a_pga(tmp_path: Path) -> No
 
 
 def test_vertical_flags_reach_uplift_and_the_spectrum_row(table: Path) -> None:
-    more = "--vertical-g -0.2 --vertical-per-horizontal 0.67 --json --spectrum"
+    more = "--vertical-g 0.5 --vertical-share 0.4 --vertical-per-horizontal 0.67 --json --spectrum"
     values = rocksteady(f"{BLOCK} {more}", table).json
     assert values["screens"][0]["value"] == pytest.approx(0.8 * 0.32 / 1.8)
     assert values["sa_v_per_sa_h"] == 0.67
+    words = rocksteady(f"{BLOCK} --vertical-g 0.5 --vertical-share 0.4 --pga-g 0.3").out
+    assert "0.4 of 0.5 g of vertical motion downwards at the peak" in " ".join(words.split())
 
 
 def test_the_table_is_written_whole_and_not_over_another(tmp_path: Path) -> None:
@@ -100,7 +102,7 @@ def test_check_leaves_with_1_where_a_row_does_not_pass() -> None:
         (f"{BLOCK} --spectrum gone.txt", ["--spectrum", "No such file"]),
         (f"{BLOCK} --record gone.AT2 --pgv-m-s 1", ["--record and --pgv-m-s", "both"]),
         (f"{BLOCK} --units g", ["--units", "--record"]),
-        (f"{BLOCK} --vertical-g -2", ["--vertical-g", "-2.0"]),
+        (f"{BLOCK} --vertical-g -2", ["--vertical-g", "-2.0", "without a sign"]),
         (f"{BLOCK} --vertical-per-horizontal -1", ["--vertical-per-horizontal", "-1.0"]),
     ],
 )

@@ -177,7 +177,7 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
     pga_g, pgv_m_s = peaks.both_peaks()
     from rocksteady.risk.assess.two_numbers import assess_two_numbers
 
-    return assess_two_numbers(body, pga_g, pgv_m_s, peaks.friction)
+    return assess_two_numbers(body, pga_g, pgv_m_s, peaks.friction, **peaks.vertical)
 
 
 def _notes(notes: Sequence[str], out: Path | None, *, example: bool) -> list[str]:
@@ -279,8 +279,7 @@ def _answers(
     suite = recorded.suite(reading)
     _check_folder(out, output, [file, *suite.read])
     announce_compilation("records.record_fates")
-    ways = 1 if all(each.block.symmetric for each in objects) else 2
-    with sweeping("running objects", ways * len(objects) * len(suite.motions)) as meter:
+    with sweeping("running objects", sum(_cells(each, suite) for each in objects)) as meter:
         table = assess_objects(
             objects,
             suite.motions,
@@ -375,6 +374,7 @@ def _refuse_idle(
         "--friction": peaks.friction,
         "--pga-g": peaks.pga_g,
         "--pgv-m-s": peaks.pgv_m_s,
+        **peaks.vertical_flags,
         "--records": recorded.records[0] if recorded.records else None,
         "--pair": recorded.pair or None,
         "--hazard": hazard,
@@ -384,7 +384,8 @@ def _refuse_idle(
         "--workers": kept.workers,
         **reading.given,
     }
-    flags = [*sizes, "--friction", "--pga-g", "--pgv-m-s"]
+    columns = [*sizes, "--friction", *peaks.vertical_flags]
+    flags = [*columns, "--pga-g", "--pgv-m-s"]
     if file is None and not example:
         idle = [flag for flag in given if flag not in flags]
         reason, hint = (
@@ -392,10 +393,10 @@ def _refuse_idle(
             "name an object FILE, or leave it out",
         )
     elif file is not None and file.suffix.lower() == ".csv":
-        idle = [*sizes, "--friction", "--hazard"]
+        idle = [*columns, "--hazard"]
         reason, hint = (
             "a table of objects does not take it",
-            "leave it out; --out and --csv keep the table",
+            "leave it out; sizes, friction and vertical motion are columns of the table",
         )
     else:
         idle = [flag for flag in given if flag not in MEANT] if example else flags

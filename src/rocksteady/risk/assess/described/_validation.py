@@ -5,6 +5,7 @@ import math
 from collections.abc import Mapping
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks._sizes import METRES, TALL
 from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.risk.assess.described.schema import (
@@ -17,18 +18,14 @@ from rocksteady.risk.assess.described.schema import (
 )
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
+from rocksteady.risk.screens.demand import VERTICAL
 from rocksteady.seismic.measures.scalar import Intensity
-
-LARGEST_M = 50.0
-"""Longest size of an object [m]: larger ones are taken for millimetres or centimetres."""
-
-_METRES = "sizes are in metres: write 0.6 for 600 mm"
 
 FEWEST_REPLICATES = 100
 """Suites of a bootstrap, below which there is no band."""
 
 BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
-    "offset_m": (-LARGEST_M, LARGEST_M, "[]", "give how far right of the middle it is, in metres"),
+    "offset_m": (-TALL, TALL, "[]", "give how far right of the middle it is, in metres"),
     "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
     "mass_kg": (0.0, 1e9, "(]", "give the mass in kg"),
     "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
@@ -39,7 +36,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
     "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
     "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
-    "vertical_g": (0.0, 10.0, "[]", "give the upward peak acceleration in g"),
+    **VERTICAL,
     "period_s": (0.0, 60.0, "(]", "give a period in seconds"),
     "sa_g": (0.0, 30.0, "(]", "give a spectral acceleration in g"),
     "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
@@ -81,7 +78,8 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             "write name = ..., [geometry], width_m = ... and height_m = ...",
         )
     given = FILE.convert(values, ObjectInput, source)
-    for text, key in ((given.name, "name"), (given.assessment.records, "records")):
+    texts = ((given.name, "name"), (given.kind, "kind"), (given.assessment.records, "records"))
+    for text, key in texts:
         if text is not None and not text.strip():
             raise InputError(
                 named(source, "", key), text, "it must not be empty", "give a text, or leave it out"
@@ -112,7 +110,7 @@ def _check(table: str, key: str, value: object, source: str, *, from_zero: bool)
             valid = f"a band needs {FEWEST_REPLICATES} suites or more"
             raise InputError(name, count, valid, hint)
         return
-    low, high, ends, hint = BOUNDS.get(key, (0.0, LARGEST_M, "(]", _METRES))
+    low, high, ends, hint = BOUNDS.get(key, (0.0, TALL, "(]", METRES))
     ends = "[]" if from_zero else ends
     bounds = (value.low, value.high) if isinstance(value, Range) else (value,)
     for number in bounds:

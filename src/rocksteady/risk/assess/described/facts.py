@@ -10,6 +10,8 @@ from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Range
+from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.friction import least_gravity_g, uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 STOCKY = 0.4
@@ -30,8 +32,10 @@ class ObjectFacts(Result):
         Name of the object.
     block
         The block that it is; for a range the middle.
+    demand
+        The demand of the object.
     uplift_pga_g
-        Static base acceleration that lifts its weaker side, tan(alpha) [g].
+        Base acceleration that lifts its weaker side [g], with the demand's vertical motion.
     friction
         Lowest and highest coefficient of friction; None where it is not given.
     friction_to_lift
@@ -44,6 +48,7 @@ class ObjectFacts(Result):
 
     name: str
     block: Block
+    demand: Demand
     uplift_pga_g: float
     friction: tuple[float, float] | None
     friction_to_lift: float
@@ -53,12 +58,16 @@ class ObjectFacts(Result):
     def describe(self) -> Description:
         """Return the facts of the weaker side, and a row for each side."""
         weaker, walled = first_side(self.block), self.block.one_sided
+        gravity_g = least_gravity_g(self.block, self.demand.vertical_at_peak_g)
+        lifts = quantity(self.uplift_pga_g, "g")
+        if self.demand.vertical_words:
+            lifts += f" with {self.demand.vertical_words}"
         rows = [
             {
                 "side": name,
                 **side.to_dict(),
                 **({"restitution": self.block.restitution} if walled else {}),
-                "uplift_pga_g": tan(side.alpha),
+                "uplift_pga_g": gravity_g * tan(side.alpha),
             }
             for name, side in zip(("left", "right"), free_sides(self.block), strict=False)
         ]
@@ -76,7 +85,7 @@ class ObjectFacts(Result):
                 "mass centre",
                 f"{length(weaker.centre_height)} up",
             ),
-            Fact("uplift_pga_g", self.uplift_pga_g, "lifts at", quantity(self.uplift_pga_g, "g")),
+            Fact("uplift_pga_g", self.uplift_pga_g, "lifts at", lifts),
             Fact(
                 "friction_to_lift",
                 self.friction_to_lift,
@@ -97,7 +106,7 @@ class ObjectFacts(Result):
         shown = [] if self.block.symmetric or walled else columns
         return Description(
             headline=f"{self.name}: alpha {angle(weaker.alpha)}, p {quantity(weaker.p, 'rad/s')}, "
-            f"lifts at {quantity(self.uplift_pga_g, 'g')}",
+            f"lifts at {lifts}",
             facts=facts,
             tables=[Table("sides", rows, shown)],
             notes=self.warnings,
@@ -138,26 +147,27 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
     """
     block, body = described.block, described.body
     side = first_side(block)
-    uplift = tan(side.alpha)
+    slope, demand = tan(side.alpha), described.demand
     friction = described.given.friction
     return ObjectFacts(
         name=described.name,
         block=block,
-        uplift_pga_g=uplift,
+        demand=demand,
+        uplift_pga_g=uplift_acceleration_g(block, demand.vertical_at_peak_g),
         friction=None if friction is None else bounds_of(friction),
-        friction_to_lift=uplift,
+        friction_to_lift=slope,
         mass_kg=body.mass_kg,
-        warnings=tuple(_warnings(described, block, uplift)),
+        warnings=tuple(_warnings(described, block, slope)),
     )
 
 
-def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
+def _warnings(described: ObjectFile, block: Block, slope: float) -> list[str]:
     """Return sentences on what is assumed and what is unusual."""
     given, side = described.given, first_side(block)
     sentences = []
     if given.friction is None:
         sentences.append(
-            f"The friction is not given: with a coefficient below {number(uplift)} the object "
+            f"The friction is not given: with a coefficient below {number(slope)} the object "
             "slides."
         )
     if block.one_sided:
@@ -193,7 +203,10 @@ def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
         )
     keys = list(dict.fromkeys(variant.key for variant in described.variants()))
     if keys:
-        sentences.append(f"Of the range of {' and '.join(keys)} the middle is taken.")
+        sentences.append(
+            f"Of the range of {' and '.join(keys)} the middle is taken; the worse end decides on "
+            "uplift and sliding."
+        )
     if isinstance(given.restitution, Range):
         sentences.append("The lowest restitution of its range is the block's own.")
     if given.demand.place == "floor":

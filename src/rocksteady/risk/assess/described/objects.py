@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import form_of_text
@@ -19,6 +21,8 @@ from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.files.toml_tables import named
+from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.friction import least_gravity_g
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -101,6 +105,11 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         object.__setattr__(self, "given", validated(self.values, self.source))
         for choose, _, _ in [(nominal, "", ""), *self._ends()]:
             self._made(body_of(self.given, self.source, choose), self.restitution)
+        try:
+            least_gravity_g(self.block, self.demand.vertical_at_peak_g)
+        except InputError as error:
+            name = named(self.source, "demand", error.name)
+            raise InputError(name, error.value, error.valid, error.hint) from None
 
     @property
     def name(self) -> str:
@@ -125,6 +134,22 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         """The block that it is; for a range the middle."""
         return self._made(self.body, self.restitution)
 
+    @property
+    def demand(self) -> Demand:
+        """The demand, as the published formulas take it."""
+        given = self.given.demand
+        spectrum = given.spectrum
+        return Demand(
+            pga_g=given.pga_g,
+            pgv_m_s=given.pgv_m_s,
+            spectrum=None
+            if spectrum is None
+            else np.column_stack([spectrum.period_s, spectrum.sa_g]),
+            spectrum_damping=None if spectrum is None else spectrum.damping,
+            vertical_g=given.vertical_g,
+            vertical_share=given.vertical_share,
+        )
+
     def block_of(self, body: Body) -> Block:
         """Return the block of a changed body, with the object's restitution and gravity.
 
@@ -145,10 +170,24 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         InputError
             If it is outside.
         """
-        options = self.values.get("assessment", {})
-        assert isinstance(options, Mapping)
-        changed = {**options, "target_probability": probability}
-        return replace(self, values={**self.values, "assessment": changed})
+        return self._changed("assessment", target_probability=probability)
+
+    def with_peaks(self, *, pga_g: float | None, pgv_m_s: float | None) -> "ObjectFile":
+        """Return the object with other horizontal peaks of its demand; None for one not known.
+
+        Raises
+        ------
+        InputError
+            If one is outside its range.
+        """
+        return self._changed("demand", pga_g=pga_g, pgv_m_s=pgv_m_s)
+
+    def _changed(self, table: str, **keys: object) -> "ObjectFile":
+        """Return the object with other values of some keys of a table; None takes a key out."""
+        given = self.values.get(table, {})
+        assert isinstance(given, Mapping)
+        kept = {key: value for key, value in {**given, **keys}.items() if value is not None}
+        return replace(self, values={**self.values, table: kept})
 
     def variants(self) -> tuple[Variant, ...]:
         """Return the object at both ends of each range of its geometry and content."""

@@ -5,8 +5,6 @@ from typing import Literal
 
 import msgspec
 
-Kind = Literal["statue", "cabinet", "rack", "cask", "tombstone", "rock", "other"]
-
 
 class Range(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A value that is known between two bounds."""
@@ -63,7 +61,8 @@ class ObjectDemand(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     pga_g: float | None = None
     pgv_m_s: float | None = None
     place: Literal["ground", "floor"] = "ground"
-    vertical_g: float | None = None
+    vertical_g: float = 0.0
+    vertical_share: float = 1.0
     spectrum: ObjectSpectrum | None = None
 
 
@@ -92,7 +91,7 @@ class ObjectInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
 
     name: str
     geometry: Geometry
-    kind: Kind = "other"
+    kind: str = "other"
     friction: Value | None = None
     restitution: str | Value = "housner"
     against_wall: bool = False

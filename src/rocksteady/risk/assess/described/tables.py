@@ -9,6 +9,7 @@ from rocksteady.risk.assess.described.objects import FILE_HINT, ObjectFile
 from rocksteady.risk.assess.described.schema import Content, Geometry
 from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
 from rocksteady.risk.observations.spread import parts_of
+from rocksteady.risk.screens.demand import VERTICAL
 
 COLUMNS: Mapping[str, tuple[str, str]] = {
     **{
@@ -17,6 +18,7 @@ COLUMNS: Mapping[str, tuple[str, str]] = {
     },
     **{key: ("geometry", key) for key in Geometry.__struct_fields__},
     **{f"content_{key}": ("content", key) for key in Content.__struct_fields__},
+    **{key: ("demand", key) for key in VERTICAL},
 }
 """Table and key of the object file for each column that is read."""
 
@@ -50,7 +52,8 @@ def read_objects(path: Path | str) -> list[ObjectFile]:
         The file, in UTF-8, with the names of the columns in its first line: ``name``, and the keys
         of ``[geometry]`` of an object file, as ``width_m`` and ``height_m``; further ``kind``,
         ``friction``, ``restitution``, ``against_wall`` (yes or no), ``gravity_m_s2``,
-        ``content_mass_kg`` and ``content_mass_centre_height_m``.  A cell holds a number, a range as
+        ``content_mass_kg``, ``content_mass_centre_height_m``, ``vertical_g`` and
+        ``vertical_share``.  A cell holds a number, a range as
         ``0.3:0.5``, or nothing.  Cells are separated by commas, semicolons or tabs; other columns
         are kept in `ObjectFile.extra`.
 

@@ -1,0 +1,238 @@
+"""The probability that an object falls at a demand, by one method for files and tables."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
+from rocksteady.risk.assess._demand_level import DemandLevel
+from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
+from rocksteady.risk.assess._vertical_levels import levels_of
+from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fragility.damage_states import OVERTURNED
+from rocksteady.risk.fragility.fit_fragility import fit_fragility
+from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.screens.friction import (
+    MODES,
+    FrictionNeed,
+    Mode,
+    first_motion,
+    needed_friction,
+)
+from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+NO_FRICTION = 100.0
+"""Friction of an object whose own is not given: only uplift is judged."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Onset:
+    """What the peak acceleration of a demand begins, at the worst end of each range of an object.
+
+    Attributes
+    ----------
+    motion
+        None without a PGA.
+    friction_needed
+        To rock without sliding; None without a PGA.
+    """
+
+    motion: Mode | None
+    friction_needed: FrictionNeed | None
+
+    @property
+    def slides(self) -> bool:
+        """Whether rocking alone is no answer."""
+        return self.motion in ("slides", "slides and rocks")
+
+
+def onset_of(described: ObjectFile) -> Onset:
+    """Return what the peak acceleration of an object's demand begins."""
+    demand, friction = described.demand, described.given.friction
+    pga, vertical = demand.pga_g, demand.vertical_at_peak_g
+    if pga is None:
+        return Onset(motion=None, friction_needed=None)
+    least = NO_FRICTION if friction is None else bounds_of(friction)[0]
+    blocks = [described.block, *(variant.block for variant in described.variants())]
+    motions = [first_motion(block, pga, least, vertical) for block in blocks]
+    needs = [needed_friction(block, pga, vertical) for block in blocks]
+    return Onset(
+        motion=max(motions, key=MODES.index),
+        friction_needed=max(needs, key=lambda need: need.largest),
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Probability:
+    """A probability of falling, and what it is from.
+
+    Attributes
+    ----------
+    value
+        None of an object that slides.
+    band
+        Confidence band of the curve; None without one.
+    basis
+        "curve", "count" or "statics"; None of an object that slides.
+    method
+        The same in words, with the restitutions.
+    """
+
+    value: float | None
+    band: tuple[float, float] | None = None
+    basis: Basis | None = None
+    method: str = "none: it slides"
+
+
+NO_ANSWER = Probability(value=None)
+"""Of an object that slides."""
+
+
+def probability_of(
+    described: ObjectFile,
+    onset: Onset,
+    fragility: Fragility,
+    level: DemandLevel,
+    counted: float,
+) -> Probability:
+    """Return the probability of falling at a demand.
+
+    It is that of the curve through all levels; where no curve can be fitted, of the runs at the
+    demand; 0 where the demand does not lift the object.
+
+    Parameters
+    ----------
+    described, onset, fragility, level
+        The object that does not slide, what its demand begins, its curves, and the demand.
+    counted
+        Share of its runs at the demand that fall.
+    """
+    if onset.motion == "rest":
+        return Probability(value=0.0, basis="statics", method="statics: the PGA does not lift it")
+    curve, block = fragility.state(OVERTURNED).curve, described.block
+    if not is_fitted(curve):  # a step, or no curve: the runs at the demand are what there is
+        words = f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}"
+        return Probability(value=counted, basis="count", method=words)
+    at = np.array([level.of(fragility.measure, block)])
+    band = curve.probability_band(at)
+    levels = plural(fragility.ensemble.sizes["level"], "level")
+    draws = described.given.assessment.draws
+    return Probability(
+        value=float(curve.probability(at)[0]),
+        band=None if band is None else (float(band[0][0]), float(band[1][0])),
+        basis="curve",
+        method=f"curve through the runs at {levels}, {_restitutions(described, draws)}",
+    )
+
+
+def _restitutions(described: ObjectFile, most: int) -> str:
+    """Return the restitutions of an object's runs in words."""
+    band = band_of(described, most=most)
+    ratios = band.ratios(described.block)
+    low, high = number(float(ratios.min())), number(float(ratios.max()))
+    if len(ratios) == 1:
+        return f"restitution {low}"
+    return f"{len(ratios)} restitutions from {low} to {high}"
+
+
+def fit_fragilities(
+    objects: Sequence[ObjectFile],
+    motions: Motions,
+    intensities: Sequence[Intensity],
+    fittings: Sequence[Fitting],
+    *,
+    run: Run | None = None,
+) -> list[Fragility]:
+    """Run objects on all motions at all levels of each object, and fit the curves of each.
+
+    Objects that share levels and restitutions are run in one sweep.  The first sweep is kept in the
+    store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
+    """
+    groups: dict[object, list[int]] = {}
+    sweeps = []
+    for place, (described, intensity) in enumerate(zip(objects, intensities, strict=True)):
+        block, options = described.block, described.given.assessment
+        stripes = levels_of(intensity, block, motions, options.levels)
+        band = band_of(described, most=options.draws)
+        levels = stripes.levels_for([block])
+        # Equal coordinates in one group: an object's part of it is as if it ran alone.
+        key = (intensity, levels, band, block.symmetric, block.one_sided)
+        if key not in groups:
+            sweeps.append((replace(stripes, levels=levels), band))
+        groups.setdefault(key, []).append(place)
+    runs = _runs_for(run, len(groups))
+    fragilities: dict[int, Fragility] = {}
+    for (stripes, band), places, own in zip(sweeps, groups.values(), runs, strict=True):
+        ensemble = run_ensemble(
+            [objects[place].block for place in places],
+            list(motions),
+            stripes=stripes,
+            restitution=band,
+            run=own,
+        )
+        for number_in, place in enumerate(places):
+            part = _part(ensemble, number_in)
+            fragilities[place] = fit_fragility(part, fitting=fittings[place])
+    return [fragilities[place] for place in range(len(objects))]
+
+
+class AtDemand(NamedTuple):
+    """Runs of an object at its demand: how many fell, how many lifted, and how many there are."""
+
+    fell: int
+    lifted: int
+    trials: int
+
+
+def count_at_demand(
+    objects: Sequence[ObjectFile],
+    motions: Motions,
+    levels: Sequence[DemandLevel],
+    *,
+    run: Run | None = None,
+) -> list[AtDemand]:
+    """Return the runs of each object at its demand, without vertical motion, counted."""
+    groups: dict[tuple[DemandLevel, RestitutionBand], list[int]] = {}
+    for place, (described, level) in enumerate(zip(objects, levels, strict=True)):
+        groups.setdefault((level, band_of(described, most=MOST_DRAWS)), []).append(place)
+    counted: dict[int, AtDemand] = {}
+    for (level, band), places in groups.items():
+        blocks = [objects[place].block for place in places]
+        found = run_at(blocks, motions, level.measure, [level.value], restitution=band, run=run)
+        for place, counts in zip(places, found, strict=True):
+            fell, trials = counts.totals(0)
+            counted[place] = AtDemand(fell, int(counts.lifted.sum()), trials)
+    return [counted[place] for place in range(len(objects))]
+
+
+def _part(ensemble: "xarray.Dataset", place: int) -> "xarray.Dataset":
+    """Return the part of an ensemble of one of its blocks."""
+    if ensemble.sizes["block"] == 1:
+        return ensemble
+    part = ensemble.isel(block=[place])
+    return part.assign_attrs(runs=ensemble.attrs["runs"] // ensemble.sizes["block"])
+
+
+def _runs_for(run: Run | None, count: int) -> list[Run | None]:
+    """Return how each of some sweeps is run, each with a store of its own, checked."""
+    place = None if run is None else run.place
+    if run is None or place is None:
+        return [run] * count
+    path = place.folder
+    stores = [place] + [
+        replace(place, path=path.with_name(f"{path.stem}-{k}{path.suffix}"))
+        for k in range(2, count + 1)
+    ]
+    for store in stores[1:]:
+        store.check()
+    return [replace(run, store=store) for store in stores]
