@@ -84,7 +84,6 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.LossComponent.from_fragility: {
             "fragility": t["fragility"],
             "identifier": "RS.vase",
-            "steps": True,
         },
         rs.write_pelicun: {"path": "fragility.csv", "components": [t["component"]]},
         rs.write_openquake: {"path": "fragility.xml", "components": [t["component"]]},

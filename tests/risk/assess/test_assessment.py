@@ -1,5 +1,6 @@
 """The whole assessment: its numbers against runs made another way, its refusals, its words."""
 
+import dataclasses
 import json
 import math
 from itertools import product
@@ -25,6 +26,7 @@ from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.friction import first_motion
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 from rocksteady.seismic.spectra.many import simulate_many
+from rocksteady.show.assessment._assessment_tables import answer_rows
 from rocksteady.sweep.run import Run
 from tests.risk.assess.levels import level_of
 
@@ -69,9 +71,9 @@ def _found() -> Assessment:
 def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessment) -> None:
     assert found.fragility is not None
     assert found.curve is not None
-    block = found.facts.block
-    at = block.p * PGV / (block.gravity * math.tan(block.alpha))
-    expected = float(found.curve.probability(np.array([at]))[0])
+    assert found.fragility.measure == Intensity("pgv_m_s")
+    assert found.curve is found.fragility.states[-1].two_stage.given_uplift  # type: ignore[union-attr]
+    expected = float(found.curve.probability(np.array([PGV]))[0])
     assert found.probability == pytest.approx(expected, rel=1e-9)
     assert found.probability_band is not None
     low, high = found.probability_band
@@ -196,22 +198,21 @@ def test_a_target_out_of_reach_has_no_width_and_one_reached_needs_none() -> None
         assert remedy.probability > 0.01
         assert not remedy.confirmed
         assert remedy.result == remedy.words
-    chest = described(geometry={"width_m": 0.9, "height_m": 1.8}, demand={"pgv_m_s": 0.05})
-    done = find_remedies(Search(chest, SUITE, level_of(chest, SUITE), 0.1, None))
-    width = next(each for each in done if each.name == "width")
-    assert width.change is None
-    assert "within the target as they are" in width.words
-    assert all(isinstance(each.probability, float) and each.basis for each in done)
+    for pgv, words in ((0.4, "within the target as they are"), (0.05, "no run lifts")):
+        chest = described(geometry={"width_m": 0.9, "height_m": 1.8}, demand={"pgv_m_s": pgv})
+        done = find_remedies(Search(chest, SUITE, level_of(chest, SUITE), 0.1, None))
+        width = next(each for each in done if each.name == "width")
+        assert width.change is None
+        assert words in width.words
+        assert math.isnan(width.probability) == (width.to_dict()["probability"] is None)
+        assert math.isnan(width.probability) == ("no run lifts" in width.words)
 
 
 def test_the_risk_is_that_of_the_fragility_over_the_velocity(found: Assessment) -> None:
-    """The measure of the runs is a multiple of PGV: risk over it must be the same."""
     (risk,) = found.risks
     assert found.curve is not None
-    other = compute_risk(
-        found.curve, risk.hazard, measure="p_pgv_per_uplift", block=found.facts.block
-    )
-    assert risk.annual_rate == pytest.approx(other.annual_rate, rel=1e-3)
+    other = compute_risk(found.curve, risk.hazard)
+    assert risk.annual_rate == pytest.approx(other.annual_rate, rel=1e-9)
     assert 0.0 < risk.annual_rate < 1.0
     assert found.to_dict()["risks"][0]["annual_rate"] == risk.annual_rate
 
@@ -289,7 +290,9 @@ def test_a_step_is_no_answer_between_its_levels_and_the_runs_at_the_demand_are()
     assert found.probability == found.cases[0].counted
     assert found.probability_band is None
     base = found.cases[0]
-    assert found.sentence.startswith(f"{base.fell or 'None'} of its {base.trials} runs fall at")
+    assert found.sentence.startswith(
+        f"{base.fell or 'None'} of its {base.trials} runs that lift fall at"
+    )
     assert any("No curve of falling can be fitted" in note for note in found.describe().notes)
 
 
@@ -309,10 +312,47 @@ def test_risk_is_of_the_curve_that_is_shown(found: Assessment) -> None:
     assert fragility is not None
     assert found.curve is fragility.state("overturned").curve
     block = found.facts.block
-    again = _curve_over(Intensity("pgv_m_s"), fragility.ensemble, [*SUITE], block)
-    assert type(again) is type(found.curve)
-    relative = block.p * again.median / (block.gravity * math.tan(block.alpha))
-    assert relative == pytest.approx(found.curve.median, rel=1e-6)
+    again = _curve_over(fragility.measure, fragility.ensemble, [*SUITE], block)
+    assert again.median == pytest.approx(found.curve.median, rel=1e-9)
+
+
+def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
+    """The share counted at the demand, the misfit of the curve, and an unusual pair of peaks."""
+    pgv = np.array([measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE])
+    pga = np.array([measure_scalar(each, Intensity("pga_g")) for each in SUITE])
+    below = float(np.mean(pgv * 0.4 / pga < PGV))
+    assert found.pgv_percentile == pytest.approx(100.0 * below)
+    assert f"percentile {100.0 * below:.0f} of the motions" in found.summary().replace("\n", " ")
+    (word,) = {each["words"] for each in answer_rows(found) if each["name"] == "Demand"}
+    (note,) = {each["note"] for each in answer_rows(found) if each["name"] == "Demand"}
+    assert word == found.demand
+    assert f"percentile {100.0 * below:.0f}" in note
+    assert found.fragility is not None
+    assert found.curve is not None
+    state = found.fragility.states[-1]
+    poor = dataclasses.replace(state.plain, misfit=0.26)
+    states = (dataclasses.replace(state, plain=poor, two_stage=None),)
+    probability = found.probability or 0.0
+    for counted, misfit, sentences in (
+        (probability + 0.09, False, 0),
+        (probability + 0.11, False, 1),
+        (probability - 0.11, True, 2),
+    ):
+        case = dataclasses.replace(found.cases[0], counted=counted)
+        fragility = (
+            dataclasses.replace(found.fragility, states=states) if misfit else found.fragility
+        )
+        changed = dataclasses.replace(
+            found, cases=(case, *found.cases[1:]), fragility=fragility, probability=probability
+        )
+        usual = int(not misfit and found.curve.misfit > 0.1)
+        assert len(changed.doubts) == sentences + usual
+        assert changed.to_dict()["doubts"] == list(changed.doubts)
+        for text in changed.doubts:
+            assert text in " ".join(changed.summary().split())
+            assert any(row["words"] == text for row in answer_rows(changed))
+    # A demand that does not lift it is certain.
+    assert dataclasses.replace(found, probability=0.0).doubts == ()
 
 
 def test_a_measure_needs_its_demand() -> None:

@@ -164,6 +164,7 @@ def test_bands_of_56_records_cover_what_they_promise(within: float) -> None:
         ({"confidence": math.nan}, "confidence"),
         ({"replicates": 99}, "replicates"),
         ({"replicates": 1000.0}, "replicates"),
+        ({"replicates": 1}, "it must be 0 for no bands, or 100 or more"),
         ({"seed": -1}, "seed"),
     ],
 )

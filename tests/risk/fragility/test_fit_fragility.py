@@ -2,6 +2,7 @@
 
 import functools
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -54,7 +55,7 @@ def ensemble() -> xarray.Dataset:
     return run_ensemble(
         [BLOCK, OTHER],
         SUITE,
-        stripes=Stripes(levels=LEVELS),
+        stripes=Stripes("p_pgv_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -110,14 +111,14 @@ def test_the_plain_curve_has_the_largest_likelihood_of_the_single_runs() -> None
 def test_the_second_stage_sees_the_runs_that_lift_alone() -> None:
     state = fragility().state("overturned")
     assert state.two_stage is not None
-    assert state.curve is state.two_stage
+    assert state.curve is state.two_stage.given_uplift  # over a velocity
     lifted = (ensemble().peak_angle > 0.0).values
     assert state.two_stage.given_uplift.trials == int(lifted.sum()) < lifted.size
     assert state.two_stage.uplift.failures == int(lifted.sum())
     assert fragility().state("uplift").two_stage is None
     at = np.array(LEVELS)
     product = state.two_stage.uplift.probability(at) * state.two_stage.given_uplift.probability(at)
-    np.testing.assert_allclose(state.curve.probability(at), product, rtol=1e-14)
+    np.testing.assert_allclose(state.two_stage.probability(at), product, rtol=1e-14)
 
 
 def test_the_gain_is_the_likelihood_of_the_failures_in_two_stages_above_that_of_one() -> None:
@@ -158,10 +159,15 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
             assert rows[0]["median"] == number_or_none(curve.median)
             plain = next(row for row in rows if row["stage"] == "plain")
             assert (plain["stage"] == rows[0]["stage"]) is (curve is state.plain)
-            # The product is drawn, exported and printed where it is the likelier one alone.
-            gains = state.gain is not None and state.gain > 1e-6
-            assert (curve is state.two_stage) is gains
-            single = state.two_stage is not None and not gains
+            # Over a velocity the curve is that of the runs that lift; otherwise the product is
+            # drawn, exported and printed where the gate is exact or it is the likelier one alone.
+            stages = state.two_stage
+            given = measure.given_uplift and name != "uplift" and stages is not None
+            exact = stages is not None and stages.gate is not None
+            gains = exact or (state.gain is not None and state.gain > 1e-6)
+            assert (stages is not None and curve is stages.given_uplift) is given
+            assert (curve is stages) is (gains and not given)
+            single = stages is not None and not gains and not given
             assert (name in named) is single
             used.add(type(curve))
             if not single and state is not found.states[-1]:
@@ -175,6 +181,37 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
         for key in ("median", "beta", "stage", "status"):
             assert alone[key] == plain[key], (measure, key)
     assert len(used) == 2
+
+
+def test_over_pgv_a_curve_is_of_the_runs_whose_pga_lifts() -> None:
+    """By hand, of runs of a suite whose records differ in PGV/PGA; points and words agree."""
+    stripes = Stripes(levels=[0.15, 0.3, 0.6, 0.9, 1.4, 2.0])
+    assert stripes.key == "pgv_m_s"
+    runs = run_ensemble(BLOCK, SUITE, stripes=stripes, restitution=RestitutionBand(draws=1))
+    found = fit_fragility(runs, fitting=PLAIN)
+    lifts = ((runs.im_pga_g * runs.scale) > math.tan(BLOCK.alpha)).broadcast_like(runs.status)
+    lifts = lifts.transpose(*runs.status.dims).values
+    fell = (runs.status == Status.OVERTURNED).values
+    at = np.broadcast_to(runs.level.values, fell.shape)
+    assert runs.status.dims[-1] == "level"
+    expected = fit_curve(at[lifts], fell[lifts].astype(int))
+    state = found.state("overturned")
+    assert 0 < lifts.sum() < lifts.size
+    assert state.curve.median == pytest.approx(expected.median, rel=1e-9)
+    assert state.curve.beta == pytest.approx(expected.beta, rel=1e-9)
+    row = next(row for row in found.to_dict()["points"] if row["damage_state"] == "overturned"
+               and row["level"] == 1.4)  # fmt: skip
+    here = lifts & (at == 1.4)
+    assert row["share"] == pytest.approx(fell[here].mean())
+    assert "given PGA > g tan alpha" in found.describe().headline
+    axes = plot_fragility(found, Figure().add_subplot())
+    assert axes.get_xlabel() == "PGV [m/s], given PGA > g tan α"
+    assert found.state("uplift").plain.trials == lifts.size
+    assert ("poor fit" in found.describe().headline) is (state.curve.misfit > 0.1)
+    poor = fit_curve(np.geomspace(0.1, 3.0, 6), [0, 30, 0, 40, 20, 40], [40] * 6)
+    worse = replace(found, states=(replace(state, plain=poor, two_stage=None),))
+    words = f"poor fit: up to {number(100.0 * poor.misfit, 2)} points from the counted shares"
+    assert worse.describe().headline.endswith(words)
 
 
 def test_behind_a_gate_two_stages_gain() -> None:
@@ -321,12 +358,14 @@ def test_curves_of_plain_factors_are_over_the_default_measure() -> None:
         restitution=RestitutionBand(draws=1),
         fitting=PLAIN,
     )
-    assert found.measure == Intensity("p_pgv_per_uplift")
+    assert found.measure == Intensity("pgv_m_s")
     assert found.scale_factor_max == 4.0
-    reached = found.ensemble.im_p_pgv_per_uplift * found.ensemble.scale
+    reached = found.ensemble.im_pgv_m_s * found.ensemble.scale
     plain = found.states[-1].plain
     assert plain.sampled == pytest.approx((float(reached.min()), float(reached.max())))
-    assert sum(point[1] for point in found.states[-1].points) == found.ensemble.status.size
+    lifted = int((found.ensemble.peak_angle > 0.0).sum())
+    assert sum(point[1] for point in found.states[-1].points) == lifted
+    assert sum(point[1] for point in found.states[0].points) == found.ensemble.status.size
 
 
 def test_a_measure_that_is_not_beside_the_runs_is_named() -> None:
@@ -347,7 +386,7 @@ def test_the_description_has_a_row_for_every_curve() -> None:
     stages = [(row["damage_state"], row["stage"]) for row in values["fits"]]
     assert stages[0] == ("uplift", "plain")
     assert stages[-4:] == [
-        ("overturned", stage) for stage in ("two-stage", "uplift", "given-uplift", "plain")
+        ("overturned", stage) for stage in ("given-uplift", "two-stage", "uplift", "plain")
     ]
     row = values["fits"][-1]
     assert row["median"] == fragility().states[-1].plain.median

@@ -2,18 +2,27 @@
 
 import dataclasses
 import math
+import re
 from typing import Any
 
 import numpy as np
 import pytest
+import xarray
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
+import rocksteady
 from rocksteady import (
     Bands,
     Block,
+    DamageState,
+    Fitting,
+    Fragility,
+    FragilityCurve,
     HazardCurve,
     InputError,
+    Intensity,
+    StateFragility,
     TwoStageCurve,
     compute_risk,
     fit_curve,
@@ -226,8 +235,41 @@ class Banded:
         return 0.4 * math.exp(0.5 * float(ndtri(p)))
 
 
-def test_the_band_is_the_risk_of_its_edges() -> None:
-    risk = compute_risk(Banded(), HAZARD, measure="pgv_m_s")
+def test_what_is_no_fragility_is_refused_by_the_names_of_public_things() -> None:
+    for given in ("x", None, Bands(), Banded(), [0.4, 0.5, 0.6]):
+        with pytest.raises(InputError) as caught:
+            compute_risk(given, HAZARD)  # type: ignore[arg-type]
+        named = re.findall(
+            r"\b[A-Z][a-z]+[A-Z]\w+|\bFragil\w+", str(caught.value).partition(": ")[2]
+        )
+        assert named
+        assert all(hasattr(rocksteady, name) for name in named), str(caught.value)
+
+
+def test_a_fragility_has_the_risk_of_its_last_state_over_its_own_measure() -> None:
+    at, fell = [0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39]
+    curve = fit_curve(at, fell, [40] * 4, measure=("PGV", "m/s"))
+    state = StateFragility(state=DamageState("overturned"), plain=curve)
+    whole = Fragility(
+        ensemble=xarray.Dataset(),
+        measure=Intensity("pgv_m_s"),
+        states=(state,),
+        ranking=(),
+        fitting=Fitting(bands=None),
+        warnings=(),
+        records=20,
+        runs=160,
+        scale_factor_max=1.0,
+        seconds=0.0,
+    )
+    assert compute_risk(whole, HAZARD).annual_rate == compute_risk(curve, HAZARD).annual_rate
+
+
+def test_the_band_is_the_risk_of_its_edges(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("probability", "probability_band", "quantile"):
+        monkeypatch.setattr(FragilityCurve, name, staticmethod(getattr(Banded(), name)))
+    curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, family="logistic")
+    risk = compute_risk(curve, HAZARD, measure="pgv_m_s")
     edges = tuple(compute_risk((median, 0.5), HAZARD).annual_rate for median in (0.5, 0.3))
     assert risk.annual_rate_band == pytest.approx(edges, rel=1e-3)
     assert risk.probability_band == pytest.approx(

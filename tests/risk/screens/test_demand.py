@@ -1,12 +1,13 @@
 """Demand: what a record gives, and what is refused."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from rocksteady import Demand, InputError, Record, measure_intensity
+from rocksteady import Block, Demand, InputError, Record, measure_intensity, screen_block
 
 
 def test_a_record_gives_its_peaks_and_its_spectrum() -> None:
@@ -31,9 +32,13 @@ def test_a_file_is_read_when_the_demand_is_made(tmp_path: Path) -> None:
 
 def test_a_row_at_period_zero_is_the_pga_where_none_is_given() -> None:
     table = [[0.0, 0.3], [0.5, 0.8]]
-    assert Demand(spectrum=table, spectrum_damping=0.05).pga_g == 0.3
-    assert Demand(spectrum=table, pga_g=0.4).pga_g == 0.4
-    assert Demand(spectrum=[[0.1, 0.3], [0.5, 0.8]]).pga_g is None
+    assert Demand(spectrum=table, spectrum_damping=0.05).with_peak().pga_g == 0.3
+    assert Demand(spectrum=table, pga_g=0.4).with_peak().pga_g == 0.4
+    assert Demand(spectrum=[[0.1, 0.3], [0.5, 0.8]]).with_peak().pga_g is None
+    # A replaced spectrum brings its own peak.
+    stronger = replace(Demand(spectrum=table), spectrum=[[0.0, 0.9], [0.5, 0.8]])
+    screens = screen_block(Block.rectangle(width=0.4, height=1.6), stronger)
+    assert screens.demand.pga_g == stronger.with_peak().pga_g == 0.9
 
 
 @pytest.mark.parametrize(

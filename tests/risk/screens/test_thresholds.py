@@ -6,14 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import Block
+from rocksteady import Block, Demand, assess_two_numbers, screen_block
+from rocksteady.results.numbers import percent
 from rocksteady.risk.screens._thresholds import (
-    SHARES,
     circolare_rectangle,
     impulse_velocity_m_s,
     ishiyama_bounds,
     kaneko_hayashi,
-    share_at,
+    shares_at,
     velocity_number,
 )
 
@@ -120,13 +120,23 @@ def test_the_circolares_worked_wall(factor: float, a0: float, slv: float, slc: f
     assert found.a0_lumped_g * factor == pytest.approx(0.1)
 
 
-def test_shares_are_those_of_the_brief_and_leave_no_gap() -> None:
-    assert [share.low for share in SHARES[1:]] == [share.high for share in SHARES[:-1]]
-    found = share_at(0.6514)
-    assert found is not None
-    assert (found.published, found.ours) == (0.421, 0.424)
-    assert share_at(0.19) is None
-    assert share_at(2.0) is None
-    for name in ("published", "ours"):
-        values = [getattr(share, name) for share in SHARES]
-        assert values == sorted(values)
+def test_shares_are_those_of_assess_and_near_the_counts_of_the_bins() -> None:
+    """One demand, one probability: `screens` and `assess` have the same two numbers."""
+    block = rectangle(0.32, 1.8)
+    for pgv in (0.05, 0.2, 0.4, 1.0, 3.0):
+        answer = assess_two_numbers(block, 0.35, pgv)
+        row = screen_block(block, Demand(pga_g=0.35, pgv_m_s=pgv)).row("p PGV/(g tan alpha)")
+        values = {name: value for name, value, _ in row.details}
+        assert values["published"] == answer.probability
+        assert values["this package"] == answer.other_probability
+        for share in (answer.probability, answer.other_probability):
+            assert percent(share) in row.verdict
+    resting = screen_block(block, Demand(pga_g=0.1, pgv_m_s=0.4)).row("p PGV/(g tan alpha)")
+    assert (resting.passes, assess_two_numbers(block, 0.1, 0.4).probability) == (True, 0.0)
+    # Shares of runs that rock, by bins: of Chu et al., and of this package.
+    for low, high, published, ours in (
+        (0.3, 0.4, 0.093, 0.078), (0.4, 0.5, 0.224, 0.156), (0.7, 1.0, 0.565, 0.679),
+        (1.0, 1.5, 0.754, 0.897),
+    ):  # fmt: skip
+        found = shares_at(math.sqrt(low * high))
+        assert found == pytest.approx((published, ours), abs=0.07)

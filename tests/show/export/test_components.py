@@ -6,17 +6,20 @@ import math
 from functools import cache
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 import xarray
+from matplotlib.figure import Figure
+from scipy import stats
 
 from rocksteady import (
     Block,
     DamageState,
     Fitting,
     Fragility,
+    FragilityCurve,
+    HazardCurve,
     InputError,
     Intensity,
     LossComponent,
@@ -26,12 +29,17 @@ from rocksteady import (
     StateFragility,
     Stripes,
     compute_fragility,
+    compute_risk,
     fit_curve,
     fit_two_stages,
+    plot_fragility,
+    plot_fragility_states,
     write_openquake,
     write_pelicun,
 )
+from rocksteady.results.numbers import number
 from rocksteady.show.export.components import state_name
+from tests.show.export.test_openquake import read as read_nrml
 
 load_tabular = importlib.import_module("dlml._tabular").load_tabular
 ALPHA, P = 0.27, 2.1
@@ -65,7 +73,12 @@ def fragility(
         measure=measure,
         states=(
             StateFragility(state=DamageState("uplift"), plain=lift),
-            StateFragility(state=DamageState("overturned"), plain=fall.plain, two_stage=fall),
+            StateFragility(
+                state=DamageState("overturned"),
+                plain=fall.plain,
+                two_stage=fall,
+                given_uplift=measure.given_uplift,
+            ),
         ),
         ranking=(),
         fitting=Fitting(bands=None),
@@ -92,11 +105,8 @@ def test_ratios_become_accelerations_and_velocities_of_the_block(
     found = fragility(name)
     made = LossComponent.from_fragility(found, "RS.vase")
     assert made.measure == measure
-    (state,) = made.states
-    plain = found.state("overturned").plain
+    state = made.states[-1]
     assert state.name == "overturned"
-    assert state.median == pytest.approx(factor * plain.median, rel=1e-14)
-    assert state.beta == plain.beta
     at = np.array([0.15, 0.3, 0.9])
     np.testing.assert_allclose(
         state.probability(factor * at), found.state("overturned").curve.probability(at), rtol=1e-12
@@ -109,57 +119,45 @@ def test_the_gate_is_the_uplift_limit_without_vertical_motion_alone() -> None:
     assert LossComponent.from_fragility(fragility("pgv_m_s"), "A").no_damage is None
 
 
-def test_a_state_without_a_lognormal_is_left_out_with_its_reason() -> None:
-    made = LossComponent.from_fragility(fragility(), "A")
-    (sentence,) = made.left_out
-    assert sentence.startswith("uplift is left out. There is no lognormal of all runs")
-    assert "separated" in sentence
-    assert sentence in made.notes
-    kept = LossComponent.from_fragility(fragility(), "A", steps=True)
-    assert [state.name for state in kept.states] == ["uplift", "overturned"]
-    assert kept.states[0].median is None
-    assert kept.states[0].probability([0.2, 0.4]).tolist() == [0.0, 1.0]
-
-
 def test_what_never_happens_has_no_curve_in_any_file() -> None:
     never = fragility(fell=np.zeros(5, dtype=int))
-    with pytest.raises(InputError, match="fragility has no curve to write"):
-        LossComponent.from_fragility(never, "A")
-    kept = LossComponent.from_fragility(never, "A", steps=True)
+    kept = LossComponent.from_fragility(never, "A")
     assert [state.name for state in kept.states] == ["uplift"]
     assert any("status never" in sentence for sentence in kept.left_out)
+    alone = dataclasses.replace(never, states=never.states[1:])
+    with pytest.raises(InputError, match="fragility has no curve to write"):
+        LossComponent.from_fragility(alone, "A")
 
 
-def test_a_logistic_curve_is_no_lognormal() -> None:
-    made = LossComponent.from_fragility(fragility(family="logistic"), "A", steps=True)
-    assert made.states[1].median is None
-    assert "family logistic" in made.states[1].note
+def test_over_pgv_curves_are_of_the_runs_that_lift_and_uplift_is_left_out() -> None:
+    found = fragility("pgv_m_s")
+    made = LossComponent.from_fragility(found, "A")
+    (state,), given = made.states, found.state("overturned").curve
+    assert isinstance(given, FragilityCurve)
+    assert given.trials == LIFTED.sum()
+    assert (state.median, state.beta) == (given.median, given.beta)
+    assert "given PGA > g tan alpha" in state.note
+    assert made.left_out == ("uplift is left out. The other curves are of the runs that lift.",)
 
 
-def test_the_lognormal_given_uplift_is_named() -> None:
-    found = fragility()
-    made = LossComponent.from_fragility(found, "A", given_uplift=True)
-    stages = found.state("overturned").two_stage
-    assert stages is not None
-    assert made.states[0].median == stages.given_uplift.median
-    assert "of the runs that lift, given uplift" in made.states[0].note
-    plain = LossComponent.from_fragility(found, "A").states[0].note
-    assert f"largest distance from the stripes {found.states[1].plain.misfit:.3f}" in plain
-    assert f"of the curve in two stages {stages.misfit:.3f}." in plain
-
-
-def test_a_lognormal_of_the_excess_over_the_gate_is_not_written_as_one_of_pga() -> None:
-    found = fragility()
-    gate, labels = math.tan(ALPHA), ("PGA", "g")
-    fell = np.array([0, 0, 3, 33, 39])
-    stages = fit_two_stages(LEVELS, gate, fell, [40] * 5, measure=labels)
-    assert stages.offset == gate
-    state = StateFragility(state=DamageState("overturned"), plain=stages.plain, two_stage=stages)
-    gated = dataclasses.replace(found, states=(state,))
-    (made,) = LossComponent.from_fragility(gated, "A", given_uplift=True).states
-    assert (made.median, made.beta) == (stages.plain.median, stages.plain.beta)
-    assert "given uplift the lognormal is in PGA - 0.277 g, which loss tools do not" in made.note
-    np.testing.assert_array_equal(made.probability(LEVELS), stages.probability(LEVELS))
+def test_a_curve_that_misses_its_shares_says_so_first_in_every_file(tmp_path: Path) -> None:
+    at, fell = np.geomspace(0.1, 3.0, 6), np.array([0, 30, 0, 40, 20, 40])
+    curve = fit_curve(at, fell, [40] * 6, measure=("PGA", "g"))
+    assert curve.misfit > 0.2
+    words = f"up to {number(100.0 * curve.misfit, 2)} points from the counted shares"
+    state = StateFragility(state=DamageState("overturned"), plain=curve)
+    found = dataclasses.replace(fragility(), states=(state,))
+    made = LossComponent.from_fragility(found, "A")
+    assert words in made.states[0].note.split(".")[0]
+    _, companion = write_pelicun(tmp_path / "a.csv", [made])
+    assert words in companion.read_text(encoding="ascii")
+    assert words in write_openquake(tmp_path / "a.xml", [made]).read_text(encoding="utf-8")
+    assert words in curve.describe().headline
+    for plot in (plot_fragility, plot_fragility_states):
+        axes = plot(found, Figure().add_subplot())
+        assert any(words in label for label in axes.get_legend_handles_labels()[1])
+    good = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4)
+    assert "poor fit" not in good.summary()
 
 
 def test_a_period_is_that_of_the_measure_or_of_the_block() -> None:
@@ -196,22 +194,77 @@ def real() -> Fragility:
     )
 
 
+class Multilinear:
+    """A `multilinear_CDF` as pelicun 3.10 takes it: its rules, its units to six digits."""
+
+    def __init__(self, text: str, unit: float) -> None:
+        ordinates, abscissae = (np.array(part.split(","), dtype=float) for part in text.split("|"))
+        self.x = np.array([float(f"{value:g}") for value in unit * ordinates])
+        self.y = np.array([float(f"{value:g}") for value in abscissae])
+        assert (self.y[0], self.y[-1]) == (0.0, 1.0)
+        for values in (self.x, self.y):
+            assert (np.diff(values) > 0.0).all()
+            assert not np.isclose(np.diff(values), 0.0).any()
+        self.unit = unit
+
+    def __call__(self, at: np.ndarray) -> np.ndarray:
+        return np.interp(self.unit * at, self.x, self.y, left=0.0, right=1.0)
+
+
+def as_pelicun_reads(file: Path, identifier: str, state: int) -> Any:
+    row = load_tabular(file).loc[identifier]
+    unit = {"g": 9.80665, "mps": 1.0}[row["Demand", "Unit"]]
+    family, first = row[f"LS{state}", "Family"], row[f"LS{state}", "Theta_0"]
+    if family == "multilinear_CDF":
+        return Multilinear(first, unit)
+    assert family == "lognormal"
+    return stats.lognorm(float(row[f"LS{state}", "Theta_1"]), scale=float(first)).cdf
+
+
 @pytest.mark.filterwarnings("ignore:.*no_silent_downcasting.*", "ignore:.*copy_on_write.*")
-def test_a_computed_fragility_comes_back_from_both_files(tmp_path: Path) -> None:
+def test_every_curve_comes_back_from_every_file_as_its_reader_takes_it(tmp_path: Path) -> None:
+    """Within .01 of the report's, below uplift too, and with the same annual rate within 1 %."""
     found = real()
-    made = LossComponent.from_fragility(found, "RS.cabinet", floor=True)
-    assert len(made.states) >= 3
-    table = load_tabular(write_pelicun(tmp_path / "fragility.csv", [made])[0]).loc["RS.cabinet"]
-    root = ET.parse(write_openquake(tmp_path / "fragility.xml", [made])).getroot()
-    rows = list(root.iter("{http://openquake.org/xmlns/nrml/0.5}params"))
-    for number, (state, row) in enumerate(zip(made.states, rows, strict=True)):
-        plain = found.state(state.name).plain
-        assert float(table[f"LS{number + 1}", "Theta_0"]) == pytest.approx(plain.median, rel=4e-15)
-        assert float(table[f"LS{number + 1}", "Theta_1"]) == pytest.approx(plain.beta, rel=4e-15)
-        assert row.get("ls") == state_name(state.name)
-        mean, deviation = float(row.get("mean", "")), float(row.get("stddev", ""))
-        assert math.sqrt(math.log1p((deviation / mean) ** 2)) == pytest.approx(plain.beta)
-        assert mean**2 / math.hypot(mean, deviation) == pytest.approx(100.0 * plain.median)
+    gated = fragility()
+    gate = math.tan(ALPHA)
+    stages = fit_two_stages(LEVELS, gate, [0, 0, 3, 33, 39], [40] * 5, measure=("PGA", "g"))
+    fall = StateFragility(state=DamageState("overturned"), plain=stages.plain, two_stage=stages)
+    gated = dataclasses.replace(gated, states=(gated.states[0], fall))
+    logistic = fragility(family="logistic")
+    for name, each in (("real", found), ("gated", gated), ("logistic", logistic)):
+        made = LossComponent.from_fragility(each, "RS.cabinet")
+        table = write_pelicun(tmp_path / f"{name}.csv", [made])[0]
+        functions = read_nrml(write_openquake(tmp_path / f"{name}.xml", [made]))[2]["RS.cabinet"]
+        unit = 100.0 if made.measure == "pgv_m_s" else 1.0
+        for number_, state in enumerate(made.states, 1):
+            curve = each.state(state.name).curve
+            median = float(curve.median)
+            at = median * np.array([0.5, 0.8, 1.01, 1.4, 2.5])
+            theirs = as_pelicun_reads(table, "RS.cabinet", number_)
+            quake = np.array([functions(state_name(state.name), unit * x) for x in at])
+            expected = curve.probability(at)
+            assert np.abs(theirs(at) - expected).max() < 0.01, (name, state.name)
+            assert np.abs(quake - expected).max() < 0.01, (name, state.name)
+            hazard = HazardCurve(
+                measure=made.measure, levels=[0.01 * median, 30.0 * median], rates=[1.0, 1e-7]
+            )
+            report = compute_risk(curve, hazard).annual_rate
+            x = np.geomspace(0.01 * median, 30.0 * median, 20001)
+            shares = (
+                (x, theirs(np.sqrt(x[1:] * x[:-1]))),
+                (x[::20], [functions(state_name(state.name), unit * level)
+                           for level in np.sqrt(x[20::20] * x[:-20:20])]),
+            )  # fmt: skip
+            for steps, middles in shares:
+                rates = hazard.rate(steps)
+                rate = float(-np.diff(rates) @ np.array(middles)) + float(rates[-1])
+                assert rate == pytest.approx(report, rel=0.01), (name, state.name)
+    below = np.array([0.3, 0.9, 0.999]) * gate
+    falls = as_pelicun_reads(tmp_path / "gated.csv", "RS.cabinet", 2)
+    assert falls(below).max() < 1e-6
+    assert stages.probability(below).tolist() == [0.0, 0.0, 0.0]
+    quake = read_nrml(tmp_path / "gated.xml")[2]["RS.cabinet"]
+    assert [quake("overturned", float(level)) for level in below] == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize(
@@ -221,6 +274,7 @@ def test_a_computed_fragility_comes_back_from_both_files(tmp_path: Path) -> None
         ({"name": 3}, "it must be a text"),
         ({"name": "x", "median": 0.4}, "a median and a beta, or a curve"),
         ({"name": "x"}, "a median and a beta, or a curve"),
+        ({"name": "x", "median": 0.4, "beta": 0.5, "curve": np.sqrt}, "a median and a beta, or"),
         ({"name": "x", "median": -1.0, "beta": 0.5}, "above 0"),
         ({"name": "x", "median": 0.4, "beta": 0.0}, "above 0"),
     ],

@@ -135,41 +135,45 @@ def test_below_the_uplift_limit_there_is_no_damage(tmp_path: Path) -> None:
     assert function.shown[0] < function.limit, "or the engine would raise small levels above it"
 
 
-def test_what_is_cut_off_is_a_thousandth(tmp_path: Path) -> None:
+def test_what_is_cut_off_is_a_millionth(tmp_path: Path) -> None:
     function = read(write_openquake(tmp_path / "a.xml", [component()]))[2]["RS.vase"]
-    assert 0.0 < function("overturned", 1e-9) < 1e-3
-    assert 1.0 > function("overturned", 1e9) > 1.0 - 1e-3
+    assert function("overturned", 0.99 * function.limit) == 0.0
+    assert function("overturned", 1.01 * function.limit) < 2e-6
+    assert 1.0 > function("overturned", 1e9) > 1.0 - 2e-6
 
 
 def test_points_hold_a_curve_in_two_stages(tmp_path: Path) -> None:
     def two_stages(level: Any) -> Any:
+        level = np.maximum(level, 1e-300)
         return stats.norm.cdf(np.log(level / 0.2) / 0.1) * stats.norm.cdf(np.log(level / 0.4) / 0.5)
 
-    made = component(falls(0.45, 0.4, curve=two_stages), measure="pgv_m_s")
-    file = write_openquake(tmp_path / "a.xml", [made], points=60)
+    made = component(LossState(name="overturned", curve=two_stages), measure="pgv_m_s")
+    file = write_openquake(tmp_path / "a.xml", [made])
     function = read(file)[2]["RS.vase"]
     levels, poes = function.points["overturned"]
-    np.testing.assert_allclose(poes, two_stages(levels / 100.0), rtol=1e-14)
+    np.testing.assert_allclose(poes, two_stages(levels / 100.0), rtol=1e-12)
     assert (np.diff(levels) > 0.0).all()
     assert 0.0 < function.limit < levels[0]
-    assert poes[0] < 0.002
-    assert poes[-1] > 0.998
-    for level in (12.0, 30.0, 77.0):
-        assert function("overturned", level) == pytest.approx(two_stages(level / 100.0), abs=0.005)
+    assert poes[0] < 2e-6
+    assert poes[-1] > 1.0 - 2e-5
+    for level in np.geomspace(10.0, 200.0, 300):
+        assert function("overturned", level) == pytest.approx(two_stages(level / 100.0), abs=1e-3)
 
 
-def test_a_step_and_what_never_happens_are_points_too(tmp_path: Path) -> None:
+def test_a_step_is_points_and_what_does_not_rise_from_0_to_1_is_refused(tmp_path: Path) -> None:
     step = LossState(name="uplift", curve=lambda level: (level > 0.3) * 1.0)
-    never = LossState(name="overturned", curve=lambda level: 0.0 * level)
-    made = component(step, never)
-    with pytest.raises(InputError, match=r"RS.vase has no lognormal for 'uplift'.*points"):
-        write_openquake(tmp_path / "a.xml", [made])
-    assert not (tmp_path / "a.xml").exists()
-    function = read(write_openquake(tmp_path / "a.xml", [made], points=30))[2]["RS.vase"]
-    assert set(function.points["uplift"][1]) == {0.0, 1.0} or set(function.points["uplift"][1]) == {
-        1.0
+    function = read(write_openquake(tmp_path / "a.xml", [component(step)]))[2]["RS.vase"]
+    assert [function("uplift", level) for level in (0.2, 0.2998, 0.3002, 0.5)] == [0, 0, 1, 1]
+    curves = {
+        "does not go from 0 to 1": lambda level: 0.0 * level,
+        "falls with the intensity": lambda level: np.exp(-level),
+        "no probability at some": lambda level: np.where(level > 1.0, np.nan, 0.0),
     }
-    assert set(function.points["overturned"][1]) == {0.0}
+    for words, curve in curves.items():
+        made = component(step, LossState(name="overturned", curve=curve))
+        with pytest.raises(InputError, match=words):
+            write_openquake(tmp_path / "b.xml", [made])
+        assert not (tmp_path / "b.xml").exists()
 
 
 def test_states_are_named_in_order_and_alike(tmp_path: Path) -> None:
@@ -235,7 +239,6 @@ def test_the_same_bytes_twice(tmp_path: Path) -> None:
     [
         ({"model_id": "a b"}, "model_id = 'a b' is not valid"),
         ({"model_id": ""}, "model_id = ''"),
-        ({"points": 1}, "points = 1 is not valid: it must be a whole number from 2 to 10000"),
         ({"loss_category": "vases"}, "loss_category = 'vases'"),
     ],
 )

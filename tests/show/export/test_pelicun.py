@@ -122,15 +122,27 @@ def test_the_reason_of_the_direction_and_of_each_curve_is_in_the_companion(tmp_p
     assert found["Description"] == "A rack."
 
 
-def test_a_state_without_a_lognormal_is_refused_and_nothing_written(tmp_path: Path) -> None:
-    step = LossState(name="uplift", curve=lambda level: (level > 0.3) * 1.0)
+def test_a_curve_that_does_not_rise_is_refused_and_nothing_written(tmp_path: Path) -> None:
+    half = LossState(name="uplift", curve=lambda level: 0.5 * (level > 0.3))
     with pytest.raises(InputError) as caught:
-        write_pelicun(tmp_path / "a.csv", [component(step, falls())])
+        write_pelicun(tmp_path / "a.csv", [component(half, falls())])
     assert str(caught.value) == (
-        "RS.cabinet has no lognormal for 'uplift': pelicun would leave the whole component out of "
-        "the analysis; leave the state out, or write it for OpenQuake at points"
+        "RS.cabinet has a probability that does not go from 0 to 1 in 'uplift': a file of points "
+        "holds curves that rise from 0 to 1; leave the state out"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_limit_without_damage_is_in_the_curve(tmp_path: Path) -> None:
+    gated = component(falls(), measure="pga_g", no_damage=0.4)
+    row = load_tabular(write_pelicun(tmp_path / "a.csv", [gated])[0]).loc["RS.cabinet"]
+    assert row["LS1", "Family"] == "multilinear_CDF"
+    levels, shares = (
+        np.array(part.split(","), dtype=float) for part in row["LS1", "Theta_0"].split("|")
+    )
+    assert np.interp([0.1, 0.399, 0.466, 0.9], levels, shares) == pytest.approx(
+        [0.0, 0.0, 0.5, falls().probability([0.9])[0]], abs=1e-3
+    )
 
 
 @pytest.mark.parametrize(

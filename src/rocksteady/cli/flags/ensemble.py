@@ -50,8 +50,9 @@ Measure = Annotated[
     typer.Option(
         "--measure",
         metavar="NAME[:S]",
-        help="Set what the levels are in: p_pgv_per_uplift (default), pga_per_uplift, pga_g, "
-        "pgv_m_s, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default 2 pi/p.",
+        help="Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
+        "pga_per_uplift, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default "
+        "2 pi/p.",
         rich_help_panel=ENSEMBLE,
     ),
 ]
@@ -268,7 +269,9 @@ class EnsembleFlags:
                 if value is not None:
                     raise both("--scale", flag, valid="levels are factors, or of a measure")
             return _levels("--scale", SCALE, values_of("--scale", self.scale))
-        measure = intensity_of(self.measure or "p_pgv_per_uplift")
+        from rocksteady.seismic.measures.scalar import DEFAULT
+
+        measure = intensity_of(self.measure or DEFAULT)
         levels = None if self.levels is None else values_of("--levels", self.levels)
         flag = "--measure" if levels is None else "--levels"
         return _levels(flag, measure, levels)

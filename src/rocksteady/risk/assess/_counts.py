@@ -16,7 +16,7 @@ from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import VELOCITIES, Intensity
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -47,6 +47,8 @@ class Counts:
         Numbers of runs, shape (records, levels).
     measure
         Name and unit of the levels.
+    given_uplift
+        Whether probabilities are of the runs that lift, as over PGV.
     """
 
     levels: Floats
@@ -54,10 +56,16 @@ class Counts:
     lifted: Integers
     fell: Integers
     measure: tuple[str, str]
+    given_uplift: bool
+
+    @property
+    def tried(self) -> Integers:
+        """Runs that a probability is of: those that lift, or all."""
+        return self.lifted if self.given_uplift else self.trials
 
     def totals(self, level: int) -> tuple[int, int]:
-        """Return falls and trials at a level."""
-        return int(self.fell[:, level].sum()), int(self.trials[:, level].sum())
+        """Return falls and the runs that they are of at a level."""
+        return int(self.fell[:, level].sum()), int(self.tried[:, level].sum())
 
     def curve(self) -> FragilityCurve | TwoStageCurve:
         """Return the curve to use, without a band."""
@@ -69,7 +77,7 @@ class Counts:
             self.trials.ravel(),
             groups=np.repeat(np.arange(records), levels),
             measure=self.measure,
-        ).best
+        ).over(self.given_uplift)
 
 
 def is_fitted(curve: FragilityCurve | TwoStageCurve) -> bool:
@@ -100,6 +108,7 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
                 lifted=own_lifted.sum((2, 3, 4), dtype=np.int64),
                 fell=own_fell.sum((2, 3, 4), dtype=np.int64),
                 measure=measure,
+                given_uplift=str(ensemble.attrs["measure"]) in VELOCITIES,
             )
         )
     return counts

@@ -1,5 +1,6 @@
 """The probability that an object falls at a demand, by one method for files and tables."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, NamedTuple
@@ -79,7 +80,7 @@ class Probability:
     Attributes
     ----------
     value
-        None of an object that slides.
+        None of an object that slides, or that no run lifts.
     band
         Confidence band of the curve; None without one.
     basis
@@ -115,11 +116,13 @@ def probability_of(
     described, onset, fragility, level
         The object that does not slide, what its demand begins, its curves, and the demand.
     counted
-        Share of its runs at the demand that fall.
+        Share of its runs at the demand that fall, over PGV of those that lift; nan without any.
     """
     if onset.motion == "rest":
         return Probability(value=0.0, basis="statics", method="statics: the PGA does not lift it")
     curve, block = fragility.state(OVERTURNED).curve, described.block
+    if math.isnan(counted) and not is_fitted(curve):
+        return Probability(value=None, basis="count", method="none: no run lifts at the demand")
     if not is_fitted(curve):  # a step, or no curve: the runs at the demand are what there is
         words = f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}"
         return Probability(value=counted, basis="count", method=words)
@@ -187,11 +190,20 @@ def fit_fragilities(
 
 
 class AtDemand(NamedTuple):
-    """Runs of an object at its demand: how many fell, how many lifted, and how many there are."""
+    """Runs of an object at its demand: how many fell, of how many, and how many lifted.
+
+    Over PGV `tried` are the runs that lift, otherwise all.
+    """
 
     fell: int
+    tried: int
     lifted: int
     trials: int
+
+    @property
+    def share(self) -> float:
+        """Share of the runs tried that fell; nan without any."""
+        return self.fell / self.tried if self.tried else math.nan
 
 
 def count_at_demand(
@@ -210,8 +222,8 @@ def count_at_demand(
         blocks = [objects[place].block for place in places]
         found = run_at(blocks, motions, level.measure, [level.value], restitution=band, run=run)
         for place, counts in zip(places, found, strict=True):
-            fell, trials = counts.totals(0)
-            counted[place] = AtDemand(fell, int(counts.lifted.sum()), trials)
+            lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
+            counted[place] = AtDemand(*counts.totals(0), lifted, trials)
     return [counted[place] for place in range(len(objects))]
 
 

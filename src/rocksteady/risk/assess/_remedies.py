@@ -20,6 +20,7 @@ from rocksteady.risk.assess._sensitivity import (
     band_of,
     case_of,
     levels_about,
+    stays,
 )
 from rocksteady.risk.assess.described.body import Body
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
@@ -44,6 +45,8 @@ SMALLEST = 1e-3
 """Probability below which a step takes every other for the same."""
 NO_FALLS = "not worked out: the runs about the demand are within the target as they are"
 """Of remedies where the runs about the demand have nothing to remedy."""
+NO_LIFT = "not worked out: no run lifts the object so changed at the demand"
+"""Of remedies whose probability is not known."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,9 +65,10 @@ class Remedy:
         The design variable: width between the edges [m], ballast [kg] or as a share of the mass, or
         the largest coefficient of friction.
     probability, basis
-        Probability of the changed object at the demand, and what it is from: "curve" (through its
-        runs about the demand), "count" (of its runs there) or "statics".  Where no change is
-        enough, or none is needed, that of the largest change tried, or of the object as it is.
+        Probability of the changed object at the demand, nan where no run lifts, and what it is
+        from: "curve" (through its runs about the demand), "count" (of its runs there) or "statics".
+        Where no change is enough, or none is needed, that of the largest change tried, or of the
+        object as it is.
     fell, trials
         Its runs at the demand; None by statics.
     confirmed
@@ -91,7 +95,8 @@ class Remedy:
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values."""
-        return dict(vars(self))
+        unknown = math.isnan(self.probability)
+        return vars(self) | {"probability": None if unknown else self.probability}
 
 
 class Search:
@@ -118,6 +123,7 @@ class Search:
         self.described, self.motions, self.level = described, motions, level
         self.target, self.run = target, run
         self.made: dict[Block, Counts] = {}
+        self.unknown = False
         at_one = measured(motions, level.measure)
         pga = measured(motions, Intensity("pga_g")) * (level.value / at_one)
         logs = np.log(pga)
@@ -127,15 +133,18 @@ class Search:
         )
 
     def fitted(self, block: Block, curve: FragilityCurve) -> float:
-        """Return P(uplift) P(falls | uplift) of a block at the demand.
+        """Return the probability of a block at the demand, P(falls | uplift) or all of it.
 
-        P(uplift) is that of a lognormal through the PGA of the records at the demand, and the curve
-        is over the measure relative to the block's uplift and size.
+        Over other measures than PGV it is times P(uplift), that of a lognormal through the PGA of
+        the records at the demand; the curve is over the measure relative to the block's uplift and
+        size.
         """
         from scipy.special import ndtr
 
         uplift = math.log(block.gravity * tan(first_side(block).alpha) / STANDARD_GRAVITY)
         lifts = float(ndtr((self.centre - uplift) / max(self.spread, 1e-6)))
+        if self.level.measure.given_uplift:
+            lifts = 0.0 if stays(self.described, block) else 1.0
         falls = float(curve.probability(np.array([relative(self.level, block)]))[0])
         return lifts * (0.0 if math.isnan(falls) else falls)
 
@@ -177,15 +186,20 @@ class Search:
         # Fitted probabilities at both ends, as distances from the target.
         above = below = 0.0
         best: tuple[float | None, Case] | None = None
-        for _ in range(ROUNDS):
+        rounds = 0
+        while True:
             block = block_of(made(change))
             counts = self.runs(block)
-            case = case_of("", "", counts)
+            case = case_of("", "", counts, rests=stays(self.described, block))
+            rounds += 1
             if case.probability <= self.target:
                 # An end that has stood twice counts half, so that the other comes to it.
                 above *= 0.5
                 best, high, below = (change, case), change, self._beyond(case)
-            elif change == most:
+            elif math.isnan(case.probability):
+                self.unknown = True
+                break
+            elif change == most or rounds == ROUNDS:
                 break
             else:
                 below *= 0.5
@@ -194,7 +208,7 @@ class Search:
                 change = self._guess(block, self.curve_of(counts, block), made, (low, most))
                 continue
             apart = math.log1p(high) - math.log1p(low)
-            if apart <= math.log1p(FINEST):
+            if apart <= math.log1p(FINEST) or rounds == ROUNDS:
                 break
             part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
             change = math.expm1(math.log1p(low) + part * apart)
@@ -263,9 +277,8 @@ def _width(search: Search) -> Remedy:
     before = body.left + body.right
     change, case = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
     if change is None:
-        return _of_runs(
-            case, "width", f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
-        )
+        words = f"not even {MOST_WIDTH:g} times the width is enough"
+        return _of_runs(case, "width", NO_LIFT if search.unknown else words, unit="m")
     if change == 0.0:
         return _of_runs(case, "width", NO_FALLS, unit="m")
     width = before * (1.0 + change)
@@ -292,7 +305,8 @@ def _ballast(search: Search) -> Remedy:
         MOST_BALLAST,
     )
     if share is None:
-        return _of_runs(case, "ballast", f"not even {MOST_BALLAST:g} times its mass is enough")
+        words = f"not even {MOST_BALLAST:g} times its mass is enough"
+        return _of_runs(case, "ballast", NO_LIFT if search.unknown else words)
     if share == 0.0:
         return _of_runs(case, "ballast", NO_FALLS)
     mass = None if body.mass_kg is None else share * body.mass_kg

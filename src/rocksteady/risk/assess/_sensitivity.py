@@ -22,6 +22,7 @@ from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.sweep.run import Run
 
 CENTRE = 0.1
@@ -85,8 +86,8 @@ def vary(
     counts = run_at(blocks, motions, level.measure, levels, restitution=band, run=run)
     names = [("as described", ""), *((parameter, change) for parameter, change, _ in changes)]
     cases = [
-        case_of(parameter, change, run_counts)
-        for (parameter, change), run_counts in zip(names, counts, strict=True)
+        case_of(parameter, change, run_counts, rests=stays(described, block))
+        for (parameter, change), run_counts, block in zip(names, counts, blocks, strict=True)
     ]
     if band.draws > 1:
         ends = band.ratios(base)[[0, -1]].tolist()
@@ -96,7 +97,7 @@ def vary(
         ]
         run_counts = run_at(alone, motions, level.measure, levels, run=run)
         cases += [
-            case_of("restitution", f"{max(pair):.3f} alone", each)
+            case_of("restitution", f"{max(pair):.3f} alone", each, rests=stays(described, base))
             for pair, each in zip(ends, run_counts, strict=True)
         ]
     lifted = [
@@ -106,7 +107,8 @@ def vary(
         (shaken,) = run_at(
             [base], motions, level.measure, levels, restitution=band, vertical=True, run=run
         )
-        cases.append(case_of("vertical motion", f"with {len(lifted)} components", shaken))
+        words = f"with {len(lifted)} components"
+        cases.append(case_of("vertical motion", words, shaken, rests=stays(described, base)))
     return tuple(cases)
 
 
@@ -133,18 +135,36 @@ def levels_about(level: DemandLevel) -> list[float]:
     return [multiple * level.value for multiple in MULTIPLES]
 
 
-def case_of(parameter: str, change: str, counts: Counts) -> Case:
-    """Return a case of its counts."""
+def stays(described: ObjectFile, block: Block) -> bool:
+    """Return whether the demand's PGA does not lift a block; False without a PGA."""
+    demand = described.demand
+    if demand.pga_g is None:
+        return False
+    return demand.pga_g <= uplift_acceleration_g(block, demand.vertical_at_peak_g)
+
+
+def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False) -> Case:
+    """Return a case of its counts; 0 where the demand's PGA does not lift the block.
+
+    Parameters
+    ----------
+    parameter, change
+        What is changed, and how.
+    counts
+        Runs about the demand.
+    rests
+        Whether the demand's PGA does not lift the block; default False.
+    """
     curve = counts.curve()
     fell, trials = counts.totals(THE_DEMAND)
     probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
-    counted = fell / trials
+    counted = fell / trials if trials else math.nan
     # A step, or no curve, has no value between the levels: the share is all there is.
     fitted = is_fitted(curve)
     return Case(
         parameter=parameter,
         change=change,
-        probability=probability if fitted else counted,
+        probability=0.0 if rests else probability if fitted else counted,
         counted=counted,
         basis="curve" if fitted else "count",
         fell=fell,

@@ -73,7 +73,7 @@ def peak_words(demand: Demand) -> str:
 def verdict_of(found: Probability, target: float) -> str:
     """Return the verdict on a probability in two words."""
     if found.value is None:
-        return "slides"
+        return "slides" if found.basis is None else "undecided"
     if found.basis == "statics":
         return "stands"
     return "above target" if found.value > target else "below target"
@@ -100,7 +100,7 @@ def answer_of(findings: Findings) -> Answer:
     found, need = findings.found, findings.onset.friction_needed
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
     verdict, colour = verdict_of(found, target), colour_of(found.value, target)
-    if found.value is None:
+    if verdict == "slides":
         assert need is not None  # without a PGA nothing is known to slide
         low = facts.friction[0] if facts.friction else 0.0
         return Answer(
@@ -120,11 +120,20 @@ def answer_of(findings: Findings) -> Answer:
             f"{lifts}. The fragility curve is of motions scaled to the demand's intensity, some of "
             "which have a higher PGA.",
         )
+    that = " that lift" if findings.level.measure.given_uplift else ""
+    if found.value is None:
+        return Answer(
+            verdict,
+            colour,
+            f"No answer yet for {facts.name}: no run lifts at "
+            f"{with_article(findings.level.words)}.",
+            f"{lifts}; the demand is {findings.demand}. Give motions of a higher PGA at this PGV.",
+        )
     side = "more than" if found.value > target else "within"
     share = f"{share_words(found.value)} objects of this shape and size would fall"
     if found.basis == "count":  # a share is no smaller than one of the runs
         base = findings.cases[0]
-        share = f"{base.fell or 'None'} of its {base.trials} runs fall"
+        share = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
     sentence = (
         f"{share} at {with_article(findings.level.words)} ({percent(found.value)}): {side} the "
         f"target of {number(100.0 * target)} %."
@@ -142,9 +151,10 @@ def with_article(words: str) -> str:
 def _reason(findings: Findings, lifts: str) -> str:
     """Return why: uplift, the median, and what matters most."""
     base = findings.cases[0]
+    that = " that lift" if findings.level.measure.given_uplift else ""
     reason = (
-        f"{lifts}; the demand is {findings.demand}. In {base.fell} of {base.trials} runs at the "
-        "demand it falls."
+        f"{lifts}; the demand is {findings.demand}. In {base.fell} of {base.trials} runs{that} at "
+        "the demand it falls."
     )
     bars = tornado(findings.cases)
     if bars:

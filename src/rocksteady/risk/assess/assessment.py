@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._assessment_tables import tables_of
@@ -72,8 +73,8 @@ class Assessment(Result):
     demand
         The demand in words.
     verdict
-        "stands": the PGA does not lift it; "slides": rocking is no answer; "below target" or
-        "above target" of the probability.
+        "stands": the PGA does not lift it; "slides": rocking is no answer; "undecided": no run
+        lifts at the demand; "below target" or "above target" of the probability.
     colour
         "green", "amber" or "red" of the probability; "grey" where there is none.
     sentence, reason
@@ -125,6 +126,42 @@ class Assessment(Result):
         return None if self.fragility is None else self.fragility.state(OVERTURNED).curve
 
     @property
+    def doubts(self) -> tuple[str, ...]:
+        """Sentences that stand on the answer: a curve that misses the shares, or the runs there."""
+        curve, sentences = self.curve, []
+        if curve is None or not self.probability:
+            return ()
+        poor = misfit_words(curve.misfit)
+        if poor:
+            sentences.append(f"The curve of falling is a {poor}.")
+        case = self.cases[0]
+        if counted_otherwise(self.probability, case.counted):
+            sentences.append(
+                f"{case.fell} of {case.trials} runs at the demand fall, {percent(case.counted)}: "
+                f"the curve's {percent(self.probability)} is more than "
+                f"{100.0 * MOST_MISFIT:g} points from that."
+            )
+        return tuple(sentences)
+
+    @property
+    def pgv_percentile(self) -> float | None:
+        """Share of the motions below the stated PGV, scaled to the stated PGA [%]; None without."""
+        demand = self.described.given.demand
+        if demand.pga_g is None or demand.pgv_m_s is None or not self.motions:
+            return None
+        ratios = measured(self.motions, Intensity("pgv_per_pga_s")) * STANDARD_GRAVITY
+        return 100.0 * float((ratios * demand.pga_g < demand.pgv_m_s).mean())
+
+    @property
+    def percentile_words(self) -> str:
+        """The same in words; empty without."""
+        if self.pgv_percentile is None:
+            return ""
+        demand = self.described.given.demand
+        pga, pgv = quantity(demand.pga_g or 0.0, "g"), quantity(demand.pgv_m_s or 0.0, "m/s")
+        return f"at {pga} a PGV of {pgv} is percentile {self.pgv_percentile:.0f} of the motions"
+
+    @property
     def bars(self) -> list[tuple[str, float, float]]:
         """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
         rows = tornado(self.cases) if self.cases else []
@@ -164,6 +201,7 @@ class Assessment(Result):
     def _answer(self) -> list[Fact]:
         """Return the facts of the answer."""
         share = percent(self.probability)
+        doubts = self.doubts
         bands = None if self.fragility is None else self.fragility.fitting.bands
         if self.probability_band is not None and bands is not None:
             low, high = (percent(side) for side in self.probability_band)
@@ -175,6 +213,8 @@ class Assessment(Result):
             Fact("verdict", self.verdict, "verdict", f"{self.verdict} ({self.colour})"),
             Fact("colour", self.colour),
             Fact("sentence", self.sentence),
+            Fact("doubts", list(doubts)),
+            *(Fact("", label="doubt", text=text) for text in doubts),
             Fact("reason", self.reason, "why"),
             Fact("probability", self.probability, "probability", share),
             Fact("probability_band", self.probability_band and list(self.probability_band)),
@@ -186,6 +226,12 @@ class Assessment(Result):
             Fact("vertical_g", self.described.demand.vertical_g),
             Fact("vertical_share", self.described.demand.vertical_share),
             Fact("friction_cause", self.friction_cause),
+            Fact(
+                "pgv_percentile",
+                self.pgv_percentile,
+                "PGV of the demand" if self.percentile_words else "",
+                self.percentile_words,
+            ),
             Fact("friction_needed", self.friction_needed),
         ]
         if self.friction_needed is not None:
@@ -209,6 +255,12 @@ class Assessment(Result):
         """Return what limits the fits, and what was noted of risk."""
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         if self.fragility is not None:
+            given = self.fragility.measure.given_uplift
+            if given and self.described.given.demand.pga_g is None:
+                lift = quantity(self.facts.uplift_pga_g, "g")
+                warnings.append(
+                    f"No PGA is given: the probability holds above {lift}, which lifts the object."
+                )
             warnings += self._shortened(self.fragility) + self._beyond(self.fragility)
         if self.described.demand.vertical_at_peak_g:
             warnings.append(
@@ -388,7 +440,7 @@ def _rocking(
 
 def _fitting(options: Options) -> Fitting:
     """Return the damage states of the file, overturning among them."""
-    bands = Bands(replicates=options.replicates) if options.replicates else None
+    bands = Bands(replicates=options.replicates)
     states: list[DamageState | float | str] = [
         name if peak is None else DamageState(name, peak) for name, peak in own_states(options)
     ]
@@ -459,4 +511,4 @@ def _curve_over(
         counts.trials.ravel(),
         groups=records.ravel(),
         measure=(measure.label, measure.unit),
-    ).best
+    ).over(measure.given_uplift)

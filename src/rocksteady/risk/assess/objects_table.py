@@ -1,5 +1,6 @@
 """Many objects under one demand: a probability, a colour and a sentence for each."""
 
+import math
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -40,12 +41,13 @@ from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fitting import Fitting
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import GIVEN, Intensity
 from rocksteady.sweep.run import Run
 
 METHOD = (
     "Each object is assessed as one of its own file: by the curve through its runs at all levels "
-    "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand."
+    "and restitutions, or, where no curve can be fitted, by the share of its runs at the demand; "
+    f"over PGV it is of the runs that lift, {GIVEN}."
 )
 
 
@@ -60,9 +62,10 @@ class ObjectsTable(Result):
         One mapping per object, in the order given: ``name``, ``kind``, ``alpha_rad``, ``p_rad_s``,
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
-        ``probability`` with its ``basis`` and ``method`` as in `Assessment`, the share ``counted``
-        at the demand and the probability by the ``closed_form``, ``colour``, ``class``, ``verdict``
-        and ``sentence``; further columns of its table after them.
+        ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
+        `Assessment`, the share ``counted`` at the demand, of those ``tried``, and the probability
+        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
+        of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
     target_probability
@@ -257,8 +260,7 @@ def assess_objects(
     for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
         found = NO_ANSWER
         if place in fragilities:
-            share = counts[place].fell / counts[place].trials
-            found = probability_of(each, onset, fragilities[place], level, share)
+            found = probability_of(each, onset, fragilities[place], level, counts[place].share)
         rows.append(_row(each, onset, found, level, counts[place]))
     return ObjectsTable(
         rows=tuple(rows),
@@ -308,7 +310,7 @@ def _row(
         "probability": found.value,
         "basis": found.basis,
         "method": found.method,
-        "counted": counts.fell / counts.trials,
+        "counted": None if math.isnan(counts.share) else counts.share,
         "closed_form": closed,
         **counts._asdict(),
         "alpha_rad": side.alpha,
@@ -330,14 +332,18 @@ def _sentence(
     described: ObjectFile, found: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
-    name, fell, trials = described.name, counts.fell, counts.trials
+    name, fell, runs = described.name, counts.fell, f"{counts.tried} runs"
+    if level.measure.given_uplift:
+        runs += " that lift"
+    if found.value is None and found.basis is not None:
+        return f"No answer yet for {name}: no run lifts at {with_article(level.words)}."
     if found.value is None:
         return f"{name} slides at {peak_words(described.demand)}: rocking is no answer."
     if found.basis == "statics":
         return f"{name} stands: {peak_words(described.demand)} does not lift it."
     if found.basis == "count":  # a share is no smaller than one of the runs
-        return f"{name}: {fell or 'none'} of its {trials} runs fall at {with_article(level.words)}."
+        return f"{name}: {fell or 'none'} of its {runs} fall at {with_article(level.words)}."
     return (
         f"{name}: {share_words(found.value).lower()} objects of its shape and size would fall at "
-        f"{with_article(level.words)}; of its {trials} runs there {fell or 'none'} fell."
+        f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell."
     )

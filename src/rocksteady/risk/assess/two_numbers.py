@@ -12,6 +12,14 @@ from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.screens._thresholds import (
+    BETA,
+    MEDIAN,
+    OTHER_BETA,
+    OTHER_MEDIAN,
+    shares_at,
+    velocity_number,
+)
 from rocksteady.risk.screens.demand import Demand, peak_value
 from rocksteady.risk.screens.friction import (
     FrictionNeed,
@@ -22,10 +30,6 @@ from rocksteady.risk.screens.friction import (
 )
 from rocksteady.seismic.measures.free_sides import first_side
 
-MEDIAN, BETA = 0.757, 0.592
-"""Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
-OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
-"""The same of nonlinear runs of this package on 56 records."""
 SOURCE = (
     "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, where PGA > g tan alpha; "
     "0 below. Inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and "
@@ -246,10 +250,7 @@ def assess_two_numbers(
     if mode == "rest":
         shares = [0.0, 0.0]
     elif mode == "rocks":
-        shares = [
-            normal_share(math.log(pgv / median) / beta)
-            for median, beta in zip(medians, (BETA, OTHER_BETA), strict=True)
-        ]
+        shares = [*shares_at(velocity_number(side, block.gravity, pgv))]
     need = needed_friction(block, pga, vertical)
     return QuickAssessment(
         block=block,
@@ -355,14 +356,3 @@ def _remarks(
     elif not block.symmetric:
         remarks.append("The sides differ: both are taken to be as the side that lifts first.")
     return remarks
-
-
-def normal_share(deviations: float) -> float:
-    """Return the standard normal distribution at a number of deviations from the median.
-
-    Examples
-    --------
-    >>> print(f"{normal_share(0.0)} {normal_share(1.0):.6f}")
-    0.5 0.841345
-    """
-    return 0.5 * math.erfc(-deviations / math.sqrt(2.0))

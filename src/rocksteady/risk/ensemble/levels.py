@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import DEFAULT, Intensity, measure_scalar
 from rocksteady.seismic.spectra.grounds import axis_values
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -58,7 +58,7 @@ class Stripes:
     ----------
     measure
         What the levels are in: an `Intensity` that scaling changes, or its name; default
-        ``p_pgv_per_uplift``, p PGV/(g tan alpha).  ``"scale"`` for plain factors.
+        ``pgv_m_s``.  ``p_pgv_per_uplift`` suits several blocks, ``"scale"`` is plain factors.
     levels
         Above 0, no two alike, shape (levels,).  By default 20 in equal ratios, chosen for the
         blocks: about where they begin to fall to where all do.
@@ -78,7 +78,7 @@ class Stripes:
     (0.2, 0.4, 0.8)
     """
 
-    measure: Intensity | str = "p_pgv_per_uplift"
+    measure: Intensity | str = DEFAULT
     levels: ArrayLike | None = None
     beside: Sequence[Intensity] = DEFAULT_MEASURES
 

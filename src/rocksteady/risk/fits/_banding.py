@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.results.doubts import FEWEST_RECORDS
 from rocksteady.results.numbers import plural
 from rocksteady.risk.fits._bootstrap import Replicates, draw_replicates
 from rocksteady.risk.fits._maximum import Maximum
@@ -13,10 +14,6 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPA
 from rocksteady.risk.fits.bands import Bands
 
 Floats = NDArray[np.float64]
-FEW_RECORDS = 22
-"""Below it a curve has a warning."""
-FEWEST_RECORDS = 11
-"""Below it there is no band."""
 MOST_LEFT_OUT = 0.05
 """Share of redrawn suites without a curve, above which there is a warning."""
 
@@ -76,7 +73,7 @@ def _bounds(stage: Maximum, at: Floats, confidence: float) -> tuple[Floats, Floa
 
 def spread_of(stages: Sequence[Maximum], bands: Bands | None) -> tuple[Spread | None, list[str]]:
     """Return the band of the product of stages, and sentences on its limits."""
-    if bands is None or any(stage.status == NOT_RISING for stage in stages):
+    if bands is None or not bands.replicates or any(stage.status == NOT_RISING for stage in stages):
         return None, []
     fitted = [stage for stage in stages if stage.status == FITTED]
     known = {SEPARATED, NEVER, ALWAYS}

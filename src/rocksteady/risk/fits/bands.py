@@ -2,9 +2,13 @@
 
 from dataclasses import dataclass
 
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value
 from rocksteady.model.checks.validation import whole_number
+
+LEAST_REPLICATES = 100
+"""Redrawn suites, below which the ends of an interval are too rough."""
 
 
 @checked
@@ -27,7 +31,8 @@ class Bands:
     confidence
         Confidence of the bands, in (0, 1); default 0.9.
     replicates
-        Suites that are drawn from the records, with replacement; default 1000, at least 100.
+        Suites that are drawn from the records, with replacement; default 1000, at least 100, or 0
+        for no bands.
     seed
         Seed of the draws, a whole number from 0; default 0.
 
@@ -52,9 +57,12 @@ class Bands:
         values = {
             "confidence": confidence_value(self.confidence),
             "replicates": whole_number(
-                "replicates", self.replicates, at_least=100, at_most=1_000_000, hint="give 1000"
+                "replicates", self.replicates, at_least=0, at_most=1_000_000, hint="give 1000"
             ),
             "seed": whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0"),
         }
+        if 0 < values["replicates"] < LEAST_REPLICATES:
+            valid = f"it must be 0 for no bands, or {LEAST_REPLICATES} or more"
+            raise InputError("replicates", self.replicates, valid, "give 1000")
         for name, value in values.items():
             object.__setattr__(self, name, value)

@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.doubts import FEW_RECORDS, with_misfit
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.fits._banding import FEW_RECORDS, Spread, spread_of
+from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._goodness import goodness_of
 from rocksteady.risk.fits._likelihood import family_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
@@ -224,9 +225,10 @@ class FragilityCurve(Result):
         name, unit = self.measure
         low, high = (value_words(end, unit, None) for end in self.sampled)
         if self.status == FITTED:
-            return (
+            return with_misfit(
                 f"{self.family} in {name}: median {value_words(self.median, unit, None)}, "
-                f"beta {number(self.beta)}, {plural(self.records, 'record')}"
+                f"beta {number(self.beta)}, {plural(self.records, 'record')}",
+                self.misfit,
             )
         if self.step is not None:
             ends = list(dict.fromkeys(value_words(end, unit, None) for end in self.step))

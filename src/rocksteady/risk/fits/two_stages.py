@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.doubts import with_misfit
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._banding import Spread, spread_of
@@ -119,8 +120,12 @@ class TwoStageCurve(Result):
 
     @property
     def best(self) -> "FragilityCurve | TwoStageCurve":
-        """The curve to use: these stages where they gain, else the one curve without stages."""
-        return self if self.gain > LEAST_GAIN else self.plain
+        """The curve of all runs: these stages where they gain or the gate is exact, else one."""
+        return self if self.gate is not None or self.gain > LEAST_GAIN else self.plain
+
+    def over(self, given_uplift: bool) -> "FragilityCurve | TwoStageCurve":
+        """Return the curve to use: that of the runs that lift, or the best one of all runs."""
+        return self.given_uplift if given_uplift else self.best
 
     @property
     def median(self) -> float:
@@ -224,7 +229,9 @@ class TwoStageCurve(Result):
             Fact("warnings", list(self.warnings)),
         ]
         return Description(
-            headline=f"{name}: median {value_words(self.median, unit, None)} in two stages",
+            headline=with_misfit(
+                f"{name}: median {value_words(self.median, unit, None)} in two stages", self.misfit
+            ),
             facts=facts,
             tables=[stripe_table(self.stripes)],
             notes=list(self.warnings),

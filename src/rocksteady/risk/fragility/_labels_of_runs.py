@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, Words
 from rocksteady.outcomes import Status
 from rocksteady.risk.fragility.damage_states import DamageState, exceeding
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import DEFAULT, Intensity
 
 if TYPE_CHECKING:
     import xarray
@@ -130,7 +130,7 @@ def measure_of(ensemble: "xarray.Dataset") -> Intensity:
     kept = {each.key: each for each in kept_measures(ensemble)}
     if key in kept:
         return kept[key]
-    default = Intensity("p_pgv_per_uplift")
+    default = Intensity(DEFAULT)
     return kept.get(default.key) or (next(iter(kept.values())) if kept else default)
 
 

@@ -29,7 +29,7 @@ from rocksteady.risk.fragility.damage_states import UPLIFT, DamageState
 from rocksteady.risk.fragility.fitting import Fitting
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import GIVEN, Intensity
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -56,7 +56,8 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None)
     Returns
     -------
     Fragility
-        Over the measure of the levels; of plain factors over p PGV/(g tan alpha).
+        Over the measure of the levels; of plain factors over PGV.  Over PGV the curves are of the
+        runs that lift, of PGA > g tan alpha.
 
     Raises
     ------
@@ -202,14 +203,20 @@ def _fitted(
             bands=options.bands,
             measure=named,
         )
+    fitted = StateFragility(
+        state=state,
+        plain=plain,
+        two_stage=two_stage,
+        given_uplift=measure.given_uplift and state.name != UPLIFT,
+    )
     points: list[tuple[float, int, int | None, int]] = []
     if labels.ensemble.attrs["measure"] == measure.key:
         for place, level in enumerate(labels.ensemble["level"].values.tolist()):
             sums = (int(each[:, :, place].sum()) for each in (trials, lifted, failures))
             points.append((level, *sums))
     else:
-        points += [(level, count, None, fell) for level, count, fell, _ in plain.stripes]
-    return StateFragility(state=state, plain=plain, two_stage=two_stage, points=tuple(points))
+        points += [(level, count, None, fell) for level, count, fell, _ in fitted.curve.stripes]
+    return replace(fitted, points=tuple(points))
 
 
 def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:
@@ -225,6 +232,10 @@ def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ..
             text = re.sub(STAGE, "", sentence) if common else f"{each.state.name}: {sentence}"
             warnings.append(text)
     single = [each.state.name for each in states if each.two_stage and each.curve is each.plain]
+    if any(each.given_uplift for each in states):
+        warnings.append(
+            f"The curves are of the runs that lift, {GIVEN}: at a lower PGA the probability is 0."
+        )
     if single:
         warnings.append(
             f"{', '.join(single)}: one curve, as two stages, uplift and failure given uplift, are "

@@ -24,7 +24,7 @@ class Fitting:
     family
         "lognormal" (default) or "logistic".
     bands
-        Options of the confidence bands; default `Bands()`, None for none.
+        Options of the confidence bands; default `Bands()`, None or no replicates for none.
     measures
         Measures whose efficiency is compared; by default all that the ensemble holds.
 
@@ -58,6 +58,8 @@ class Fitting:
                 "give states, as ['uplift', 0.5, 'overturned']",
             )
         object.__setattr__(self, "states", states)
+        if self.bands is not None and not self.bands.replicates:
+            object.__setattr__(self, "bands", None)
         if self.measures is not None:
             object.__setattr__(self, "measures", tuple(self.measures))
 

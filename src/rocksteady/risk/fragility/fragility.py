@@ -8,6 +8,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import with_misfit
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
@@ -16,7 +17,7 @@ from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import Fitting
 from rocksteady.risk.fragility.state_fragility import StateFragility, number_or_none
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import GIVEN, Intensity
 
 if TYPE_CHECKING:
     import xarray
@@ -29,10 +30,10 @@ _RANKING: Final = (
 
 _LEGEND: Final = (
     "Median and beta (standard deviation of the logarithm) with their bands; beta is given uplift "
-    "where the curve has two stages. Misfit: largest difference between the curve and the share of "
-    "runs at a level. Stages: 2, uplift and failure given uplift, where their gain, the "
-    "log-likelihood above that of one curve, is above 0. Efficiency, of one curve over each "
-    "measure: that of the highest log-likelihood predicts best."
+    "where the curve has two stages, and over PGV all is. Misfit: largest difference between the "
+    "curve and the share of runs at a level. Stages: 2, uplift and failure given uplift, where "
+    "their gain, the log-likelihood above that of one curve, is above 0. Efficiency, of one curve "
+    "of all runs over each measure: that of the highest log-likelihood predicts best."
 )
 """What the columns mean."""
 
@@ -138,7 +139,7 @@ class Fragility(Result):
                     "",
                     self._best(),
                     _RANKING,
-                    title=f"Efficiency of measures, {last.state.name}, of one curve over each",
+                    title=f"Efficiency of measures, {last.state.name}, of one curve of all runs",
                 ),
             ],
             notes=[_LEGEND, *self.warnings],
@@ -153,12 +154,14 @@ class Fragility(Result):
         shape = last.curve if isinstance(last.curve, FragilityCurve) else last.curve.given_uplift
         if not math.isnan(shape.beta):
             given = "" if shape is last.curve else " given uplift"
+            given = f", {GIVEN}" if last.given_uplift else given
             if isinstance(last.curve, TwoStageCurve) and last.curve.offset:
                 given = f" of the excess over uplift, {shape.measure[0]}"
             answer += f", beta {number(shape.beta)}{given}"
-        return (
+        return with_misfit(
             f"Fragility in {self.measure.label}: {last.state.name} {answer}; "
-            f"{plural(self.records, 'record')}, {self.runs:,} runs"
+            f"{plural(self.records, 'record')}, {self.runs:,} runs",
+            last.curve.misfit,
         )
 
     def _points(self) -> list[dict[str, Any]]:
@@ -170,7 +173,7 @@ class Fragility(Result):
                 "trials": trials,
                 "uplifted": lifted,
                 "failures": failures,
-                "share": failures / trials if trials else None,
+                "share": number_or_none(each.share(trials, lifted, failures)),
                 "probability": number_or_none(float(each.curve.probability(level))),
             }
             for each in self.states
@@ -211,9 +214,10 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         "median": _with_band(curve.median, getattr(curve, "median_band", None)),
         "beta": _with_band(shape.beta, shape.beta_band),
         "stages": ("1" if shape is curve else "2")
+        + (", given uplift" if each.given_uplift else "")
         + ("" if shape.status == "fitted" else f", {shape.status}"),
         "misfit": number_or_none(curve.misfit),
-        "gain": None if each.gain is None else number_or_none(each.gain),
+        "gain": number_or_none(each.gain) if isinstance(curve, TwoStageCurve) else None,
     }
 
 

@@ -30,17 +30,25 @@ class StateFragility:
     points
         Intensity, trials, uplifts and failures of each level; without levels of the measure, those
         of joined neighbours, without uplifts.
+    given_uplift
+        Whether the curve is of the runs that lift alone.
     """
 
     state: DamageState
     plain: FragilityCurve
     two_stage: TwoStageCurve | None = None
     points: tuple[tuple[float, int, int | None, int], ...] = ()
+    given_uplift: bool = False
 
     @property
     def curve(self) -> FragilityCurve | TwoStageCurve:
-        """The curve to use: in two stages where they gain, else one curve."""
-        return self.plain if self.two_stage is None else self.two_stage.best
+        """The curve to use: given uplift, or in two stages where they gain, else one curve."""
+        return self.plain if self.two_stage is None else self.two_stage.over(self.given_uplift)
+
+    def share(self, trials: int, lifted: int | None, failures: int) -> float:
+        """Return the share of failures that the curve is of; NaN without a run."""
+        tried = lifted if self.given_uplift and lifted is not None else trials
+        return failures / tried if tried else math.nan
 
     @property
     def gain(self) -> float | None:
@@ -58,13 +66,12 @@ class StateFragility:
         curves: list[tuple[str, FragilityCurve | TwoStageCurve]] = [("plain", self.plain)]
         if self.two_stage is not None:
             stages = self.two_stage
-            curves += [
+            curves[:0] = [
                 ("two-stage", stages),
                 ("uplift", stages.uplift),
                 (GIVEN, stages.given_uplift),
             ]
-            if self.curve is stages:
-                curves = [*curves[1:], curves[0]]
+        curves.sort(key=lambda each: each[1] is not self.curve)
         return [self._row(measure, stage, curve) for stage, curve in curves]
 
     def _row(

@@ -15,6 +15,9 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._fragile import Converted, Fragile
 from rocksteady.risk.hazard._hazard_measures import written
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
@@ -145,7 +148,7 @@ class BranchTest(Result):
 
 @checked
 def reject_branches(
-    fragility: Fragile | tuple[float, float],
+    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     branches: Sequence[HazardCurve],
     age_years: float,
     *,

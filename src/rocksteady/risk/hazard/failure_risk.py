@@ -16,6 +16,9 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
 from rocksteady.risk.hazard._hazard_measures import fragility_factor, intensity_named, written
@@ -278,7 +281,7 @@ class Risk(Result):
 
 @checked
 def compute_risk(
-    fragility: Fragile | tuple[float, float],
+    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     hazard: HazardCurve,
     years: float = 50.0,
     *,
@@ -295,14 +298,15 @@ def compute_risk(
     Parameters
     ----------
     fragility
-        A fitted curve of one stage or of two, or (median, beta) of a lognormal one.
+        A `Fragility`, of which the last damage state counts, a fitted curve of one stage or of two,
+        or (median, beta) of a lognormal one.
     hazard
         The hazard curve of the site.
     years
         Time of the probability [years]; default 50.
     measure
         What the fragility is over: an `Intensity`, or its text as ``"sa_g:1.0"`` or, with a block,
-        ``"p_pgv_per_uplift"``; default None, the hazard's own.
+        ``"p_pgv_per_uplift"``; default None, that of a `Fragility`, otherwise the hazard's own.
     block
         Block of a fragility over a dimensionless measure; none by default.
     beta_u
@@ -369,7 +373,7 @@ def compute_risk(
 
 
 def fragility_over(
-    fragility: Fragile | tuple[float, float],
+    fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     hazard: HazardCurve,
     measure: Intensity | str | None,
     block: Block | None,
@@ -382,6 +386,9 @@ def fragility_over(
         If the measures do not fit, or the fragility does not rise.
     """
     remarks = []
+    if isinstance(fragility, Fragility):
+        measure = fragility.measure if measure is None else measure
+        fragility = fragility.states[-1].curve
     if measure is None:
         words = hazard.intensity
         name, kind = getattr(fragility, "measure", ("", ""))

@@ -171,43 +171,16 @@ def circolare_rectangle(
     )
 
 
-@dataclass(frozen=True, kw_only=True)
-class Share:
-    """Runs of one range of p PGV/(g tan alpha) that rocked: which share of them overturned.
-
-    Attributes
-    ----------
-    low, high
-        The range.
-    published, ours
-        The share among the classified runs of Chu et al., and among ours.
-    """
-
-    low: float
-    high: float
-    published: float
-    ours: float
-
-
-SHARES = tuple(
-    Share(low=low, high=high, published=published, ours=ours)
-    for low, high, published, ours in (
-        (0.2, 0.3, 0.016, 0.000),
-        (0.3, 0.4, 0.093, 0.078),
-        (0.4, 0.5, 0.224, 0.156),
-        (0.5, 0.7, 0.421, 0.424),
-        (0.7, 1.0, 0.565, 0.679),
-        (1.0, 1.5, 0.754, 0.897),
-        (1.5, 2.0, 0.868, 0.969),
-    )
-)
-"""Overturned shares of runs that rock: of Chu et al. (2025), and of this package on 56 records."""
+MEDIAN, BETA = 0.757, 0.592
+"""Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
+OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
+"""The same of nonlinear runs of this package on 56 records."""
 
 
 def velocity_number(side: Side, gravity: float, pgv_m_s: float) -> float:
     """Return p PGV/(g tan alpha), about PGV/V_i for slender blocks.
 
-    Checked on open data and on runs of this package (`SHARES`).
+    Checked on open data and on runs of this package (`shares_at`).
 
     References
     ----------
@@ -217,6 +190,30 @@ def velocity_number(side: Side, gravity: float, pgv_m_s: float) -> float:
     return side.p * pgv_m_s / (gravity * tan(side.alpha))
 
 
-def share_at(number: float) -> Share | None:
-    """Return the range that a p PGV/(g tan alpha) falls into; None below 0.2 and at 2 or above."""
-    return next((share for share in SHARES if share.low <= number < share.high), None)
+def shares_at(number: float) -> tuple[float, float]:
+    """Return the probability that a block that lifts falls, of both sources.
+
+    Parameters
+    ----------
+    number
+        p PGV/(g tan alpha).
+
+    Examples
+    --------
+    >>> [round(share, 4) for share in shares_at(0.757)]
+    [0.5, 0.6016]
+    """
+    pairs = ((MEDIAN, BETA), (OTHER_MEDIAN, OTHER_BETA))
+    published, ours = (normal_share(math.log(number / median) / beta) for median, beta in pairs)
+    return published, ours
+
+
+def normal_share(deviations: float) -> float:
+    """Return the standard normal distribution at a number of deviations from the median.
+
+    Examples
+    --------
+    >>> print(f"{normal_share(0.0)} {normal_share(1.0):.6f}")
+    0.5 0.841345
+    """
+    return 0.5 * math.erfc(-deviations / math.sqrt(2.0))

@@ -1,7 +1,7 @@
 """Demand on a block: peak acceleration and velocity, and a response spectrum."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -36,8 +36,8 @@ class Demand:
     Parameters
     ----------
     pga_g
-        Peak acceleration [g]; None (default) where it is not known.  Without, that of a spectrum's
-        row at period 0.
+        Peak acceleration [g]; None (default) where it is not known.  Screens then take that of a
+        spectrum's row at period 0.
     pgv_m_s
         Peak velocity [m/s]; None (default) where it is not known.
     spectrum
@@ -94,9 +94,14 @@ class Demand:
                 if self.spectrum_damping is None:
                     self._set("spectrum_damping", stated)
             tabulated(self.spectrum, self.spectrum_damping)
-            first = list(self.spectrum[0])
-            if self.pga_g is None and first[0] == 0.0:
-                self._set("pga_g", float(max(first[1:])))
+
+    def with_peak(self) -> "Demand":
+        """Return the demand with the PGA of its table at period 0, where none is given."""
+        table = self.spectrum
+        if self.pga_g is not None or table is None or isinstance(table, ResponseSpectrum | Record):
+            return self
+        first = list(table[0])
+        return replace(self, pga_g=float(max(first[1:]))) if first[0] == 0.0 else self
 
     @classmethod
     def from_record(

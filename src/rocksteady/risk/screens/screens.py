@@ -175,6 +175,7 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     if friction is not None:
         hint = "give the coefficient of friction, as 0.4"
         friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
+    demand = demand.with_peak()
     case = _rows.Case(block, demand, friction)
     rows = (
         _rows.uplift_row(case),

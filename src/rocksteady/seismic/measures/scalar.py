@@ -33,6 +33,12 @@ class Words(NamedTuple):
     """Whether it has a period, which that of a block may be."""
 
 
+DEFAULT: Final = "pgv_m_s"
+"""Measure of levels and answers where none is named."""
+VELOCITIES: Final = ("pgv_m_s", "p_pgv_per_uplift")
+"""Measures whose curves are of the runs that lift."""
+GIVEN: Final = "given PGA > g tan alpha"
+"""Condition of a curve of the runs that lift."""
 LONGEST_S = 60.0
 """Longest period that is measured: what is longer is a slip of the pen."""
 
@@ -89,7 +95,7 @@ class Intensity:
                 "name",
                 self.name,
                 f"the measures are {', '.join(MEASURES)}",
-                "give one of them, as 'p_pgv_per_uplift'",
+                "give one of them, as 'pgv_m_s'",
             )
         if self.period_s is None:
             return
@@ -132,6 +138,11 @@ class Intensity:
     def scales(self) -> bool:
         """Whether it grows in proportion to the accelerations."""
         return self._words.scales
+
+    @property
+    def given_uplift(self) -> bool:
+        """Whether its curves are of runs that lift: uplift is a matter of PGA, not of PGV."""
+        return self.name in VELOCITIES
 
     @property
     def needs_block(self) -> bool:

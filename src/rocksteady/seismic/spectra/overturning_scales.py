@@ -206,7 +206,6 @@ class OverturningScales(WindowLists):
             Column("first", "first scale", lambda value: _or_none(value, 6)),
             Column("first_g", "PGA g", lambda value: _or_none(value, 4)),
             Column("windows", "windows"),
-            Column("share", "share that falls", lambda value: f"{value:.1%}"),
         ]
         window_columns = [
             Column("record", "record"),
@@ -353,7 +352,7 @@ def find_overturning_scales(
     Returns
     -------
     OverturningScales
-        The windows of each record, and the share of the range that overturns.
+        The windows of each record, and the share of ln(scale) within the range that overturns.
 
     Raises
     ------

@@ -33,7 +33,7 @@ def answer_rows(assessment: Assessment) -> list[Row]:
     bands = None if assessment.fragility is None else assessment.fragility.fitting.bands
     rows = [
         _row("Object", _object_words(assessment)),
-        _row("Demand", assessment.demand),
+        _row("Demand", assessment.demand, assessment.percentile_words),
     ]
     if assessment.probability is not None:
         words = percent(assessment.probability)
@@ -42,6 +42,7 @@ def answer_rows(assessment: Assessment) -> list[Row]:
             words += f" ({span(low, high, 100.0)} %, {number(100.0 * bands.confidence)} % band)"
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
         rows.append(_row("Probability of falling", words, target))
+    rows += [_row("Doubt", text) for text in assessment.doubts]
     if assessment.curve is not None:
         rows.append(_row("Median, half fall at", *_median_words(assessment)))
     rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of PGA"))

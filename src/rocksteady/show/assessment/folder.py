@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,9 +24,6 @@ if TYPE_CHECKING:
 OURS = r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json"
 """Names of the files of an assessment."""
 KIND = "an assessment"
-
-POINTS = 40
-"""Intensities at which curves in two stages are written for OpenQuake."""
 
 
 @checked
@@ -166,22 +162,11 @@ def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path)
         component = LossComponent.from_fragility(
             fragility,
             identifier,
-            steps=True,
             floor=described.given.demand.place == "floor",
             description=assessment.facts.describe().headline,
         )
     except InputError as error:
         return [f"No fragility for loss tools: {error}"]
-    with_lognormal = tuple(state for state in component.states if state.median is not None)
-    left_out = [state.name for state in component.states if state.median is None]
-    notes = list(component.left_out)
-    notes += [f"{name} has no lognormal and is in fragility.xml alone" for name in left_out]
-    if with_lognormal:
-        write_pelicun(stage / "fragility.csv", [replace(component, states=with_lognormal)])
-    else:
-        notes.append("No state has a lognormal: there is no table for pelicun")
-    try:
-        write_openquake(stage / "fragility.xml", [component], points=POINTS)
-    except InputError as error:  # beyond its runs nothing is known of a state that never happens
-        notes.append(f"No file for OpenQuake: {error}")
-    return notes
+    write_pelicun(stage / "fragility.csv", [component])
+    write_openquake(stage / "fragility.xml", [component])
+    return list(component.left_out)

@@ -14,10 +14,12 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
+from rocksteady.results.doubts import misfit_words
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.seismic.measures.scalar import GIVEN
 
 Floats = NDArray[np.float64]
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
@@ -33,6 +35,14 @@ WORDS_FOR_NOTHING = frozenset(
 """Identifiers that a reader of tables takes for a missing or another value, in small letters."""
 MOST_STATES = 9
 """Of a component: pelicun takes limit states in the order of the alphabet, LS10 before LS2."""
+POINTS = 151
+"""Probabilities at whose intensities a curve is written."""
+LEAST = 1e-6
+"""Least probability that a file of points holds above 0."""
+STEP = 1e-4
+"""Of ln(intensity): half of the width that a step has in a file of points."""
+SEARCHED = (1e-4, 1e4)
+"""Intensities between which a curve goes from 0 to 1."""
 CROSSING = 0.001
 """Probability by which a state may exceed a lighter one without a note."""
 
@@ -40,27 +50,26 @@ CROSSING = 0.001
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LossState:
-    """Damage state of a component, with its lognormal fragility.
+    """Damage state of a component, with its fragility: a lognormal, or any other curve.
 
     Parameters
     ----------
     name
         In words, as "theta/alpha > 0.5".
     median
-        Intensity at which half exceed the state, in the component's unit; None where the data
-        determine no lognormal.
+        Intensity at which half exceed the state, in the component's unit; None with a curve.
     beta
-        Standard deviation of the logarithm; None without a median.
+        Standard deviation of the logarithm; None with a curve.
     curve
-        Probability at an array of intensities, of the same shape; the lognormal by default. A
-        table of points holds it exactly.
+        Probability at an array of intensities, of the same shape, in place of a lognormal; default
+        None. Files hold it as points.
     note
-        What the lognormal stands for, and how far it is from the runs.
+        What the curve stands for, and how far it is from the runs.
 
     Raises
     ------
     InputError
-        If the name is empty, the median or beta is not above 0, or nothing gives a probability.
+        If the name is empty, the median or beta is not above 0, or it is not the one or the other.
 
     Examples
     --------
@@ -81,13 +90,13 @@ class LossState:
             raise InputError("name", self.name, "a state has a name", "name it as 'overturned'")
         text_value("note", self.note)
         if (self.median is None) != (self.beta is None) or (
-            self.median is None and self.curve is None
+            (self.median is None) == (self.curve is None)
         ):
             raise InputError(
                 "median",
                 self.median,
                 "a state has a median and a beta, or a curve",
-                "give both, or the probability as a function of the intensity",
+                "give both, or the probability as a function of the intensity alone",
             )
         if self.median is not None:
             hint = "give an intensity in the component's unit"
@@ -216,14 +225,14 @@ class LossComponent:
         identifier: str,
         *,
         floor: bool = False,
-        given_uplift: bool = False,
-        steps: bool = False,
         description: str = "",
     ) -> "LossComponent":
         """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
 
-        A fragility in p PGV/(g tan(alpha)) is turned to PGV and one in PGA/(g tan(alpha)) to PGA,
-        by the block's own slenderness and frequency parameter.
+        Each state has the curve of the report: a lognormal, or another, which files hold as points.
+        Over PGV the curves are of the runs that lift, and uplift itself is left out. A fragility in
+        p PGV/(g tan(alpha)) is turned to PGV and one in PGA/(g tan(alpha)) to PGA, by the block's
+        own slenderness and frequency parameter.
 
         Parameters
         ----------
@@ -233,13 +242,6 @@ class LossComponent:
             Identifier of the component.
         floor
             Whether the motions are those of a floor; off by default.
-        given_uplift
-            Whether the lognormal is that of the runs that lift, and not of all; off by default.
-            Where that lognormal is in the excess over the gate, loss tools have no name for its
-            measure: the lognormal of all runs is kept, with a note.
-        steps
-            Whether states without a lognormal, as a step, are kept for files of points; off by
-            default. What never or always happens has no curve, and is left out in either case.
         description
             Description of the object, in a sentence.
 
@@ -251,13 +253,15 @@ class LossComponent:
         measure, factor = _measure_of(fragility)
         states: list[LossState] = []
         left_out: list[str] = []
+        conditional = any(each.given_uplift for each in fragility.states)
         for each in fragility.states:
-            made = _state_of(each, factor, given_uplift)
-            if isinstance(made, LossState) and (made.median is not None or steps):
+            made = _state_of(each, factor)
+            if conditional and not each.given_uplift:
+                made = "The other curves are of the runs that lift."
+            if isinstance(made, LossState):
                 states.append(made)
             else:
-                reason = made.note if isinstance(made, LossState) else made
-                left_out.append(f"{each.state.name} is left out. {reason}")
+                left_out.append(f"{each.state.name} is left out. {made}")
         if not states:
             raise InputError(
                 "fragility",
@@ -327,11 +331,11 @@ def _crossings(component: LossComponent) -> list[str]:
     if len(component.states) == 1:
         return []
     crossings = []
-    levels = levels_of(component, 200)
-    rows = [state.probability(levels) for state in component.states]
+    levels = np.geomspace(*SEARCHED, 8001)
+    rows = [probability_of(component, state, levels) for state in component.states]
     pairs = itertools.pairwise(zip(component.states, rows, strict=True))
     for (lighter, low), (worse, high) in pairs:
-        over = high - low
+        over = np.nan_to_num(high - low)
         if over.max() > CROSSING:
             crossings.append(
                 f"The curve of '{worse.name}' is up to {over.max():.2g} above that of "
@@ -340,17 +344,56 @@ def _crossings(component: LossComponent) -> list[str]:
     return crossings
 
 
-def levels_of(component: LossComponent, count: int) -> Floats:
-    """Return intensities, spaced by their ratio, that span the curves of all states."""
-    curves = component.states
-    trial = np.geomspace(1e-4, 1e4, 4001)
-    rows = np.array([state.probability(trial) for state in curves])
-    some, all_ = np.any(rows > 0.001, axis=0), np.any(rows < 0.999, axis=0)
-    low = float(trial[some.argmax()]) if some.any() else 1e-2
-    high = float(trial[len(trial) - 1 - all_[::-1].argmax()]) if some.any() else 1.0
-    if component.no_damage is not None:
-        low = max(low, 1.0001 * component.no_damage)
-    return np.geomspace(low, max(high, 1.5 * low), count)
+def probability_of(component: LossComponent, state: LossState, intensity: ArrayLike) -> Floats:
+    """Return the probability of a state in a component: 0 up to its limit without damage."""
+    at = np.asarray(intensity, dtype=np.float64)
+    shares = state.probability(at)
+    return shares if component.no_damage is None else np.where(at > component.no_damage, shares, 0)
+
+
+def points_of(component: LossComponent, state: LossState) -> Floats:
+    """Return intensities between which straight lines hold a curve, from its probability 0 to 1.
+
+    They are those of probabilities from 1e-6 to 1 - 1e-5, in equal steps of the logarithm of the
+    odds, and the two sides of each step.
+
+    Raises
+    ------
+    InputError
+        If the curve has no probability at some intensities, falls, or does not go from 0 to 1.
+    """
+    odds = np.linspace(math.log(LEAST), -math.log(10.0 * LEAST), POINTS)
+    asked = 1.0 / (1.0 + np.exp(-odds))
+
+    def shares(logs: Floats) -> Floats:
+        return probability_of(component, state, np.exp(logs))
+
+    trial = np.linspace(*np.log(SEARCHED), 8001)
+    found = shares(trial)
+    reason = ""
+    if not np.isfinite(found).all():
+        reason = "no probability at some intensities"
+    elif (np.diff(found) < -LEAST).any():
+        reason = "a probability that falls with the intensity"
+    elif found[0] > asked[0] or found[-1] < asked[-1]:
+        reason = "a probability that does not go from 0 to 1"
+    if reason:
+        raise InputError(
+            component.identifier,
+            Words(f"has {reason} in {state.name!r}"),
+            "a file of points holds curves that rise from 0 to 1",
+            "leave the state out",
+        )
+    place = np.searchsorted(np.maximum.accumulate(found), asked).clip(1)
+    low, high = trial[place - 1], trial[place]
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        above = shares(middle) >= asked
+        low, high = np.where(above, low, middle), np.where(above, middle, high)
+    first = np.diff(high, prepend=-np.inf) > 2.0 * STEP
+    last = np.diff(high, append=np.inf) > 2.0 * STEP
+    sides = [high[first & ~last] - STEP, high[last & ~first] + STEP]
+    return np.exp(np.sort(np.concatenate([high[first & last], *sides])))
 
 
 def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
@@ -402,38 +445,27 @@ def _gate_of(fragility: Fragility) -> float | None:
     return math.tan(_side_of(fragility)[0])
 
 
-def _state_of(fragility: StateFragility, factor: float, given_uplift: bool) -> LossState | str:
+def _state_of(fragility: StateFragility, factor: float) -> LossState | str:
     """Return a damage state in the unit of the export, or why there is no curve of it."""
-    two, chosen, words = fragility.two_stage, fragility.plain, "of all runs"
-    if given_uplift and two is not None and two.offset:
-        words = (
-            f"of all runs, as given uplift the lognormal is in {two.given_uplift.measure[0]}, "
-            "which loss tools do not accept"
-        )
-    elif given_uplift and two is not None:
-        chosen, words = two.given_uplift, "of the runs that lift, given uplift"
     best = fragility.curve
-    usable = chosen.status == "fitted" and chosen.family == "lognormal"
-    if usable:
-        note = (
-            f"Lognormal {words}, fitted to {chosen.trials} runs with {chosen.failures} in this "
-            f"state; largest distance from the stripes {chosen.misfit:.3f}"
-        )
-        single = best is fragility.plain
-        note += "." if single else f", of the curve in two stages {best.misfit:.3f}."
-    else:
-        note = f"There is no lognormal {words}: family {chosen.family}, status {chosen.status}."
+    plain = best if isinstance(best, FragilityCurve) else best.plain
     trial = np.geomspace(0.1, 10.0, 5) * best.sampled[1]
-    has_curve = bool(np.isfinite(best.probability(trial)).all())
-    if not usable and not has_curve:
-        return note
-    return LossState(
-        name=fragility.state.name,
-        median=chosen.median * factor if usable else None,
-        beta=chosen.beta if usable else None,
-        curve=_scaled(best, factor) if has_curve else None,
-        note=note,
+    if not np.isfinite(best.probability(trial)).all():
+        return f"It has no curve: status {plain.status}."
+    kind = plain.family if plain.status == "fitted" else "step"
+    if best is not plain:
+        kind = "curve in two stages, uplift and failure given uplift"
+    of = f"the runs that lift, {GIVEN}" if fragility.given_uplift else "all runs"
+    note = (
+        f"{kind.capitalize()}, of {of}, fitted to {plain.trials} runs with {plain.failures} in "
+        f"this state; largest distance from the stripes {best.misfit:.3f}."
     )
+    poor = misfit_words(best.misfit)
+    note = f"{poor.capitalize()}. {note}" if poor else note
+    if best is plain and plain.status == "fitted" and plain.family == "lognormal":
+        median, beta = plain.median * factor, plain.beta
+        return LossState(name=fragility.state.name, median=median, beta=beta, note=note)
+    return LossState(name=fragility.state.name, curve=_scaled(best, factor), note=note)
 
 
 def _scaled(curve: FragilityCurve | TwoStageCurve, factor: float) -> Callable[[Floats], Floats]:

@@ -11,13 +11,13 @@ import numpy as np
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import whole_number
 from rocksteady.show.export.components import (
+    STEP,
     Floats,
     LossComponent,
-    LossState,
     check_components,
-    levels_of,
+    points_of,
+    probability_of,
     state_name,
     text_value,
 )
@@ -26,6 +26,8 @@ from rocksteady.show.export.files import save_whole
 LossCategory = Literal["contents", "nonstructural"]
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 MODEL = re.compile(r"[A-Za-z0-9_-]{1,75}")
+REACH = 4.75
+"""Standard deviations from the median to the limit without damage: a probability of 1e-6."""
 CM = 100.0
 """OpenQuake's velocities are in cm/s."""
 NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
@@ -39,10 +41,11 @@ def write_openquake(
     *,
     model_id: str = "rocksteady",
     loss_category: LossCategory = "contents",
-    points: int | None = None,
 ) -> Path:
     r"""Write components as a fragility model of OpenQuake, NRML 0.5.
 
+    A component whose states are all lognormal is a continuous function, any other a discrete one,
+    whose points hold curves in two stages and steps.
     A lognormal has the arithmetic mean :math:`m = \hat x \exp(\beta^2/2)` and standard deviation
     :math:`m \sqrt{\exp(\beta^2) - 1}`, and not the median :math:`\hat x` and :math:`\beta`. PGV
     is in cm/s, PGA and spectral acceleration are in g.
@@ -57,9 +60,6 @@ def write_openquake(
         Identifier of the model: letters, digits, "_" and "-", at most 75.
     loss_category
         "contents", the default, or "nonstructural".
-    points
-        Number of intensities in the discrete format, 2 to 10000, as 40: points hold a curve in two
-        stages exactly, and any other. None, the default, writes lognormals, the continuous format.
 
     Returns
     -------
@@ -69,14 +69,14 @@ def write_openquake(
     Raises
     ------
     InputError
-        If the states differ between components, or one has no lognormal for the continuous format.
+        If the states differ between components, or a curve does not rise from 0 to 1.
     OutputError
         If the file cannot be written.
 
     Notes
     -----
-    OpenQuake holds the probability constant below ``minIML`` and above ``maxIML``, and in classical
-    damage calculations takes ``continuous_fragility_discretization`` levels between them, 20 by
+    OpenQuake holds the probability constant above ``maxIML``, and in classical damage calculations
+    of continuous functions takes ``continuous_fragility_discretization`` levels between them, 20 by
     default: raise that number.
 
     Examples
@@ -95,8 +95,6 @@ def write_openquake(
     if not MODEL.fullmatch(text_value("model_id", model_id)):
         valid = "it must be 1 to 75 letters, digits, '_' and '-'"
         raise InputError("model_id", model_id, valid, "name it as museum_2026")
-    if points is not None:
-        points = whole_number("points", points, at_least=2, at_most=10_000, hint="give 40")
     states = [state_name(state.name) for state in components[0].states]
     for component in components:
         names = [state_name(state.name) for state in component.states]
@@ -115,12 +113,12 @@ def write_openquake(
     _child(model, "limitStates").text = " ".join(states)
     for component in components:
         function = _child(model, "fragilityFunction", id=component.identifier)
-        if points is None:
+        if any(state.median is None for state in component.states):
+            function.set("format", "discrete")
+            _add_points(function, component)
+        else:
             function.attrib |= {"format": "continuous", "shape": "logncdf"}
             _add_lognormals(function, component)
-        else:
-            function.set("format", "discrete")
-            _add_points(function, component, points)
     ET.indent(root)
     data = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
     save_whole("path", file, lambda target: target.write_bytes(data))
@@ -158,17 +156,18 @@ def _measure(component: LossComponent) -> str:
 
 def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
     """Add the lognormal of each state, and the levels between which it holds."""
-    unit, gate = _unit(component), component.no_damage
-    betas = [_lognormal_of(component, state) for state in component.states]
-    low = min(median * math.exp(-3.1 * beta) for median, beta in betas)
-    high = max(median * math.exp(3.1 * beta) for median, beta in betas)
-    if gate is not None:  # below minIML the probability is that at minIML: no gate would be met
-        low = min(low, 0.5 * gate)
+    unit = _unit(component)
+    betas = [(state.median or 0.0, state.beta or 0.0) for state in component.states]
+    low = min(median * math.exp(-REACH * beta) for median, beta in betas)
+    high = max(median * math.exp(REACH * beta) for median, beta in betas)
+    gate = low if component.no_damage is None else component.no_damage
+    # Below minIML the probability is that at minIML, and 0 up to noDamageLimit.
+    low = min(low, 0.5 * gate)
     _child(
         function,
         "imls",
         imt=_measure(component),
-        noDamageLimit=repr(0.0 if gate is None else unit * gate),
+        noDamageLimit=repr(unit * gate),
         minIML=repr(unit * low),
         maxIML=repr(unit * high),
     )
@@ -178,35 +177,19 @@ def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
         _child(function, "params", ls=name, mean=repr(mean), stddev=repr(deviation))
 
 
-def _lognormal_of(component: LossComponent, state: LossState) -> tuple[float, float]:
-    if state.median is None or state.beta is None:
-        raise InputError(
-            component.identifier,
-            Words(f"has no lognormal for {state.name!r}"),
-            "the continuous format holds lognormals alone",
-            "write it at points, which hold any curve",
-        )
-    return state.median, state.beta
-
-
-def _add_points(function: ET.Element, component: LossComponent, count: int) -> None:
+def _add_points(function: ET.Element, component: LossComponent) -> None:
     """Add the curve of each state at points, linear between them."""
-    levels, unit = levels_of(component, count), _unit(component)
+    levels = np.unique(np.concatenate([points_of(component, each) for each in component.states]))
+    gate, unit = component.no_damage, _unit(component)
+    levels = levels if gate is None else levels[levels > gate]
     # Below the first level the curve goes to 0 at this limit, which must lie below it.
-    limit = component.no_damage if component.no_damage is not None else 0.5 * float(levels[0])
+    limit = gate if gate is not None else (1.0 - STEP) * float(levels[0])
     imls = _child(
         function, "imls", imt=_measure(component), noDamageLimit=repr(float(unit * limit))
     )
     imls.text = _numbers(unit * levels)
     for state in component.states:
-        shares = state.probability(levels)
-        if not np.isfinite(shares).all():
-            raise InputError(
-                component.identifier,
-                Words(f"has no probability of {state.name!r} at some intensities"),
-                "beyond what was run nothing is known of a state that never or always happens",
-                "leave the state out",
-            )
+        shares = probability_of(component, state, levels)
         poes = _child(function, "poes", ls=state_name(state.name))
         poes.text = _numbers(np.clip(shares, 0.0, 1.0))
 

@@ -5,11 +5,15 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import durable
-from rocksteady.errors import InputError, OutputError, Words
+from rocksteady.errors import InputError, OutputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
+    LEAST,
     LossComponent,
+    LossState,
     check_components,
+    points_of,
+    probability_of,
     state_name,
 )
 from rocksteady.show.export.files import save_csv, save_text
@@ -29,7 +33,9 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     """Write components as a fragility table of pelicun, with its companion JSON.
 
     Columns and values are as `simcenter-dlml` 3.2 reads them: a lognormal has its median as
-    ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps").
+    ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps"). Any other curve,
+    and one with a limit below which there is no damage, is a ``multilinear_CDF``: ``Theta_0`` has
+    intensities, "|", and the probability at each.
 
     Parameters
     ----------
@@ -46,9 +52,7 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     Raises
     ------
     InputError
-        If an identifier occurs twice, or a state has no lognormal. Such a component would have
-        to be marked incomplete, and pelicun then leaves out all of it, with its losses: a file
-        like that is not written.
+        If an identifier occurs twice, or a curve does not rise from 0 to 1.
     OutputError
         If a file cannot be written.
 
@@ -69,15 +73,6 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     if table.suffix.lower() != ".csv":
         raise InputError("path", path, "the table ends in .csv", "name it as fragility.csv")
     check_components(components)
-    for component in components:
-        for state in component.states:
-            if state.median is None:
-                raise InputError(
-                    component.identifier,
-                    Words(f"has no lognormal for {state.name!r}"),
-                    "pelicun would leave the whole component out of the analysis",
-                    "leave the state out, or write it for OpenQuake at points",
-                )
     companion = table.with_suffix(".json")
     for file in (table, companion):
         problem = durable.obstacle(file)
@@ -86,7 +81,8 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     most = max(len(component.states) for component in components)
     head = [*HEAD, *(f"LS{k + 1}-{name}" for k in range(most) for name in OF_EACH)]
     text = json_text_of(components)
-    save_csv("path", table, head, [_row(component, most) for component in components])
+    rows = [_row(component, most) for component in components]
+    save_csv("path", table, head, rows)
     save_text("path", companion, text)
     return table, companion
 
@@ -113,8 +109,27 @@ def _row(component: LossComponent, most: int) -> list[object]:
         1,
     ]
     for state in component.states:
-        row += ["lognormal", state.median, state.beta, ""]
+        if state.median is None or component.no_damage is not None:
+            row += ["multilinear_CDF", _points_text(component, state), "", ""]
+        else:
+            row += ["lognormal", state.median, state.beta, ""]
     return row + [""] * (len(OF_EACH) * (most - len(component.states)))
+
+
+def _points_text(component: LossComponent, state: LossState) -> str:
+    """Return intensities and probabilities as pelicun reads them: rising from 0 to 1.
+
+    It converts units with six digits, and refuses two probabilities within 1e-8 of each other.
+    """
+    levels = points_of(component, state)
+    shares = probability_of(component, state, levels)
+    shares[0], shares[-1] = 0.0, 1.0
+    kept = [0]
+    for place in range(1, len(levels)):
+        if shares[place] - shares[kept[-1]] > 0.1 * LEAST:
+            kept.append(place)
+    columns = (levels[kept], shares[kept])
+    return "|".join(",".join(f"{value:.9g}" for value in column) for column in columns)
 
 
 def json_text_of(components: Sequence[LossComponent]) -> str:

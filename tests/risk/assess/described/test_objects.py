@@ -145,7 +145,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"assessment": {"draws": 0}}, "it must be a whole number from 1 to 1000"),
     ({"assessment": {"intensity_measure": "pgv"}}, "[assessment] intensity_measure = 'pgv' is not"),
     ({"assessment": {"intensity_measure": "pgv_per_pga_s"}}, "so that it has no levels"),
-    ({"assessment": {"period_s": 1.0}}, "[assessment] period_s = 1.0 is not valid: p_pgv_per_upl"),
+    ({"assessment": {"period_s": 1.0}}, "[assessment] period_s = 1.0 is not valid: pgv_m_s has"),
     ({"assessment": {"damage_states": ["tilted"]}}, "damage_states = 'tilted' is not valid"),
     ({"assessment": {"replicates": 50}}, "a band needs 100 suites or more"),
     ({"assessment": {"target_probability": 1}}, "it must lie in (0, 1)"),

@@ -207,8 +207,7 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
 
     flags = {"peak": "--states", "name": "--states", "states": "--states"}
     try:
-        options = Bands(confidence=confidence, seed=seed)  # checked where there are no bands too
-        bands = replace(options, replicates=replicates) if replicates != 0 else None
+        bands = Bands(confidence=confidence, replicates=replicates, seed=seed)
         named: Any = family
         parts = [part.strip() for part in states.split(",")]
         return Fitting(states=parts, family=named, bands=bands)

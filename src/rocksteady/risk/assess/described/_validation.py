@@ -155,7 +155,7 @@ def _check_choices(given: ObjectInput, source: str) -> None:
             name,
             options.intensity_measure,
             "scaling a record does not change it, so that it has no levels",
-            "take another, as 'p_pgv_per_uplift'",
+            "take another, as 'pgv_m_s'",
         )
     for state, peak in own_states(options):
         try:

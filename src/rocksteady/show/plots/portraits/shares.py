@@ -43,7 +43,7 @@ def plot_basin_shares(
     shares: BasinShares,
     ax: "Axes | None" = None,
     *,
-    top: float | None = None,
+    top: float = 1.0,
     legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the shares of basins over a parameter as bands that add up to 100 %.
@@ -60,8 +60,7 @@ def plot_basin_shares(
     ax
         Axes to draw on; default: axes of a new figure.
     top
-        Upper end of the axis of shares, in (0, 1]; by default 1, or above all that does not
-        overturn where this stays below one half.
+        Upper end of the axis of shares, in (0, 1]; default 1.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their right, or
         below narrow ones.
@@ -98,7 +97,7 @@ def plot_basin_shares(
     if len(shares.values) < 2:
         hint = "give more values to compute_basin_shares"
         raise InputError("shares", shares, "a picture needs two values or more", hint)
-    upper = _top(shares) if top is None else in_range("top", top, 0.0, 1.0, hint="give 0.3")
+    upper = in_range("top", top, 0.0, 1.0, "(]", hint="give 1, or 0.3 to enlarge small shares")
     axes = axes_or_new(ax)
     inks = inks_of(axes)
     order = np.argsort(shares.values)
@@ -152,19 +151,6 @@ def plot_basin_shares(
         handletextpad=0.6,
     )
     return axes
-
-
-def _top(shares: BasinShares) -> float:
-    """Return the upper end of the axis of shares by default."""
-    falls = [
-        family.label
-        for family in shares.families
-        if family.typical.kind is AttractorKind.OVERTURNED
-    ]
-    stands = float(1.0 - shares.share[falls].sum(axis=0).min())
-    if not falls or stands >= 0.5:
-        return 1.0
-    return max(0.05, 0.05 * math.ceil(22.0 * stands + 1e-9))
 
 
 def _percent(share: float) -> str:

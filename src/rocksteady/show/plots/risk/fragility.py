@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
+from rocksteady.results.doubts import with_misfit
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.seismic.measures.scalar import GIVEN
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -54,6 +56,7 @@ class Drawn:
     name: str
     best: Curve
     plain: FragilityCurve
+    given: str = ""
 
     @property
     def records(self) -> int:
@@ -64,7 +67,8 @@ class Drawn:
     def label(self) -> str:
         """The abscissa with its unit."""
         name, unit = self.best.measure
-        return f"{name} [{unit}]" if unit else name
+        label = f"{name} [{unit}]" if unit else name
+        return f"{label}, {self.given}" if self.given else label
 
 
 @checked
@@ -193,7 +197,7 @@ def plot_fragility_states(
         style = {"color": colour, "lw": width, "zorder": 2.8}
         at, shares, _ = _shares(each)
         axes.plot(at, shares, mark, color=colour, ms=3.6 * size, mew=0.0, alpha=0.75, zorder=2.9)
-        name = greek(each.name or "fragility")
+        name = greek(with_misfit(each.name or "fragility", each.best.misfit))
         lines = _draw_curve(axes, each.best, limits, name, style)
         lines[0].set(marker=mark, markevery=[], markersize=4.0 * size)
         handles += lines
@@ -210,7 +214,13 @@ def _states_of(fragility: Fragility | Curve) -> list[Drawn]:
     if isinstance(fragility, FragilityCurve):
         return [Drawn(name="", best=fragility, plain=fragility)]
     return [
-        Drawn(name=each.state.name, best=each.curve, plain=each.plain) for each in fragility.states
+        Drawn(
+            name=each.state.name,
+            best=each.curve,
+            plain=each.plain if isinstance(each.curve, TwoStageCurve) else each.curve,
+            given=GIVEN if each.given_uplift else "",
+        )
+        for each in fragility.states
     ]
 
 
@@ -236,7 +246,7 @@ def _prepare(axes: "Axes", drawn: Sequence[Drawn]) -> tuple[float, float]:
     else:
         limits = 0.0, high * BEYOND
         axes.set_xlim(*limits)
-    axes.set(ylim=(-0.03, 1.03), xlabel=greek(drawn[0].label))
+    axes.set(ylim=(-0.03, 1.03), xlabel=greek(drawn[-1].label))
     return limits
 
 
@@ -248,10 +258,11 @@ def _words(curve: Curve, name: str) -> str:
             return f"step {_between_words(curve.step)}{unit}"
         if curve.status in NO_CURVE:
             return NO_CURVE[curve.status]
-        return rf"{name}, median {number(curve.median)}{unit}, $\beta$ {curve.beta:.2f}"
+        words = rf"{name}, median {number(curve.median)}{unit}, $\beta$ {curve.beta:.2f}"
+        return with_misfit(words, curve.misfit)
     if not math.isfinite(curve.median):
         return f"{name}, no median"
-    return f"{name}, median {number(curve.median)}{unit}"
+    return with_misfit(f"{name}, median {number(curve.median)}{unit}", curve.misfit)
 
 
 def _between_words(step: tuple[float, float]) -> str:

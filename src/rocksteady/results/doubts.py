@@ -1,0 +1,53 @@
+"""Words and thresholds of estimates that do not exist, or rest on too little.
+
+Every fit, posterior and interval of the package takes its rule from here: the table in
+``docs/guides/doubts.md`` lists them.
+"""
+
+import math
+from typing import Final
+
+from rocksteady.results.numbers import number
+
+NOT_IDENTIFIED: Final = "not identified"
+"""Word in place of an estimate that the data do not determine."""
+TOO_FEW: Final = "too few"
+"""Word in place of an estimate or an interval of too small a sample."""
+FEWEST_DRAWS: Final = 50.0
+"""Effective draws of a posterior, below which no interval of it is stated."""
+FEWEST_RECORDS: Final = 11
+"""Records below which a curve has no confidence band."""
+FEW_RECORDS: Final = 22
+"""Records below which a curve has a warning."""
+MOST_MISFIT: Final = 0.1
+"""Distance of a curve and a counted share, above which the first line of an answer states it."""
+
+
+def misfit_words(misfit: float) -> str:
+    """Return what the first line of an answer says of a curve that misses its shares.
+
+    Examples
+    --------
+    >>> misfit_words(0.26), misfit_words(0.05)
+    ('poor fit: up to 26 points from the counted shares', '')
+    """
+    if not misfit > MOST_MISFIT:  # NaN of data without a curve
+        return ""
+    return f"poor fit: up to {number(100.0 * misfit, 2)} points from the counted shares"
+
+
+def with_misfit(line: str, misfit: float) -> str:
+    """Return the first line of an answer, with the misfit of its curve where that is large."""
+    words = misfit_words(misfit)
+    return f"{line}; {words}" if words else line
+
+
+def counted_otherwise(probability: float, counted: float) -> bool:
+    """Return whether a curve and the share counted at the same demand are too far apart.
+
+    Examples
+    --------
+    >>> counted_otherwise(0.70, 0.82), counted_otherwise(0.36, 0.32)
+    (True, False)
+    """
+    return math.isfinite(counted) and abs(probability - counted) > MOST_MISFIT
