@@ -162,7 +162,7 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
             assert getattr(file, key) == row[key], (each.name, key)
         assert file.facts.uplift_pga_g == row["uplift_pga_g"]
         if file.cases:
-            assert (file.cases[0].fell, file.cases[0].trials) == (row["fell"], row["trials"])
+            assert (file.cases[0].fell, file.cases[0].trials) == (row["fell"], row["tried"])
         seen.add(row["basis"])
     (alone,) = assess_objects(objects[:1], SUITE, **PEAKS, target_probability=target).rows
     assert alone == table.rows[0]
