@@ -55,6 +55,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["object"].block_of: {"body": t["object"].body},
         t["object"].variants: {},
         t["object"].with_target: {"probability": 0.2},
+        t["object"].with_peaks: {"pga_g": 0.3, "pgv_m_s": 0.2},
         rs.Assessment: fields(t["assessment"]),
         t["assessment"].describe: {},
         rs.ObjectsTable: fields(t["objects"]),

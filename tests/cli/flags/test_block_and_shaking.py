@@ -256,3 +256,22 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
 def test_what_has_no_mass_centre_there_is_refused(flags: dict[str, Any], words: str) -> None:
     with pytest.raises((FlagError, InputError), match=words):
         BlockFlags(**flags).described()
+
+
+def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_files() -> None:
+    flags: list[dict[str, Any]] = [
+        {"width_m": "600", "height_m": "1800"},
+        {"width_m": "0.6", "height_m": "1.8:1800:3"},
+        {"alpha_rad": "0.3", "radius_m": "950"},
+        {"left_m": 300.0, "right_m": 300.0, "height_m": "1.8"},
+        {"width_m": "0.6", "height_m": "1.8", "mass_centre_height_m": 900.0},
+    ]
+    names = ("width", "height", "radius", "left", "mass-centre-height")
+    for given, name in zip(flags, names, strict=True):
+        with pytest.raises(InputError, match=rf"^--{name}-m = .*write 0\.6 for 600 mm.*--p-rad-s"):
+            BlockFlags(**given).described()
+    with pytest.raises(InputError, match="write 0.6 for 600 mm"):
+        ObjectFile(values={"name": "x", "geometry": {"width_m": 600.0, "height_m": 1800.0}})
+    large = BlockFlags(alpha_rad="0.3", p_rad_s="0.1").described()
+    assert isinstance(large, Block)
+    assert large.height > 50.0

@@ -180,6 +180,25 @@ def test_friction_is_that_of_the_path_of_the_mass_centre(vertical: Record | None
     assert run.friction_needed >= found.max()
 
 
+def test_impacts_that_lose_much_need_the_friction_of_their_impulses() -> None:
+    """cot(alpha) (1 - e)/(1 + e), against the jump of the mass centre's own velocity."""
+    block = Block.rectangle(width=0.4, height=1.2, restitution=0.6)
+    run = simulate(block, GROUND)
+    impacts = run.impacts
+    assert len(impacts) > 0
+    after, before = impacts.velocity_after[0], impacts.velocity_before[0]
+    across, up = 1.2 * abs(after - before), 0.4 * abs(after + before)  # h, b times twice each
+    assert run.friction_at_impacts == pytest.approx(across / up)
+    assert run.friction_at_impacts == pytest.approx(3.0 * 0.4 / 1.6)
+    assert run.friction_needed == run.friction_at_impacts
+    assert "0.75, for impacts" in run.summary()
+    plain = simulate(Block.rectangle(width=0.4, height=1.2), GROUND)
+    assert plain.friction_needed is not None
+    assert plain.friction_needed > (plain.friction_at_impacts or 1.0)
+    assert "for impacts" not in plain.summary()
+    assert simulate(block.against_wall(0.5), GROUND).friction_at_impacts is None
+
+
 def test_uplift_of_each_model_and_of_the_side_that_lifts_first() -> None:
     assert simulate(STOCKY, GROUND).uplift_g == pytest.approx(math.tan(0.4))
     assert simulate(STOCKY, GROUND, model=Linear()).uplift_g == pytest.approx(0.4)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
@@ -86,7 +87,7 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
 def test_the_plot_is_that_of_the_fragility(found: Assessment) -> None:
     assert found.fragility is not None
     lines, expected = (
-        [line.get_ydata() for line in each.plot().axes[0].lines]
+        [line.get_ydata() for line in each.plot(Figure().add_subplot()).lines]
         for each in (found, found.fragility)
     )
     assert len(lines) > 0
@@ -423,7 +424,9 @@ def test_the_friction_cap_holds_for_the_worst_end_of_every_range() -> None:
     worst = Block.asymmetric(left=0.2, right=0.14, height=2.6, gyration=0.5)
     for pga in (0.2, 0.5, 2.0, 10.0):
         assert first_motion(worst, pga, 0.999 * (cap.value or 0.0)) == "slides"
-    assert first_motion(worst, 0.11, 1.05 * (cap.value or 0.0)) == "rocks"
+    # It lifts, and its impacts need more friction than uplift.
+    assert first_motion(worst, 0.11, 1.05 * (cap.value or 0.0)) == "slides and rocks"
+    assert first_motion(worst, 0.11, 0.5) == "rocks"
 
 
 def test_an_object_against_a_wall_falls_as_runs_of_its_own_with_both_signs_do() -> None:

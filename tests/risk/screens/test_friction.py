@@ -92,9 +92,12 @@ def test_vertical_motion_has_no_sign_and_lifts_sooner() -> None:
     assert uplift_acceleration_g(block, 0.3) == pytest.approx(0.7 * slope)
     on_the_moon = Block.rectangle(width=0.32, height=1.8, gravity=1.62)
     assert uplift_acceleration_g(on_the_moon) == pytest.approx(1.62 / G * slope)
-    for formula in (needed_friction, lambda *given: first_motion(*given[:2], 0.5, given[2])):
+    for call in (
+        lambda: needed_friction(on_the_moon, 0.1, 0.2),
+        lambda: first_motion(on_the_moon, 0.1, 0.5, 0.2),
+    ):
         with pytest.raises(InputError, match=r"vertical_g = 0\.2 .* below 0\.165"):
-            formula(on_the_moon, 0.1, 0.2)
+            call()
 
 
 def test_the_side_of_the_smaller_angle_lifts_first() -> None:

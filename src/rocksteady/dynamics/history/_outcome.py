@@ -176,5 +176,8 @@ def _demands(run: Described) -> Iterator[Fact]:
     text = "" if needed is None else number(needed)
     if run.block.one_sided:
         text += ", away from the wall"
+    elif needed is not None and needed == run.friction_at_impacts:
+        text += ", for impacts"
     shown: dict[str, Any] = {"label": "friction needed", "text": text} if needed else {}
     yield Fact("friction_needed", finite, **shown)
+    yield Fact("friction_at_impacts", run.friction_at_impacts)

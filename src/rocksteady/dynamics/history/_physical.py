@@ -17,6 +17,7 @@ from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import impact_friction
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -251,10 +252,32 @@ class Physical:
         """Least coefficient of friction that keeps the rocking block from sliding.
 
         The largest ratio of horizontal and vertical force at the pivot while the block rocks, up
-        to overturning; infinite where the vertical force vanishes.  None where `uplift_g` is, or
-        if the block never rocks.  Impacts count in no block.  For one against a wall, what the wall
-        takes of the base shear while the block rests on it does not either.
+        to overturning, or the need of its impacts (`friction_at_impacts`) where that is larger;
+        infinite where the vertical force vanishes.  None where `uplift_g` is, or if the block never
+        rocks.  For one against a wall neither impacts nor what the wall takes of the base shear
+        while the block rests on it count.
         """
+        forces, impacts = self._friction_of_forces, self.friction_at_impacts
+        return forces if forces is None or impacts is None else max(forces, impacts)
+
+    @cached_property
+    def friction_at_impacts(self) -> float | None:
+        """Least coefficient of friction that the impacts up to overturning need.
+
+        None where `uplift_g` is, without impacts, or against a wall.
+        """
+        block = self._shaken_block
+        if block is None or block.one_sided:
+            return None
+        count = len(self.rows) if self._overturning is None else self._overturning[0]
+        ended = self.rows[:count, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT
+        signs = set(np.sign(self.rows[:count, columns.ROW_SIDE][ended]).tolist())
+        sides = {1.0: (block.positive, block.negative), -1.0: (block.negative, block.positive)}
+        return max((impact_friction(*sides[sign]) for sign in signs), default=None)
+
+    @cached_property
+    def _friction_of_forces(self) -> float | None:
+        """Largest ratio of horizontal and vertical force at the pivot, impacts left out."""
         if self._shaken_block is None:
             return None
         count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()

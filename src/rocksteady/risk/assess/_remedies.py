@@ -212,7 +212,7 @@ class Search:
                 break
             part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
             change = math.expm1(math.log1p(low) + part * apart)
-        return best or (None, case)
+        return (None, case) if best is None else best
 
     def _beyond(self, case: Case) -> float:
         """Return by how much a probability is above the target, in standard deviations."""

@@ -65,7 +65,8 @@ def run_ensemble(
         "both" (default) for the records as they are and reversed, True or False for one of the two.
     vertical
         "both" (default) for runs with and without the vertical components, where there are any;
-        True or False for one of the two.  A record without one has the same run twice.
+        True or False for one of the two.  A record without one has the same run twice.  Components
+        act with the sign of their files, upwards positive, reversed horizontal records too.
     model
         `Nonlinear()` (default) or `Linear()`.
     run

@@ -1,6 +1,6 @@
 """Uplift and friction: which of rest, rocking and sliding a peak acceleration begins.
 
-A vertical acceleration at that instant is a magnitude: nobody knows its direction, so the worse one
+A vertical acceleration at that instant is a magnitude: its direction is not known, so the worse one
 counts.  That is downwards, in all of this module: a base that accelerates downwards by a_v takes
 a_v from gravity, and a block under a smaller gravity lifts, slides and needs more friction sooner.
 The need grows with A/(g - a_v) since ``I_0 > M R^2``.
@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.sides import Side
+from rocksteady.model.blocks.sides import Side, impact_friction
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 Mode = Literal["rest", "rocks", "slides", "slides and rocks"]
@@ -108,11 +108,8 @@ def needed_friction(block: Block, pga_g: float, vertical_g: float = 0.0) -> Fric
     is that of the free side: the wall holds what is driven into it.
 
     A block that lifts has impacts, whose impulses need friction too, whatever the acceleration.
-    An impact that ends a rotation omega about the edge at a distance b from the mass centre, which
-    stands h high, and begins e omega about the edge at b', gives the mass centre ``h (1 - e)
-    omega`` across and ``(b + e b') omega`` upwards, per mass: ``mu >= h (1 - e)/(b + e b')``, for
-    like sides ``cot(alpha) (1 - e)/(1 + e)``.  With Housner's restitution a rectangle needs less
-    than a.  Checked numerically.  Impacts on a wall are left out.
+    With Housner's restitution a rectangle needs less than a for them (`impact_friction`).  Impacts
+    on a wall are left out.
 
     Parameters
     ----------
@@ -151,14 +148,7 @@ def _at_impacts(block: Block) -> float:
     if block.one_sided:
         return 0.0
     one, other = block.positive, block.negative
-    return max(_at_impact(left, struck) for left, struck in ((one, other), (other, one)))
-
-
-def _at_impact(left: Side, struck: Side) -> float:
-    """Return the friction that an impact needs which ends the rotation about one edge."""
-    ratio = left.restitution
-    across = left.centre_height * (1.0 - ratio)
-    return across / (left.distance + ratio * struck.distance)
+    return max(impact_friction(left, struck) for left, struck in ((one, other), (other, one)))
 
 
 def _at_side(side: Side, gravity: float, ratio: float) -> float:
