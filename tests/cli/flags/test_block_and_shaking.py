@@ -270,7 +270,7 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
     for given, name in zip(flags, names, strict=True):
         with pytest.raises(InputError, match=rf"^--{name}-m = .*write 0\.6 for 600 mm.*--p-rad-s"):
             BlockFlags(**given).described()
-    with pytest.raises(InputError, match="write 0.6 for 600 mm"):
+    with pytest.raises(InputError, match=r"write 0\.6 for 600 mm"):
         ObjectFile(values={"name": "x", "geometry": {"width_m": 600.0, "height_m": 1800.0}})
     large = BlockFlags(alpha_rad="0.3", p_rad_s="0.1").described()
     assert isinstance(large, Block)

@@ -12,7 +12,6 @@ from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
-from rocksteady.model.blocks._sizes import METRES, TALL
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import named_block
@@ -23,6 +22,7 @@ from rocksteady.model.blocks.sides import (
     one_restitution,
     restitution_pair,
 )
+from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse

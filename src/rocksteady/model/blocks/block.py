@@ -13,14 +13,6 @@ from dataclasses import dataclass, field, replace
 
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
-from rocksteady.model.blocks._sizes import (
-    check_inertia,
-    check_one_size,
-    lengths_of,
-    question_millimetres,
-    radius_of_p,
-    refuse_stocky,
-)
 from rocksteady.model.blocks.housner_forms import housner_factor, noted, restitution_of
 from rocksteady.model.blocks.sides import (
     Restitution,
@@ -41,6 +33,14 @@ from rocksteady.model.blocks.sides import (
     sides_of_body,
     wall_ratio,
     wall_restitution_value,
+)
+from rocksteady.model.blocks.sizes import (
+    check_inertia,
+    check_one_size,
+    lengths_of,
+    question_millimetres,
+    radius_of_p,
+    refuse_stocky,
 )
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive

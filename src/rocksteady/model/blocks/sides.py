@@ -114,20 +114,9 @@ def impact_friction(left: Side, struck: Side) -> float:
     """Return the least friction with which an impact leaves the struck edge in place.
 
     An impact that ends a rotation omega about the edge at a distance b from the mass centre, which
-    stands h high, and begins e omega about the edge at b', gives the mass centre ``h (1 - e)
+    stands h high, and begins e omega about the struck edge at b', gives the mass centre ``h (1 - e)
     omega`` across and ``(b + e b') omega`` upwards: ``mu >= h (1 - e)/(b + e b')``, for like sides
     ``cot(alpha) (1 - e)/(1 + e)``.
-
-    Parameters
-    ----------
-    left, struck
-        The side whose rotation the impact ends, and the other.
-
-    Examples
-    --------
-    >>> side = Side(alpha=0.2, radius=1.0, p=2.7, restitution=0.9)
-    >>> print(f"{impact_friction(side, side):.4f}")
-    0.2596
     """
     ratio = left.restitution
     return left.centre_height * (1.0 - ratio) / (left.distance + ratio * struck.distance)

@@ -175,13 +175,13 @@ def fit_fragilities(
         groups.setdefault(key, []).append(place)
     runs = _runs_for(run, len(groups))
     fragilities: dict[int, Fragility] = {}
-    for (stripes, band), places, own in zip(sweeps, groups.values(), runs, strict=True):
+    for (stripes, band), places, sweep_run in zip(sweeps, groups.values(), runs, strict=True):
         ensemble = run_ensemble(
             [objects[place].block for place in places],
             list(motions),
             stripes=stripes,
             restitution=band,
-            run=own,
+            run=sweep_run,
         )
         for number_in, place in enumerate(places):
             part = _part(ensemble, number_in)
@@ -220,8 +220,10 @@ def count_at_demand(
     counted: dict[int, AtDemand] = {}
     for (level, band), places in groups.items():
         blocks = [objects[place].block for place in places]
-        found = run_at(blocks, motions, level.measure, [level.value], restitution=band, run=run)
-        for place, counts in zip(places, found, strict=True):
+        all_counts = run_at(
+            blocks, motions, level.measure, [level.value], restitution=band, run=run
+        )
+        for place, counts in zip(places, all_counts, strict=True):
             lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
             counted[place] = AtDemand(*counts.totals(0), lifted, trials)
     return [counted[place] for place in range(len(objects))]

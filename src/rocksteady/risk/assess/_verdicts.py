@@ -42,7 +42,7 @@ class Findings:
         What its PGA begins, with the friction needed.
     target
         Probability that is accepted.
-    found, cases
+    answer, cases
         Probability of falling at the demand, and cases with one thing changed; none where it
         slides.
     remedy
@@ -54,7 +54,7 @@ class Findings:
     demand: str
     onset: Onset
     target: float
-    found: Probability = NO_ANSWER
+    answer: Probability = NO_ANSWER
     cases: tuple[Case, ...] = ()
     remedy: Remedy | None = None
 
@@ -70,13 +70,13 @@ def peak_words(demand: Demand) -> str:
     return f"{words} with {demand.vertical_words}" if demand.vertical_words else words
 
 
-def verdict_of(found: Probability, target: float) -> str:
+def verdict_of(answer: Probability, target: float) -> str:
     """Return the verdict on a probability in two words."""
-    if found.value is None:
-        return "slides" if found.basis is None else "undecided"
-    if found.basis == "statics":
+    if answer.value is None:
+        return "slides" if answer.basis is None else "undecided"
+    if answer.basis == "statics":
         return "stands"
-    return "above target" if found.value > target else "below target"
+    return "above target" if answer.value > target else "below target"
 
 
 def colour_of(probability: float | None, target: float) -> str:
@@ -97,9 +97,9 @@ def colour_of(probability: float | None, target: float) -> str:
 def answer_of(findings: Findings) -> Answer:
     """Return the answer of some numbers, for a client."""
     facts, remedy, target = findings.facts, findings.remedy, findings.target
-    found, need = findings.found, findings.onset.friction_needed
+    answer, need = findings.answer, findings.onset.friction_needed
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
-    verdict, colour = verdict_of(found, target), colour_of(found.value, target)
+    verdict, colour = verdict_of(answer, target), colour_of(answer.value, target)
     if verdict == "slides":
         assert need is not None  # without a PGA nothing is known to slide
         low = facts.friction[0] if facts.friction else 0.0
@@ -112,7 +112,7 @@ def answer_of(findings: Findings) -> Answer:
             f"{need.cause}; the lowest given is {number(low)}. Analyse the sliding, leave room for "
             "it, or measure a higher friction.",
         )
-    if found.basis == "statics":
+    if answer.basis == "statics":
         return Answer(
             verdict,
             colour,
@@ -121,7 +121,7 @@ def answer_of(findings: Findings) -> Answer:
             "which have a higher PGA.",
         )
     that = " that lift" if findings.level.measure.given_uplift else ""
-    if found.value is None:
+    if answer.value is None:
         return Answer(
             verdict,
             colour,
@@ -129,13 +129,13 @@ def answer_of(findings: Findings) -> Answer:
             f"{with_article(findings.level.words)}.",
             f"{lifts}; the demand is {findings.demand}. Give motions of a higher PGA at this PGV.",
         )
-    side = "more than" if found.value > target else "within"
-    share = f"{share_words(found.value)} objects of this shape and size would fall"
-    if found.basis == "count":  # a share is no smaller than one of the runs
+    side = "more than" if answer.value > target else "within"
+    share = f"{share_words(answer.value)} objects of this shape and size would fall"
+    if answer.basis == "count":  # a share is no smaller than one of the runs
         base = findings.cases[0]
         share = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
     sentence = (
-        f"{share} at {with_article(findings.level.words)} ({percent(found.value)}): {side} the "
+        f"{share} at {with_article(findings.level.words)} ({percent(answer.value)}): {side} the "
         f"target of {number(100.0 * target)} %."
     )
     if remedy is not None:

@@ -399,7 +399,7 @@ def assess_object(
         assessment = replace(assessment, risks=_risks(assessment, suite, _curves(hazard)))
         findings = replace(
             findings,
-            found=Probability(value=assessment.probability, basis=assessment.basis),
+            answer=Probability(value=assessment.probability, basis=assessment.basis),
             cases=assessment.cases,
             remedy=cheapest(assessment.remedies),
         )
@@ -420,20 +420,20 @@ def _rocking(
     fitting = _fitting(described.given.assessment)
     (fragility,) = fit_fragilities([described], suite, [intensity], [fitting], run=run)
     cases = vary(described, suite, level, run=inner)
-    found = probability_of(described, findings.onset, fragility, level, cases[0].counted)
+    answer = probability_of(described, findings.onset, fragility, level, cases[0].counted)
     remedies: tuple[Remedy, ...] = ()
-    if found.value and found.value > findings.target:
+    if answer.value and answer.value > findings.target:
         # Where the runs about the demand give less than the curve, remedies owe the same factor.
-        goal = findings.target * min(1.0, cases[0].probability / found.value)
+        goal = findings.target * min(1.0, cases[0].probability / answer.value)
         remedies = find_remedies(Search(described, suite, level, goal, inner))
     return replace(
         assessment,
         fragility=fragility,
         cases=cases,
-        probability=found.value,
-        probability_band=found.band,
-        basis=found.basis,
-        method=found.method,
+        probability=answer.value,
+        probability_band=answer.band,
+        basis=answer.basis,
+        method=answer.method,
         remedies=remedies,
     )
 

@@ -258,10 +258,10 @@ def assess_objects(
     counts = count_at_demand(asked, suite, levels, run=inner)
     rows = []
     for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
-        found = NO_ANSWER
+        answer = NO_ANSWER
         if place in fragilities:
-            found = probability_of(each, onset, fragilities[place], level, counts[place].share)
-        rows.append(_row(each, onset, found, level, counts[place]))
+            answer = probability_of(each, onset, fragilities[place], level, counts[place].share)
+        rows.append(_row(each, onset, answer, level, counts[place]))
     return ObjectsTable(
         rows=tuple(rows),
         pga_g=pga,
@@ -283,7 +283,7 @@ def _measure_of(described: ObjectFile) -> Intensity:
 
 
 def _row(
-    described: ObjectFile, onset: Onset, found: Probability, level: DemandLevel, counts: AtDemand
+    described: ObjectFile, onset: Onset, answer: Probability, level: DemandLevel, counts: AtDemand
 ) -> dict[str, Any]:
     """Return the row of an object."""
     block, demand, target = (
@@ -300,16 +300,16 @@ def _row(
             vertical_g=demand.vertical_g,
             vertical_share=demand.vertical_share,
         ).probability
-    colour = colour_of(found.value, target)
+    colour = colour_of(answer.value, target)
     side, need = first_side(block), onset.friction_needed
     row = {
         "name": described.name,
         "kind": described.given.kind,
         "colour": colour,
         "class": WORDS[colour],
-        "probability": found.value,
-        "basis": found.basis,
-        "method": found.method,
+        "probability": answer.value,
+        "basis": answer.basis,
+        "method": answer.method,
         "counted": None if math.isnan(counts.share) else counts.share,
         "closed_form": closed,
         **counts._asdict(),
@@ -320,8 +320,8 @@ def _row(
         "friction_cause": need and need.cause,
         "vertical_g": demand.vertical_g,
         "vertical_share": demand.vertical_share,
-        "verdict": verdict_of(found, target),
-        "sentence": _sentence(described, found, level, counts),
+        "verdict": verdict_of(answer, target),
+        "sentence": _sentence(described, answer, level, counts),
     }
     return row | {
         (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
@@ -329,21 +329,21 @@ def _row(
 
 
 def _sentence(
-    described: ObjectFile, found: Probability, level: DemandLevel, counts: AtDemand
+    described: ObjectFile, answer: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
     name, fell, runs = described.name, counts.fell, f"{counts.tried} runs"
     if level.measure.given_uplift:
         runs += " that lift"
-    if found.value is None and found.basis is not None:
+    if answer.value is None and answer.basis is not None:
         return f"No answer yet for {name}: no run lifts at {with_article(level.words)}."
-    if found.value is None:
+    if answer.value is None:
         return f"{name} slides at {peak_words(described.demand)}: rocking is no answer."
-    if found.basis == "statics":
+    if answer.basis == "statics":
         return f"{name} stands: {peak_words(described.demand)} does not lift it."
-    if found.basis == "count":  # a share is no smaller than one of the runs
+    if answer.basis == "count":  # a share is no smaller than one of the runs
         return f"{name}: {fell or 'none'} of its {runs} fall at {with_article(level.words)}."
     return (
-        f"{name}: {share_words(found.value).lower()} objects of its shape and size would fall at "
+        f"{name}: {share_words(answer.value).lower()} objects of its shape and size would fall at "
         f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell."
     )

@@ -5,8 +5,8 @@ import math
 from collections.abc import Mapping
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks._sizes import METRES, TALL
 from rocksteady.model.blocks.housner_forms import form_of_text
+from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.risk.assess.described.schema import (
     TABLES,
