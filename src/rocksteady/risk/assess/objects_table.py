@@ -275,10 +275,10 @@ def assess_objects(
 def _measure_of(described: ObjectFile) -> Intensity:
     """Return an object's measure of intensity; of a demand with one peak alone that peak."""
     options, demand = described.given.assessment, described.given.demand
-    own = Intensity(options.intensity_measure, options.period_s)
-    peak = PEAKS.get(own.name)
+    measure = Intensity(options.intensity_measure, options.period_s)
+    peak = PEAKS.get(measure.name)
     if peak is None or getattr(demand, peak) is not None:
-        return own
+        return measure
     return Intensity("pga_g" if demand.pgv_m_s is None else "pgv_m_s")
 
 

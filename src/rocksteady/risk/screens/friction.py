@@ -147,8 +147,8 @@ def _at_impacts(block: Block) -> float:
     """Return the friction that the impacts of a block on its base need; 0 of one at a wall."""
     if block.one_sided:
         return 0.0
-    one, other = block.positive, block.negative
-    return max(impact_friction(left, struck) for left, struck in ((one, other), (other, one)))
+    positive, negative = block.positive, block.negative
+    return max(impact_friction(positive, negative), impact_friction(negative, positive))
 
 
 def _at_side(side: Side, gravity: float, ratio: float) -> float:
