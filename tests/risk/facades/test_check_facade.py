@@ -276,23 +276,25 @@ def test_a_pinnacle_in_a_floor_spectrum_by_hand() -> None:
 def test_what_an_element_free_to_vibrate_needs_is_asked_for() -> None:
     site = FacadeDemand(slv=rock(0.05))
     mast = PushingMass(name="mast", weight_kn=2.0, z_m=2.0)
-    for keys, words in (
+    missing: list[tuple[dict[str, Any], str]] = [
         ({"base_height_m": None}, "base_height_m of top is not given"),
         ({}, "elastic_modulus_mpa of top is not given"),
         ({"kind": "wall", "one_sided": False}, "elastic_modulus_mpa of top is not given"),
         ({"kind": "gable", "base_height_m": None}, "base_height_m of top is not given"),
-        (
-            {"elastic_modulus_mpa": 750.0, "masses": (mast,)},
-            "leaves out what it carries",
-        ),
+        ({"elastic_modulus_mpa": 750.0, "masses": (mast,)}, "leaves out what it carries"),
         ({"elastic_modulus_mpa": 750.0, "base_height_m": 9.0}, "SLV is a spectrum of the ground"),
         ({"kind": "wall", "base_height_m": 9.0}, "SLV is a spectrum of the ground"),
-    ):
+    ]
+    for keys, words in missing:
         with pytest.raises(RocksteadyError, match=words):
             check_facade(top(**keys), site)
         assert check_facade(top(**keys)).states == ()
-    for keys in ({"elastic_period_s": 0.2, "masses": (mast,)}, {"kind": "gable"}, {"kind": "wall"}):
-        assert check_facade(top(**keys), site).states == ("SLV",)  # type: ignore[arg-type]
+    for facade in (
+        top(elastic_period_s=0.2, masses=(mast,)),
+        top(kind="gable"),
+        top(kind="wall"),
+    ):
+        assert check_facade(facade, site).states == ("SLV",)
 
 
 def test_the_factor_of_t0_is_that_of_a_cantilever_and_a_gables_that_of_a_triangle() -> None:

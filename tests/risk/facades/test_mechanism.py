@@ -322,7 +322,7 @@ def test_the_capacity_curve_drops_where_a_tie_ends() -> None:
 
 
 def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
-    arch = {"name": "arch", "force_kn": 10.0, "z_m": 4.0}
+    arch: dict[str, Any] = {"name": "arch", "force_kn": 10.0, "z_m": 4.0}
     bare, pushed, relieved = (
         held(*each).mechanism
         for each in ((), (Thrust(**arch),), (Thrust(**arch, until_collapse=False),))
@@ -336,7 +336,7 @@ def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
     late = held(Thrust(**arch, lost_at_m=0.39)).mechanism
     assert late.d0_m == pytest.approx(pushed.stabilising_kn_m / 2304.0 * 9936.0 / 2304.0)
     for x, counted in ((0.6, False), (0.1, True)):  # x/z of .2 and .03, M/K of .092
-        floor = {"name": "floor", "weight_kn": 30.0, "x_m": x, "z_m": 3.0}
+        floor: dict[str, Any] = {"name": "floor", "weight_kn": 30.0, "x_m": x, "z_m": 3.0}
         loads = [held(Load(**floor, until_collapse=until)) for until in (None, True, False)]
         silent, there, gone = (each.mechanism for each in loads)
         assert silent.theta0_rad == min(there.theta0_rad, gone.theta0_rad)

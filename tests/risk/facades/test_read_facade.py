@@ -160,3 +160,25 @@ def test_a_file_that_is_none_is_named(tmp_path: Path) -> None:
     file.write_bytes(HEAD.encode() + b"# Sta\xe4tue")
     with pytest.raises(RocksteadyError, match="is not UTF-8, as TOML must be"):
         read_facade(file)
+
+
+def test_a_file_says_until_when_actions_act_and_how_an_element_vibrates(tmp_path: Path) -> None:
+    file = tmp_path / "top.toml"
+    ends = {"ties": "until_collapse = true", "thrusts": "lost_at_m = 0.1"}
+    acting = "".join(
+        f"[[{kind}]]\nname = '{kind}'\nforce_kn = 1.0\nz_m = 1.0\n{end}\n"
+        for kind, end in ends.items()
+    )
+    keys = "base_height_m = 9.0\nelastic_modulus_mpa = 750\none_sided = true\nkind = 'parapet'\n"
+    file.write_text(
+        f"[facade]\nname = 'top'\nthickness_m = 0.4\nheight_m = 2.0\n{keys}{acting}", "utf-8"
+    )
+    found = read_facade(file)
+    assert found.facade.ties[0].until_collapse is True
+    assert found.facade.thrusts[0].lost_at_m == 0.1
+    values = found.to_dict()
+    assert (values["ending"], values["base_height_m"]) == (["thrusts"], 9.0)
+    assert values["t0_s"] == found.facade.t0_s == pytest.approx(0.096992, abs=1e-5)
+    file.write_text(f"{file.read_text('utf-8')}until_collapse = true\n", "utf-8")
+    with pytest.raises(RocksteadyError, match=r"\[\[thrusts\]\] 1: lost_at_m of thrusts"):
+        read_facade(file)

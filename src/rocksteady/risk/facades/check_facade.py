@@ -12,8 +12,9 @@ from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpect
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_check import Check, FacadeCheck, Method
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand, LimitState
-from rocksteady.risk.facades.facade_runs import FEWEST, FacadeRuns
+from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.mechanism import Mechanism
+from rocksteady.risk.facades.record_demand import FEWEST
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
 from rocksteady.risk.screens.spectra import damping_factor

@@ -185,7 +185,7 @@ class Facade:
         inner = 0.5 * self.thickness_m - self.hinge_inset_m
         across = self.thickness_m * self.thickness_m / 12.0 + inner * inner
         second = weight * (height * height * square)
-        own = Moments(
+        wall = Moments(
             weight_kn=weight,
             weight_lever_kn_m=weight * inner,
             weight_moment_kn_m=weight * (height * centre),
@@ -195,14 +195,14 @@ class Facade:
             lumped_moment_kn_m2=weight * (height * centre) ** 2,
             inertia_kn_m2=second + weight * across,
         )
-        return [own, *(Moments.of_mass(each.weight_kn, each.z_m) for each in self.masses)]
+        return [wall, *(Moments.of_mass(each.weight_kn, each.z_m) for each in self.masses)]
 
     @functools.cached_property
     def _actions(self) -> list[tuple[Load | Tie | Thrust, Moments, bool]]:
         """Loads, ties and thrusts, their moments, and whether each counts up to collapse.
 
-        A tie counts where it is verified, a thrust unless it is said to end.  A load of which
-        nothing is said counts where it lowers the rotation of zero moment.
+        A tie counts where it is verified, a thrust unless it ends.  A load without either word
+        counts where it lowers the rotation of zero moment.
         """
         actions: list[tuple[Load | Tie | Thrust, Moments, bool | None]] = []
         for load in self.loads:
@@ -361,7 +361,7 @@ class Facade:
             )
         for each in (*(each for _, each in mechanism.after), mechanism.rocking):
             if each.stabilising_kn_m <= 0.0:
-                names = ", ".join(one.name for one in self.ending)
+                names = ", ".join(action.name for action in self.ending)
                 raise ModelError(
                     self.name,
                     Words(f"falls by itself without {names}"),

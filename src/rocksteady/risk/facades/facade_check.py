@@ -162,13 +162,20 @@ class FacadeCheck(Result):
     def remarks(self) -> tuple[Remark, ...]:
         """What a reader must know of the formulas."""
         mechanism, facade = self.mechanism, self.facade
-        both = (mechanism.a0_g, mechanism.e_star, mechanism.a0_lumped_g, mechanism.e_star_lumped)
+        readings = (
+            mechanism.a0_g,
+            mechanism.e_star,
+            mechanism.a0_lumped_g,
+            mechanism.e_star_lumped,
+        )
         remarks = []
         if facade.ending:
             names = ", ".join(each.name for each in facade.ending)
             remarks.append(Remark("ending", (names,)))
         key = "e_star_free" if facade.free else "e_star"
-        remarks.append(Remark(key, _texts(*both, *([mechanism.linear_g] if facade.free else []))))
+        remarks.append(
+            Remark(key, _texts(*readings, *([mechanism.linear_g] if facade.free else [])))
+        )
         if facade.kind == "gable" and not facade.free:
             remarks.append(Remark("gable_top"))
         remarks += [Remark("standard"), Remark("second_conditions")]

@@ -19,9 +19,9 @@ from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.facades._same_motions import different_motions
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
+from rocksteady.risk.facades.record_demand import FEWEST, different_motions
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
 from rocksteady.seismic.spectra.many import DIRECTIONS, simulate_many
 from rocksteady.sweep.run import Run
@@ -29,8 +29,6 @@ from rocksteady.sweep.run import Run
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-FEWEST: Final = 7
-"""Records from which on a mean counts (NTC 2018, 7.3.5)."""
 LIMITS: Final = {"SLV": SHARE_SLV, "SLC": SHARE_SLC}
 """Displacement over d0 that the mean may reach, by the limit state."""
 BEYOND: Final = "beyond d0"

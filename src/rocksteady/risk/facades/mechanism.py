@@ -67,8 +67,8 @@ class Mechanism(Result):
     elastic_period_s
         T0 of an element free to vibrate [s], which begins its capacity curve; default None.
     after
-        Displacement [m] at which actions end, and the mechanism of those that still act, ascending;
-        the last one is of those that act up to collapse.  Default none ends.
+        Displacement [m] at which actions end, and the mechanism of the remaining ones, ascending;
+        the last is of the actions verified up to collapse.  Default none ends.
     in_runs
         Mechanism of the runs: without what ends and holds the facade, with what ends and does not;
         default None, where it is the same.

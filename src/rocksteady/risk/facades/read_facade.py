@@ -101,7 +101,7 @@ def read_facade(path: Path | str) -> FacadeFile:
     path
         The file: a table ``[facade]`` with the keys of `Facade`, or ``knowledge_level`` in place of
         ``confidence_factor``; any number of ``[[loads]]``, ``[[masses]]``, ``[[ties]]`` and
-        ``[[thrusts]]``, which but for masses may say ``until_collapse`` or ``lost_at_m``;
+        ``[[thrusts]]``, all but masses with ``until_collapse`` or ``lost_at_m`` if wanted;
         ``[demand.sld]``, ``[demand.slv]`` and ``[demand.slc]`` with the keys of `ElasticSpectrum`,
         or ``table``, a file beside it as `read_spectrum_table` reads it, and ``damping``.
 

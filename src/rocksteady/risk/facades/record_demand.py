@@ -1,5 +1,6 @@
 """Demand of records on a facade: the displacement spectra of a suite, for the static checks."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,18 +12,20 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.facades._same_motions import different_motions
 from rocksteady.seismic.measures.response_spectrum import (
     LONGEST_S,
     SHORTEST,
     compute_response_spectrum,
 )
+from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.grounds import grounds_of
 
 Floats = NDArray[np.float64]
 
 FEWEST = 7
 """Records from which on a mean counts (NTC 2018, 7.3.5)."""
+MOST_SHOWN = 60
+"""Letters of a name in an error."""
 FIRST_S, LAST_S = 0.05, 8.0
 """Periods between which the pseudo-acceleration is tabulated [s]."""
 PERIODS_S: Floats = FIRST_S * exp(np.linspace(0.0, 1.0, 30) * log(LAST_S / FIRST_S))
@@ -137,6 +140,33 @@ class RecordDemand:
         periods = np.append(0.0, PERIODS_S)
         values = np.append(self.sa_g(0.0, damping), self._kept[0.0, damping])
         return float(np.interp(period, periods, values))
+
+
+def different_motions(grounds: Sequence[GroundShaking]) -> int:
+    """Return the number of horizontal motions, once each with and without a vertical one.
+
+    Raises
+    ------
+    InputError
+        If two grounds are alike in every sample, whatever their names.
+    """
+    names: dict[object, str] = {}
+    across = set()
+    for number, ground in enumerate(grounds, 1):
+        record, up = ground.record, ground.vertical
+        name = (record.name or f"record {number}")[:MOST_SHOWN]
+        level = (record.dt_s, record.acceleration_m_s2.tobytes())
+        across.add(level)
+        whole = (level, None if up is None else up.acceleration_m_s2.tobytes())
+        if whole in names:
+            raise InputError(
+                "records",
+                Words(f"have one motion twice, as {names[whole]} and as {name}"),
+                "a mean counts each motion once",
+                "leave one out",
+            )
+        names[whole] = name
+    return len(across)
 
 
 def _damping(value: object) -> float:

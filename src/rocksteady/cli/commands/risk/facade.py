@@ -37,10 +37,11 @@ if TYPE_CHECKING:
     from rocksteady.risk.facades.facade_runs import FacadeRuns
 
 HELP = (
-    "Check a wall, parapet or gable against falling outwards, by Circolare 2019 n. 7, C8.7.1: "
+    "Check a wall, parapet, pinnacle or gable against falling, by Circolare 2019 n. 7, C8.7.1: "
     "linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
     "FILE describes the facade in TOML (docs/guides/facades.md), with loads, ties and the "
-    "demand of each limit state. --records runs it under ground motions, as recorded and "
+    "demand of each limit state. A tie counts in displacements with until_collapse = true. "
+    "--records runs the facade under ground motions, as recorded and "
     "reversed: no run may go beyond d0, and the mean of the largest displacements has a "
     "limit. If FILE has no demand for the limit state of the records, 7 records or more give "
     "it. --out writes a report in English or Italian."
