@@ -78,10 +78,10 @@ def test_a_class_is_the_three_verdicts() -> None:
 
 
 def test_static_checks_follow_from_size_and_slenderness() -> None:
-    """By hand: a0 = g/(.75 s), d_SLV = .4 (2/3) h/s of a bare wall with FC 1."""
+    """By hand: a0 = g/s with the mass at its centre, d_SLV = .4 (2/3) h/s of a bare wall, FC 1."""
     found = study().walls
     slenderness, pga = np.array(SLENDERNESS), np.array(PGA_G)[:, np.newaxis, np.newaxis]
-    linear = 0.5 * pga * 0.75 * slenderness + np.zeros((3, 1))
+    linear = 0.5 * pga * slenderness + np.zeros((3, 1))
     np.testing.assert_allclose(found.linear, linear, rtol=1e-12)
     # At one height all walls have one period, and the demand goes with the PGA.
     np.testing.assert_allclose(

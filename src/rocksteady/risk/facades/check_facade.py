@@ -75,10 +75,10 @@ def check_facade(
     --------
     >>> from rocksteady import ElasticSpectrum
     >>> wall = Facade(name="front", thickness_m=0.3, height_m=3.0)
-    >>> site = ElasticSpectrum(ag_g=0.15, f0=2.5, tc_star_s=0.35, soil="B")
+    >>> site = ElasticSpectrum(ag_g=0.13, f0=2.5, tc_star_s=0.35, soil="B")
     >>> check = check_facade(wall, FacadeDemand(slv=site))
     >>> print(check.verdict)
-    front: SLV satisfied (linear), not satisfied (nonlinear static)
+    front: SLV satisfied (nonlinear static), not satisfied (linear)
     """
     given = FacadeDemand() if demand is None else demand
     if runs is not None and runs.facade != facade:
