@@ -1,8 +1,10 @@
 """What every result has: rows of a data frame, whose columns are numeric, and its model."""
 
 import contextlib
-from collections.abc import Callable
-from dataclasses import replace
+import copy
+import dataclasses
+import pickle
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import matplotlib.pyplot as plt
@@ -81,7 +83,7 @@ def test_a_table_of_any_result_that_is_cut_keeps_its_worst_rows(made: dict[str, 
         for whole in content.tables if content else ():
             if len(whole.rows) < 2:
                 continue
-            table = replace(whole, most=len(whole.rows) // 2, alarm="")
+            table = dataclasses.replace(whole, most=len(whole.rows) // 2, alarm="")
             left = len(whole.rows) - table.most
             assert f"{left:,} more row" in table.remark, name
             if table.severity is None:
@@ -185,3 +187,80 @@ def test_one_response_curve_is_drawn_as_a_list_of_one_is(made: dict[str, Any]) -
             np.testing.assert_array_equal(here, there)
     finally:
         plt.close("all")
+
+
+def held(thing: Any, seen: dict[int, Any]) -> Iterator[Any]:
+    """Yield a thing and all frozen things of the package that it holds."""
+    if id(thing) in seen:
+        return
+    seen[id(thing)] = thing
+    if isinstance(thing, list | tuple):
+        for item in thing[:200]:
+            yield from held(item, seen)
+    elif isinstance(thing, dict):
+        yield from held(list(thing.values()), seen)
+    elif dataclasses.is_dataclass(thing) and not isinstance(thing, type):
+        yield thing
+        yield from held([getattr(thing, field.name) for field in dataclasses.fields(thing)], seen)
+
+
+def writable(thing: Any) -> list[str]:
+    """Return the fields whose arrays can be written to, of those that are results."""
+    kept = getattr(type(thing), "KERNEL_FIELDS", ())
+    found = []
+    for field in dataclasses.fields(thing):
+        value = getattr(thing, field.name)
+        arrays = value if isinstance(value, tuple) else (value,)
+        if field.name not in kept and any(
+            isinstance(each, np.ndarray) and each.flags.writeable for each in arrays
+        ):
+            found.append(f"{type(thing).__name__}.{field.name}")
+    return found
+
+
+COPIES: tuple[Callable[[Any], Any], ...] = (
+    lambda each: pickle.loads(pickle.dumps(each)),
+    copy.copy,
+    copy.deepcopy,
+)
+
+
+def test_no_array_of_a_result_or_of_its_copy_can_be_written_to(made: dict[str, Any]) -> None:
+    seen: dict[int, Any] = {}
+    results = [each for each in held(dict(made), seen) if isinstance(each, Result)]
+    assert len(results) > 60
+    wrong = {name for each in results for name in writable(each)}
+    assert wrong == set()
+    wrong = {name for each in results for make in COPIES for name in writable(make(each))}
+    assert wrong == set()
+
+
+def test_what_compares_by_value_is_equal_to_its_copies(made: dict[str, Any]) -> None:
+    seen: dict[int, Any] = {}
+    record = made["record"]
+    rows = [[0.0, 0.3], [0.1, 0.8], [1.0, 0.3], [4.0, 0.02]]
+    block = rs.Block.rectangle(width=0.4, height=1.8)
+    demands = [
+        rs.Demand(pga_g=0.3, spectrum=spectrum, spectrum_damping=damping)
+        for spectrum, damping in (
+            (rows, 0.05),
+            (np.array(rows), 0.05),
+            (record, None),
+            (rs.compute_response_spectrum(record, [0.1, 1.0]), None),
+        )
+    ]
+    floor = rs.SpectrumTable(periods_s=[0.0, 0.4, 4.0], values_g=[0.3, 1.2, 0.1], damping=0.05)
+    more = [*demands, *(rs.screen_block(block, each, friction=0.3) for each in demands)]
+    more += [rs.FacadeDemand(slv=floor), made["record demand"]]
+    more += [rs.FacadeDemand(slv=made["record demand"])]
+    compared = [
+        each
+        for each in held([*made.values(), *more], seen)
+        if type(each).__eq__ is not object.__eq__
+    ]
+    assert len({type(each) for each in compared}) > 20
+    copies = [(each, make(each)) for each in compared for make in COPIES]
+    assert {type(each).__name__ for each, other in copies if other != each} == set()
+    assert {type(each).__name__ for each, other in copies if hash(other) != hash(each)} == set()
+    assert demands[0] != demands[2]
+    assert demands[0] != rs.Demand(pga_g=0.3)

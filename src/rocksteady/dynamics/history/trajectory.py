@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -75,6 +75,8 @@ class Trajectory(Described):
         Impacts after the last flight: those on a still base of a run that came to its limit of
         flights, whose number and end in rest are known without flights.
     """
+
+    KERNEL_FIELDS: ClassVar = ("segments", "sides", "rows")
 
     block: Block | DimensionlessBlock
     motion: Motion | Record

@@ -5,12 +5,16 @@ are refused here.  An `xarray.DataArray` may carry SI units, which are those of 
 Fractions are taken as the nearest floats; a `decimal.Decimal` is refused everywhere.
 """
 
+import functools
 import math
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import fields, is_dataclass
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Integral, Real
-from typing import Any, Final
+from typing import Any, Final, TypeVar
+
+T = TypeVar("T")
 
 MOST_ELEMENTS: Final = 100_000_000
 """Of an array that is given: 800 MB of floats."""
@@ -47,6 +51,106 @@ UNITS_BY_SUFFIX: Final = {"_m_s2": "m/s^2", "_m_s": "m/s", "_hz": "Hz", "_m": "m
 
 class UnfitError(Exception):
     """A value is not what an argument takes: what is valid and what to do, as two clauses."""
+
+
+def keep_arrays(kind: Any) -> None:
+    """Let the arrays of a frozen dataclass be read only: in its fields, and in tuples there.
+
+    They are views: an array that a caller has given stays writable by its own name.
+    """
+    if not kind.__dataclass_params__.frozen:
+        return
+    kernels = getattr(kind, "KERNEL_FIELDS", ())
+    names = [field.name for field in fields(kind) if field.name not in kernels]
+    construct = kind.__init__
+
+    @functools.wraps(construct)
+    def make(self: Any, *args: Any, **kwargs: Any) -> None:
+        construct(self, *args, **kwargs)
+        _lock(self, names)
+
+    def restore(self: Any, state: dict[str, Any]) -> None:
+        """Take the fields of a copy, whose arrays are writable again."""
+        self.__dict__.update(state)
+        _lock(self, names)
+
+    kind.__init__ = make
+    if not hasattr(kind, "__setstate__"):
+        kind.__setstate__ = restore
+
+
+def compare_by_value(kind: T) -> T:
+    """Let a dataclass be equal to its copies: NaN to NaN, arrays and results by what they hold."""
+    made: Any = kind
+    names = [field.name for field in fields(made) if field.compare]
+
+    def __eq__(self: Any, other: object) -> bool:  # noqa: N807
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(_same(getattr(self, name), getattr(other, name)) for name in names)
+
+    def __hash__(self: Any) -> int:  # noqa: N807
+        return hash(tuple(_hash_of(getattr(self, name)) for name in names))
+
+    made.__eq__, made.__hash__ = __eq__, __hash__
+    return kind
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Return whether two values are the same, with all that they hold."""
+    if hasattr(one, "dtype") or hasattr(other, "dtype"):
+        import numpy as np
+
+        known = np.asarray(one).dtype.kind in "fc"
+        return bool(np.array_equal(one, other, equal_nan=known))
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, list | tuple):
+        return len(one) == len(other) and all(map(_same, one, other))
+    if is_dataclass(one):
+        names = [field.name for field in fields(one) if field.compare]
+        return all(_same(getattr(one, name), getattr(other, name)) for name in names)
+    return bool(one == other or (one != one and other != other))  # noqa: PLR0124 -- NaN
+
+
+def _hash_of(value: Any) -> int:
+    """Return a number that values share which are the same."""
+    if hasattr(value, "dtype"):
+        return 0
+    if isinstance(value, list | tuple):
+        return hash(tuple(map(_hash_of, value)))
+    if is_dataclass(value):
+        return hash(
+            tuple(_hash_of(getattr(value, field.name)) for field in fields(value) if field.compare)
+        )
+    if isinstance(value, Hashable):
+        return 0 if value != value else hash(value)  # noqa: PLR0124 -- NaN
+    return 0
+
+
+def _lock(thing: Any, names: Sequence[str]) -> None:
+    """Replace the arrays in some fields by views that cannot be written to."""
+    for name in names:
+        value = getattr(thing, name, None)
+        locked = _locked(value)
+        if locked is not value:
+            object.__setattr__(thing, name, locked)
+
+
+def _locked(value: Any) -> Any:
+    """Return an array as a read-only view, a tuple with such views, all else as it is."""
+    kind = type(value)
+    if isinstance(value, tuple):
+        items = [_locked(item) for item in value]
+        if all(new is old for new, old in zip(items, value, strict=True)):
+            return value
+        return kind(*items) if hasattr(kind, "_fields") else kind(items)
+    # Without NumPy loaded there are no arrays.
+    if kind.__module__ != "numpy" or kind.__name__ != "ndarray" or not value.flags.writeable:
+        return value
+    view = value.view()
+    view.flags.writeable = False
+    return view
 
 
 def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:

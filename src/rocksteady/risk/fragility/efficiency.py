@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.seismic.measures.scalar import Intensity
 
 
-@checked
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Efficiency:
     """Efficiency of a measure of intensity in separating failures from survivals.

@@ -9,6 +9,7 @@ from typing import Any
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number, quantity
@@ -29,7 +30,8 @@ VERTICAL: Mapping[str, tuple[float, float, Ends, str]] = {
 
 
 @checked
-@dataclass(frozen=True, kw_only=True, eq=False)
+@compare_by_value
+@dataclass(frozen=True, kw_only=True)
 class Demand:
     """Shaking at the base of a block, of the ground or of a floor.
 

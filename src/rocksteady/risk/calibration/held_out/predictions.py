@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -20,7 +20,7 @@ LONGEST_NAME = 30
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
 
 
-@checked
+@checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Predictions(Result):
     """Probabilities of a fall in tests.
