@@ -157,3 +157,10 @@ def test_bad_input_is_refused() -> None:
     start = State(angle=-0.1, velocity=0.0)
     with pytest.raises(ModelError, match="wall"):
         compute_noise_fates(wall, PULSE, NOISE, axes={"level": [0.1]}, start=start)
+
+
+def test_a_level_is_a_factor_of_the_rms_of_the_noise() -> None:
+    noise = BandNoise(rms=0.4, band=(0.5, 6.0), duration=8.0, seed=3)
+    found = compute_noise_fates(BARE, PULSE, noise, axes={"level": [0.5, 2.0]}, draws=2)
+    assert found.rms.tolist() == pytest.approx([0.2, 0.8], rel=1e-15)
+    assert [row["rms"] for row in found.to_dict()["shares"]] == found.rms.tolist()

@@ -304,3 +304,21 @@ def test_a_suite_of_real_records_is_what_its_time_histories_are() -> None:
                     assert int(cell.status) == run.status
                     # After a thousand impacts 1e-15 of alpha has become 1e-7 of a peak.
                     assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-6, abs=1e-12)
+
+
+def test_periods_and_scales_end_where_p_does() -> None:
+    """The size 2 pi/p of a p from 1e-6 to 1e6 rad/s."""
+    record = Record(acceleration_m_s2=[0.0, 1.0, 0.0], dt_s=0.1)
+    ends = 2e-6 * math.pi, 2e6 * math.pi
+    for period, inside in (
+        (ends[0] * (1.0 + 1e-9), True),
+        (ends[0] * (1.0 - 1e-9), False),
+        (ends[1] * (1.0 - 1e-9), True),
+        (ends[1] * (1.0 + 1e-9), False),
+    ):
+        if inside:
+            found = compute_rocking_spectrum(record, alpha=0.2, periods_s=period)
+            assert found.p.item() == pytest.approx(2.0 * math.pi / period, rel=1e-12)
+        else:
+            with pytest.raises(InputError, match="periods_s"):
+                compute_rocking_spectrum(record, alpha=0.2, periods_s=period)

@@ -6,7 +6,7 @@ import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors.choice import validated_executor
+from rocksteady.sweep.executors.choice import EXECUTORS, validated_executor
 from rocksteady.sweep.run import Run
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 
@@ -38,3 +38,11 @@ def test_what_is_no_address_is_refused_before_anything_is_written(
 @pytest.mark.parametrize("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
 def test_what_may_be_an_address_is_valid(given_address: str) -> None:
     assert validated_executor(given_address) == given_address
+
+
+def test_a_name_is_one_of_the_executors() -> None:
+    for name in EXECUTORS:
+        assert validated_executor(name) == name
+    for wrong in ("thread", "", "tcp:/host:1", 4, None, b"threads", ["threads"]):
+        with pytest.raises(InputError, match="it must be one of .*dask scheduler"):
+            validated_executor(wrong)

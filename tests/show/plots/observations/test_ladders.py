@@ -76,3 +76,33 @@ def test_hostile_names_are_shown_as_they_are() -> None:
         axes = plot_ladders(hostile(), figure.add_subplot())
         figure.draw_without_rendering()
     assert all("<script" in text.get_text() for text in axes.get_yticklabels())
+
+
+def test_strips_reach_half_way_to_the_next_test_and_rings_are_twice_a_mark() -> None:
+    found, axes = calibrated(), drawn()
+    (strips,) = (each for each in axes.collections if isinstance(each, PolyCollection))
+    boxes = [np.asarray(path.vertices) for path in strips.get_paths()]
+    order = {text.get_text(): row for row, text in enumerate(axes.get_yticklabels())}
+    gains: dict[int, set[float]] = {}
+    for test in found.tests.tests:
+        gains.setdefault(order[str(test.record.name)], set()).add(test.gain)
+    ends = axes.get_xlim()
+    for row, levels in gains.items():
+        inside = [box for box in boxes if abs(box[:, 1].mean() - row) < 0.5]
+        inside = [box[:4] for box in inside]
+        at = np.sort(list(levels))
+        middles = np.sqrt(at[1:] * at[:-1])
+        lefts = np.sort([box[:, 0].min() for box in inside])
+        rights = np.sort([box[:, 0].max() for box in inside])
+        np.testing.assert_allclose(lefts[1:], middles, rtol=1e-12)
+        np.testing.assert_allclose(rights[:-1], middles, rtol=1e-12)
+        assert ends[0] <= lefts[0] < at[0]
+        assert at[-1] < rights[-1] <= ends[1]
+        step = (at[1:] / at[:-1]).min() ** 0.5
+        assert lefts[0] == pytest.approx(max(ends[0], at[0] / max(step, 1.03)), rel=1e-12)
+        for box in inside:
+            assert box[:, 1].min() < row < box[:, 1].max()
+            assert row - box[:, 1].min() == pytest.approx(box[:, 1].max() - row)
+    sizes = {line.get_label(): line.get_markersize() for line in axes.lines}
+    assert sizes["fell"] == sizes["stood"]
+    assert sizes["not expected"] == 2.0 * sizes["fell"]

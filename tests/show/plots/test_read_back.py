@@ -1,0 +1,334 @@
+"""Numbers of every picture, read back from what is drawn and compared with the result."""
+
+import contextlib
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
+
+import rocksteady as rs
+from tests.public.things import things
+
+G = 9.80665
+
+
+@pytest.fixture(scope="module", name="t")
+def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    with contextlib.chdir(tmp_path_factory.mktemp("things")):
+        return everything()
+
+
+def everything() -> dict[str, Any]:
+    """Return one result of every class, and weak shaking, under which blocks stand."""
+    made: dict[str, Any] = things.__wrapped__()
+    made["weak"] = rs.compute_rocking_spectrum(
+        made["record"].scaled(0.5), alpha=[0.1, 0.3], periods_s=[1.0, 2.0, 4.0]
+    )
+    return made
+
+
+def numbers(axes: Axes) -> Iterator[np.ndarray]:
+    """Yield the numbers of one direction of each line, bar, band, set of marks and image."""
+    for line in axes.get_lines():
+        for data in (line.get_xdata(), line.get_ydata()):
+            with contextlib.suppress(TypeError, ValueError):
+                yield np.asarray(data, dtype=np.float64).ravel()
+    for image in axes.get_images():
+        yield np.asarray(np.ma.filled(image.get_array(), np.nan), dtype=np.float64).ravel()
+    for group in axes.collections:
+        yield from np.ma.getdata(np.ma.asarray(group.get_offsets(), dtype=np.float64)).T
+        corners = [np.asarray(path.vertices) for path in group.get_paths()]
+        yield from np.concatenate(corners or [np.zeros((0, 2))]).T
+        values = group.get_array()
+        if values is not None:
+            yield np.asarray(np.ma.filled(values, np.nan), dtype=np.float64).ravel()
+    bars = [patch.get_extents().transformed(axes.transData.inverted()) for patch in axes.patches]
+    yield np.array([end for bar in bars for end in (bar.x0, bar.x1)])
+    yield np.array([end for bar in bars for end in (bar.y0, bar.y1)])
+
+
+def assert_drawn(axes: Axes, expected: ArrayLike, words: str) -> None:
+    """Refuse numbers that no single line, bar, band or image has all of."""
+    values = np.asarray(expected, dtype=np.float64).ravel()
+    values = np.unique(values[np.isfinite(values)])
+    assert values.size, words
+    for found in numbers(axes):
+        drawn = np.sort(found[np.isfinite(found)])
+        if not drawn.size:
+            continue
+        at = np.clip(np.searchsorted(drawn, values), 1, max(len(drawn) - 1, 1))
+        near = np.minimum(
+            np.abs(drawn[np.minimum(at, len(drawn) - 1)] - values), np.abs(drawn[at - 1] - values)
+        )
+        if (near <= 1e-9 + 1e-7 * np.abs(values)).all():
+            return
+    raise AssertionError(f"{words}: {values[:6]} are not drawn")
+
+
+def wilson(share: np.ndarray, count: float, z: float = 1.6448536269514722) -> list[np.ndarray]:
+    """Return both ends of the interval, as its defining quadratic has them."""
+    a, b, c = 1.0 + z * z / count, -(2.0 * share + z * z / count), share**2
+    root = np.sqrt(np.maximum(b * b - 4.0 * a * c, 0.0))
+    return [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
+
+
+def counted(t: dict[str, Any]) -> tuple[np.ndarray, int]:
+    """Return the share of realisations of noise that overturn a block, and their number."""
+    draws = t["noise fates"].fate.shape[2]
+    return (t["noise fates"].fate == rs.Status.OVERTURNED).sum(axis=2) / draws, draws
+
+
+def shares_of(t: dict[str, Any]) -> np.ndarray:
+    """Return the share of overturned runs of a suite, over the period."""
+    fell = t["suite"]["status"] == rs.Status.OVERTURNED
+    over = [name for name in fell.dims if name != "period"]
+    return np.asarray(fell.mean(over))
+
+
+def fallen_by_level(t: dict[str, Any]) -> np.ndarray:
+    """Return the share of runs of an ensemble that overturn, at each level."""
+    fell = t["fragility"].ensemble["status"] == rs.Status.OVERTURNED
+    return np.asarray(fell.mean([name for name in fell.dims if name != "level"]))
+
+
+def residuals(t: dict[str, Any]) -> list[float]:
+    """Return how many more tests of a record fell than the probabilities expect."""
+    rows: dict[str, float] = {}
+    for test, p in zip(t["observations"].tests, t["predictions"].p.tolist(), strict=True):
+        rows[test.record.name] = rows.get(test.record.name, 0.0) + float(test.fell) - p
+    return list(rows.values())
+
+
+Case = Callable[[dict[str, Any]], tuple[dict[str, Any], list[ArrayLike]]]
+
+CASES: dict[str, Case] = {
+    "plot_back_analysis": lambda t: (
+        {"analysis": t["back analysis"]},
+        [t["back analysis"].first_values, t["back analysis"].medians[:1]],
+    ),
+    "plot_base": lambda t: (
+        {"trajectory": t["run"]},
+        [t["run"].base_acceleration(t["run"].times()) * t["run"].motion.amplitude ** 0],
+    ),
+    "plot_basin_shares": lambda t: (
+        {"shares": t["shares"]},
+        [
+            t["shares"].values,
+            np.cumsum(
+                [
+                    100.0 * (t["shares"].label == label).mean(axis=(1, 2))
+                    for label in range(t["shares"].label.max() + 1)
+                ],
+                axis=0,
+            )[-1],
+        ],
+    ),
+    "plot_basins": lambda t: ({"basins": t["basins"]}, [t["basins"].label]),
+    "plot_bifurcation_curves": lambda t: (
+        {"curves": t["curves"]},
+        [*t["curves"].curves[0].values.T],
+    ),
+    "plot_bifurcations": lambda t: (
+        {"diagram": t["branch"]},
+        [t["branch"].values, [point.peaks[0] for point in t["branch"].points]],
+    ),
+    "plot_capacity": lambda t: (
+        {"check": t["facade check"]},
+        [[0.0, 1e3 * t["facade"].mechanism.d0_m], [t["facade"].mechanism.a0_g, 0.0]],
+    ),
+    "plot_cascade": lambda t: (
+        {"cascade": t["cascade"]},
+        [np.abs(np.diff(t["cascade"].values)), np.arange(len(t["cascade"].values) - 1)],
+    ),
+    "plot_edge_state": lambda t: (
+        {"edge": t["edge"]},
+        [t["edge"].angle, t["edge"].velocity, [t["edge"].start.velocity]],
+    ),
+    "plot_erosion": lambda t: (
+        {"erosion": t["erosion"]},
+        [t["erosion"].amplitude, t["erosion"].radius / t["erosion"].still_radius],
+    ),
+    "plot_facade_runs": lambda t: (
+        {"runs": t["facade runs"]},
+        [1e3 * t["facade runs"].displacement_m[t["facade runs"].share <= 1.0]],
+    ),
+    "plot_fatal_kicks": lambda t: (
+        {"kicks": t["kicks"]},
+        [
+            t["kicks"].first[::2] * t["block"].alpha * G / t["block"].p,
+            t["kicks"].time_pt / t["block"].p,
+        ],
+    ),
+    "plot_fate_basins": lambda t: ({"fates": t["fates"]}, [t["fates"].still_safe]),
+    "plot_fragility": lambda t: (
+        {"fragility": t["fragility_curve"]},
+        [[1 / 15, 9 / 15, 14 / 15], *[wilson(np.array([1.0, 9.0, 14.0]) / 15.0, 15.0)]],
+    ),
+    "plot_fragility_states": lambda t: (
+        {"fragility": t["fragility"]},
+        [[fallen_by_level(t).max()]],
+    ),
+    "plot_free_rocking": lambda _: (
+        {"restitutions": [0.8], "impacts": 3},
+        [rs.free_rocking_peaks(0.9, 0.8, 3)],
+    ),
+    "plot_husid": lambda t: (
+        {"course": t["course"]},
+        [t["course"].arias_m_s / t["course"].arias_m_s[-1], t["course"].t_s],
+    ),
+    "plot_ladders": lambda t: (
+        {"calibration": t["calibration"]},
+        [[test.gain] for test in t["observations"].tests],
+    ),
+    "plot_learning": lambda t: (
+        {"calibration": t["calibration"]},
+        [[row["tests"] for row in t["validation"].learning]],
+    ),
+    "plot_manifolds": lambda t: (
+        {"manifolds": t["manifold"]},
+        [part for each in t["manifold"].branches for part in (each.first, each.second)],
+    ),
+    "plot_map": lambda t: ({"dataset": t["map"], "by": "peak"}, [t["map"].highest.values]),
+    "plot_multipliers": lambda t: (
+        {"orbits": [t["orbit"]]},
+        [np.asarray(t["orbit"].multipliers).real, np.asarray(t["orbit"].multipliers).imag],
+    ),
+    "plot_noise_fates": lambda t: (
+        {"fates": t["noise fates"]},
+        [
+            100.0 * counted(t)[0][0],
+            100.0 * np.array(wilson(counted(t)[0][0, 1:], counted(t)[1])),
+            t["noise fates"].level * t["noise"].rms * t["block"].uplift_acceleration,
+        ],
+    ),
+    "plot_orbit": lambda t: (
+        {"orbit": t["steady"]},
+        [t["steady"].angle, t["steady"].tau / (2.0 * math.pi)],
+    ),
+    "plot_overturned_share": lambda t: (
+        {"summary": t["summary"]},
+        [100.0 * shares_of(t), t["summary"].period.values],
+    ),
+    "plot_overturning": lambda t: (
+        {"windows": t["windows"]},
+        [t["windows"].low, t["windows"].high],
+    ),
+    "plot_overturning_scales": lambda t: (
+        {"scales": t["scales"]},
+        [t["scales"].low, t["scales"].high],
+    ),
+    "plot_phase_portrait": lambda t: (
+        {"trajectory": t["run"]},
+        [*t["run"].phase_path()],
+    ),
+    "plot_posterior": lambda t: (
+        {"calibration": t["calibration"]},
+        [[t["calibration"].posteriors["vase"].interval("alpha_rad")[0]]],
+    ),
+    "plot_predictions": lambda t: (
+        {"predictions": t["predictions"]},
+        [[p] for p in t["predictions"].p.tolist()],
+    ),
+    "plot_ranking": lambda t: (
+        {"fragility": t["fragility"]},
+        [[each.beta for each in t["fragility"].ranking if math.isfinite(each.beta)]],
+    ),
+    "plot_regions": lambda t: (
+        {"curves": t["regions"]},
+        [t["regions"].existence, t["regions"].kind, t["regions"].sign],
+    ),
+    "plot_reliability": lambda t: (
+        {"calibration": t["calibration"]},
+        [
+            sorted(t["predictions"].p.tolist()),
+            [float(test.fell) for test in t["observations"].tests],
+        ],
+    ),
+    "plot_residuals": lambda t: ({"calibration": t["calibration"]}, [residuals(t)]),
+    "plot_response": lambda t: (
+        {"curves": t["curve"]},
+        [t["curve"].frequency_ratio, t["curve"].peak],
+    ),
+    "plot_response_spectra": lambda t: (
+        {"spectra": [t["response"]]},
+        [
+            t["response"].periods_s,
+            (2.0 * math.pi / t["response"].periods_s) ** 2
+            * np.abs(t["response"].displacement_m)
+            / G,
+        ],
+    ),
+    "plot_restitution": lambda t: (
+        {"fit": t["restitution_fit"], "panel": "impacts"},
+        [[each.restitution for each in t["restitution_fit"].impacts]],
+    ),
+    "plot_risk": lambda t: ({"risk": t["risk"]}, [t["hazard"].levels, t["hazard"].rates]),
+    "plot_rocking_spectrum": lambda t: (
+        {"dataset": t["weak"]},
+        [
+            t["weak"].period.values,
+            np.where(t["weak"].status == 2, np.nan, t["weak"].peak_angle).ravel(),
+        ],
+    ),
+    "plot_safe_basin": lambda t: ({"erosion": t["erosion"], "index": 0}, [t["erosion"].safe[0]]),
+    "plot_section": lambda t: (
+        {"motions": [t["orbit"]]},
+        [[value] for each in t["orbit"].states for value in (each.speed, each.phase)],
+    ),
+    "plot_spectrum_map": lambda t: (
+        {"dataset": t["weak"]},
+        [np.where(t["weak"].status == 2, np.nan, t["weak"].peak_angle)],
+    ),
+    "plot_suite_spectrum": lambda t: (
+        {"summary": t["summary"]},
+        [t["summary"].period.values, t["summary"].peak_angle.sel(quantile=0.5).values.ravel()],
+    ),
+    "plot_temper": lambda t: (
+        {"calibration": t["calibration"]},
+        [
+            sorted(t["validation"].temper_scores),
+            [each.log_score[0] for each in t["validation"].temper_scores.values()],
+        ],
+    ),
+    "plot_tornado": lambda _: (
+        {"rows": [("one", 0.1, 0.4), ("two", 0.25, 0.28)], "base": 0.26},
+        [[0.1, 0.4, 0.25, 0.28, 0.26]],
+    ),
+    "plot_trajectory": lambda t: (
+        {"trajectory": t["run"]},
+        [t["run"](t["run"].times()).angle],
+    ),
+    **{
+        f"plot_integrated_record {quantity}": lambda t, name=attribute, q=quantity, unit=unit: (
+            {"course": t["course"], "quantity": q},
+            [np.asarray(getattr(t["course"], name)) / unit, t["course"].t_s],
+        )
+        for quantity, attribute, unit in (
+            ("acceleration", "acceleration_m_s2", G),
+            ("velocity", "velocity_m_s", 1.0),
+            ("displacement", "displacement_m", 1.0),
+        )
+    },
+}
+"""Arguments and expected numbers of each picture, by the function that draws it."""
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any]) -> None:
+    given, expected = CASES[name](t)
+    draw = getattr(rs, name.split(maxsplit=1)[0])
+    axes = draw(**given, ax=Figure(figsize=(8.0, 5.0)).add_subplot())
+    for place, values in enumerate(expected):
+        assert_drawn(axes, values, f"{name}, {place}")
+
+
+def test_every_picture_of_numbers_is_read_back() -> None:
+    """A section of a facade and the block itself show shapes, which tests of their own measure."""
+    shapes = {"plot_facade", "plot_block"}
+    drawn = {name for name in dir(rs) if name.startswith("plot_")}
+    assert {name.split(maxsplit=1)[0] for name in CASES} == drawn - shapes
