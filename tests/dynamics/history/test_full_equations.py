@@ -58,6 +58,7 @@ def test_where_the_answer_is_of_the_full_equations_or_has_none_nothing_stands_be
 
 
 def test_a_long_run_is_followed_for_a_thousand_periods() -> None:
-    run = simulate(BLOCK, shaken(0.2, 5.0), start=Steady(), cycles=3000)
-    assert math.isclose(run.end_time_pt * run.motion.frequency_ratio, 6000.0 * math.pi)
+    motion = shaken(0.2, 5.0)
+    run = simulate(BLOCK, motion, start=Steady(), cycles=3000)
+    assert math.isclose(run.end_time_pt * motion.frequency_ratio, 6000.0 * math.pi)
     assert "1000 periods" in full_run(run).text.replace(",", "")

@@ -308,7 +308,7 @@ def test_a_suite_of_real_records_is_what_its_time_histories_are() -> None:
 
 def test_periods_and_scales_end_where_p_does() -> None:
     """The size 2 pi/p of a p from 1e-6 to 1e6 rad/s."""
-    record = Record(acceleration_m_s2=[0.0, 1.0, 0.0], dt_s=0.1)
+    record = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.1)
     ends = 2e-6 * math.pi, 2e6 * math.pi
     for period, inside in (
         (ends[0] * (1.0 + 1e-9), True),

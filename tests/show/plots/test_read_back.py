@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
@@ -39,17 +40,23 @@ def numbers(axes: Axes) -> Iterator[np.ndarray]:
             with contextlib.suppress(TypeError, ValueError):
                 yield np.asarray(data, dtype=np.float64).ravel()
     for image in axes.get_images():
-        yield np.asarray(np.ma.filled(image.get_array(), np.nan), dtype=np.float64).ravel()
+        yield _values(image)
     for group in axes.collections:
         yield from np.ma.getdata(np.ma.asarray(group.get_offsets(), dtype=np.float64)).T
         corners = [np.asarray(path.vertices) for path in group.get_paths()]
         yield from np.concatenate(corners or [np.zeros((0, 2))]).T
-        values = group.get_array()
-        if values is not None:
-            yield np.asarray(np.ma.filled(values, np.nan), dtype=np.float64).ravel()
+        yield _values(group)
     bars = [patch.get_extents().transformed(axes.transData.inverted()) for patch in axes.patches]
     yield np.array([end for bar in bars for end in (bar.x0, bar.x1)])
     yield np.array([end for bar in bars for end in (bar.y0, bar.y1)])
+
+
+def _values(drawn: ScalarMappable) -> np.ndarray:
+    """Return what an image or a set of marks is coloured by; nothing where that is one colour."""
+    values = drawn.get_array()
+    if values is None:
+        return np.zeros(0)
+    return np.asarray(np.ma.filled(values, np.nan), dtype=np.float64).ravel()
 
 
 def assert_drawn(axes: Axes, expected: ArrayLike, words: str) -> None:
@@ -303,17 +310,18 @@ CASES: dict[str, Case] = {
         {"trajectory": t["run"]},
         [t["run"](t["run"].times()).angle],
     ),
-    **{
-        f"plot_integrated_record {quantity}": lambda t, name=attribute, q=quantity, unit=unit: (
-            {"course": t["course"], "quantity": q},
-            [np.asarray(getattr(t["course"], name)) / unit, t["course"].t_s],
-        )
-        for quantity, attribute, unit in (
-            ("acceleration", "acceleration_m_s2", G),
-            ("velocity", "velocity_m_s", 1.0),
-            ("displacement", "displacement_m", 1.0),
-        )
-    },
+    "plot_integrated_record": lambda t: (
+        {"course": t["course"]},
+        [np.asarray(t["record"].acceleration_m_s2) / G, t["course"].t_s],
+    ),
+    "plot_integrated_record v": lambda t: (
+        {"course": t["course"], "quantity": "velocity"},
+        [t["course"].velocity_m_s],
+    ),
+    "plot_integrated_record d": lambda t: (
+        {"course": t["course"], "quantity": "displacement"},
+        [t["course"].displacement_m],
+    ),
 }
 """Arguments and expected numbers of each picture, by the function that draws it."""
 

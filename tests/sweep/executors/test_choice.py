@@ -44,5 +44,5 @@ def test_a_name_is_one_of_the_executors() -> None:
     for name in EXECUTORS:
         assert validated_executor(name) == name
     for wrong in ("thread", "", "tcp:/host:1", 4, None, b"threads", ["threads"]):
-        with pytest.raises(InputError, match="it must be one of .*dask scheduler"):
+        with pytest.raises(InputError, match=r"it must be one of .*dask scheduler"):
             validated_executor(wrong)
