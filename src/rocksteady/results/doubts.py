@@ -1,7 +1,7 @@
 """Words and thresholds of estimates that do not exist, or rest on too little.
 
-Every fit, posterior and interval of the package takes its rule from here: the table in
-``docs/guides/doubts.md`` lists them.
+Fits, posteriors and intervals of the package take their rules from here; the table in
+``docs/architecture.md`` lists them.
 """
 
 import math
@@ -19,6 +19,12 @@ FEWEST_RECORDS: Final = 11
 """Records below which a curve has no confidence band."""
 FEW_RECORDS: Final = 22
 """Records below which a curve has a warning."""
+FEWEST_GROUPS: Final = 2
+"""Groups of tests below which a score has no interval."""
+FEWEST_BOXES: Final = 20
+"""Boxes on a boundary below which their mean entropy decides nothing."""
+FEWEST_SIZES: Final = 3
+"""Points of a fitted line, below which it has no error, and so no slope is stated."""
 MOST_MISFIT: Final = 0.1
 """Distance of a curve and a counted share, above which the first line of an answer states it."""
 

@@ -1,11 +1,13 @@
 """Calibrations of synthetic tests, and of tests that say little or nothing."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
@@ -23,12 +25,13 @@ from rocksteady import (
     Status,
     calibrate,
     fates_on_records,
+    plot_posterior,
 )
 from rocksteady.errors import InputError
 from rocksteady.risk.calibration.calibration import Calibration
 from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
 
-FEW = Sampling(draws=90, gains=3, rounds=3)
+FEW = Sampling(draws=240, gains=3, rounds=3)
 LINEAR = Linear()
 
 
@@ -265,10 +268,32 @@ def test_a_measured_peak_narrows_alpha() -> None:
     widths = []
     for test in tests:
         shaken_once = Observations(tests=[test], objects={"block": given})
-        found = calibrate(shaken_once, sampling=Sampling(draws=300, gains=1), model=LINEAR)
+        found = calibrate(shaken_once, sampling=Sampling(draws=2000, gains=1), model=LINEAR)
         low, high = found.posteriors["block"].interval("alpha_rad")[1:]
         widths.append(high - low)
     assert widths[1] < 0.85 * widths[0]
+
+
+def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) -> None:
+    """Of the draws of a concentrated posterior a handful count: no number follows from them."""
+    once = Sampling(draws=40, gains=2, rounds=1)
+    found = calibrate(tests, EXACT, sampling=once, model=LINEAR, temper=1.0)
+    posterior = found.posteriors["block"]
+    assert posterior.effective_draws < 50.0
+    assert all(map(math.isnan, posterior.interval("alpha_rad")))
+    for row in found.parameters:
+        assert row["verdict"] == "not identified"
+        assert (row["median"], row["low"], row["high"], row["bound"]) == (None, None, None, None)
+    headline = found.describe().headline
+    assert f"no answer yet: it rests on {posterior.effective_draws:.0f} effective draws" in headline
+    assert "too few: not identified" in posterior.describe().headline
+    predicted = found.validation.predictions
+    low = predicted.effective_draws < 50.0
+    assert low.any()
+    assert np.isnan(predicted.low[low]).all()
+    assert all(row["low"] is None for row, few in zip(predicted.rows, low, strict=True) if few)
+    drawn = plot_posterior(found, Figure().add_subplot())
+    assert "not identified" in drawn.get_legend_handles_labels()[1]
 
 
 def test_full_equations_count_flips_of_their_tolerance() -> None:

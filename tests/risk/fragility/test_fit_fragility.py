@@ -17,6 +17,7 @@ from rocksteady import (
     DamageState,
     Fitting,
     Fragility,
+    FragilityCurve,
     InputError,
     Intensity,
     Record,
@@ -198,6 +199,7 @@ def test_over_pgv_a_curve_is_of_the_runs_whose_pga_lifts() -> None:
     state = found.state("overturned")
     assert 0 < lifts.sum() < lifts.size
     assert state.curve.median == pytest.approx(expected.median, rel=1e-9)
+    assert isinstance(state.curve, FragilityCurve)
     assert state.curve.beta == pytest.approx(expected.beta, rel=1e-9)
     row = next(row for row in found.to_dict()["points"] if row["damage_state"] == "overturned"
                and row["level"] == 1.4)  # fmt: skip

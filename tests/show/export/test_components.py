@@ -208,7 +208,7 @@ class Multilinear:
         self.unit = unit
 
     def __call__(self, at: np.ndarray) -> np.ndarray:
-        return np.interp(self.unit * at, self.x, self.y, left=0.0, right=1.0)
+        return np.asarray(np.interp(self.unit * at, self.x, self.y, left=0.0, right=1.0))
 
 
 def as_pelicun_reads(file: Path, identifier: str, state: int) -> Any:
@@ -246,7 +246,9 @@ def test_every_curve_comes_back_from_every_file_as_its_reader_takes_it(tmp_path:
             assert np.abs(theirs(at) - expected).max() < 0.01, (name, state.name)
             assert np.abs(quake - expected).max() < 0.01, (name, state.name)
             hazard = HazardCurve(
-                measure=made.measure, levels=[0.01 * median, 30.0 * median], rates=[1.0, 1e-7]
+                measure=made.measure,
+                levels=np.array([0.01 * median, 30.0 * median]),
+                rates=np.array([1.0, 1e-7]),
             )
             report = compute_risk(curve, hazard).annual_rate
             x = np.geomspace(0.01 * median, 30.0 * median, 20001)
@@ -263,8 +265,8 @@ def test_every_curve_comes_back_from_every_file_as_its_reader_takes_it(tmp_path:
     falls = as_pelicun_reads(tmp_path / "gated.csv", "RS.cabinet", 2)
     assert falls(below).max() < 1e-6
     assert stages.probability(below).tolist() == [0.0, 0.0, 0.0]
-    quake = read_nrml(tmp_path / "gated.xml")[2]["RS.cabinet"]
-    assert [quake("overturned", float(level)) for level in below] == [0.0, 0.0, 0.0]
+    function = read_nrml(tmp_path / "gated.xml")[2]["RS.cabinet"]
+    assert [function("overturned", float(level)) for level in below] == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize(

@@ -93,9 +93,9 @@ class DoublingCascade(Result):
     def limit(self) -> float:
         """Where infinitely many doublings end, if the distances go on shrinking by the last ratio.
 
-        nan of fewer than three doublings.
+        nan of fewer than three doublings, and where the last distance is not the smaller one.
         """
-        if len(self.points) < 3:
+        if len(self.points) < 3 or not self.ratios[-1] > 1.0:
             return float("nan")
         return float(self.values[-1] + self.distances[-1] / (self.ratios[-1] - 1.0))
 

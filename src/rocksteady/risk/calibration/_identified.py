@@ -1,11 +1,13 @@
 """What follows from outcomes for each parameter: prior beside posterior, and a verdict."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from rocksteady.risk.calibration.posterior import Posterior
 
@@ -22,6 +24,7 @@ MEANINGS: Mapping[str, str] = {
     BOUND: "outcomes of one kind bound it on one side, at 90 %",
     RETURNED: "outcomes do not inform it: its prior comes back",
     LIMIT: "outcomes push it to an end of its prior: widen the prior, or doubt the model",
+    NOT_IDENTIFIED: f"fewer than {FEWEST_DRAWS:g} effective draws, {TOO_FEW} for an estimate",
     NARROWED: "narrower than its prior, but only alpha is identified by outcomes",
 }
 
@@ -59,17 +62,17 @@ def parameters_of(
             "parameter": name,
             "prior_low": float(low),
             "prior_high": float(high),
-            "median": median,
-            "low": below,
-            "high": above,
-            "sd_ratio": ratio,
+            "median": _known(median),
+            "low": _known(below),
+            "high": _known(above),
+            "sd_ratio": ratio if posterior.identified else None,
             "verdict": _verdict(name, posterior, values, before, ratio),
             "bound": None,
             "bound_side": None,
         }
         if name == "alpha_rad":
             row["outline"] = posterior.space.block.outline_alpha_rad
-            if one_sided:
+            if one_sided and posterior.identified:
                 side, at = ("upper", 0.9) if known[0] else ("lower", 0.1)
                 weights = posterior.weights[:, np.newaxis]
                 row |= {
@@ -81,8 +84,15 @@ def parameters_of(
     return rows
 
 
+def _known(value: float) -> float | None:
+    """Return a number; None of NaN."""
+    return None if math.isnan(value) else value
+
+
 def _verdict(name: str, posterior: Posterior, values: Floats, before: Floats, ratio: float) -> str:
     """Return the verdict of a number under outcomes of both kinds."""
+    if not posterior.identified:
+        return NOT_IDENTIFIED
     if before.std() <= 1e-12 * (1.0 + abs(float(before.mean()))):
         return RETURNED
     ends = np.quantile(before, [EDGE, 1.0 - EDGE])

@@ -11,6 +11,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, Nonlinear
+from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
 from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
@@ -230,7 +231,7 @@ def _fit(space: Space, tests: Observations, places: Integers, codes: Integers, p
         alone = replace(evidence, tests=np.arange(len(places)))
         grouped = np.unique(codes[places], return_inverse=True)[1]
         held = hold_out([alone], grouped, 1.0, ends=False)
-        if float(held.error.max()) < sampling.error and float(held.effective.min()) > 50.0:
+        if float(held.error.max()) < sampling.error and float(held.effective.min()) > FEWEST_DRAWS:
             break
     assert fit is not None
     return fit
@@ -290,7 +291,7 @@ def _warnings(calibration: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]
                     f"all tests of {name} {outcome}: {row['bound']:.4g} rad is the "
                     f"{row['bound_side']} bound of alpha at 90 %, and no estimate"
                 )
-        if posterior.effective_draws < 50.0:
+        if posterior.effective_draws < FEWEST_DRAWS:
             sentences.append(
                 f"the posterior of {name} rests on {posterior.effective_draws:.0f} effective draws "
                 f"of {len(posterior.values)}: make more draws"

@@ -11,6 +11,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.results.numbers import number, percent, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._identified import MEANINGS
@@ -205,6 +206,12 @@ class Calibration(Result):
             *others,
         ]
         notes = [*self.warnings, *self._remarks()]
+        few = min(self.posteriors.values(), key=lambda each: each.effective_draws)
+        if not few.identified:
+            scored = (
+                f"no answer yet: it rests on {few.effective_draws:.0f} effective draws of "
+                f"{len(few.values):,} (at least {FEWEST_DRAWS:g} needed)"
+            )
         return Description(
             headline=f"calibration of {plural(len(self.posteriors), 'object')} by "
             f"{plural(len(self.tests), 'test')}: {scored}",

@@ -1,5 +1,6 @@
 """Posterior of one object: weighted draws of its parameters, with its predictions' shares."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._space import Space
@@ -58,6 +60,11 @@ class Posterior(Result):
         """How many draws of equal weight are worth as much, 1/sum(w^2)."""
         return float(effective(self.weights))
 
+    @property
+    def identified(self) -> bool:
+        """Whether there are enough effective draws for an estimate, 50 or more."""
+        return self.effective_draws >= FEWEST_DRAWS
+
     @cached_property
     def untempered_effective_draws(self) -> float:
         """The same of the untempered weights."""
@@ -85,6 +92,8 @@ class Posterior(Result):
     def interval(self, name: str, *, untempered: bool = False) -> tuple[float, float, float]:
         """Return the median, the 5 % and the 95 % quantile of a number by its name.
 
+        NaN below 50 effective draws: the number is not identified by so few.
+
         Raises
         ------
         InputError
@@ -92,6 +101,8 @@ class Posterior(Result):
         """
         weights = self.untempered_weights if untempered else self.weights
         column = self.of(name)[:, np.newaxis]
+        if effective(weights) < FEWEST_DRAWS:
+            return math.nan, math.nan, math.nan
         median, low, high = weighted_quantiles(column, weights[:, np.newaxis], ENDS)[:, 0]
         return float(median), float(low), float(high)
 
@@ -105,8 +116,11 @@ class Posterior(Result):
         """Return the median and the 90 % interval of each number."""
         rows = []
         for name in self.columns:
-            median, low, high = self.interval(name)
-            rows.append({"parameter": name, "median": median, "low": low, "high": high})
+            ends = (None if math.isnan(each) else each for each in self.interval(name))
+            rows.append(
+                dict(zip(("parameter", "median", "low", "high"), (name, *ends), strict=True))
+            )
+        few = "" if self.identified else f", {TOO_FEW}: {NOT_IDENTIFIED}"
         columns = (
             Column("parameter", "parameter", left=True),
             Column("median", "median", number),
@@ -115,7 +129,7 @@ class Posterior(Result):
         )
         return Description(
             headline=f"{self.object}: {len(self.values):,} draws, "
-            f"{self.effective_draws:.0f} effective",
+            f"{self.effective_draws:.0f} effective{few}",
             facts=[
                 Fact("object", self.object, "object"),
                 Fact("effective_draws", self.effective_draws, "effective draws"),

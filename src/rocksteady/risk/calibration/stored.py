@@ -217,7 +217,7 @@ def _predictions(text: str) -> Predictions:
     outcomes = {word: fell for fell, word in OUTCOMES.items()}
 
     def numbers(key: str) -> Floats:
-        return np.array([float(row[key]) for row in rows])
+        return np.array([float(row[key] or "nan") for row in rows])  # a band may be missing
 
     return Predictions(
         test=tuple(row["test"] for row in rows),

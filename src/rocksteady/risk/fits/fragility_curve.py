@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.doubts import FEW_RECORDS, with_misfit
+from rocksteady.results.doubts import FEW_RECORDS, NOT_IDENTIFIED, with_misfit
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._banding import Spread, spread_of
@@ -49,7 +49,8 @@ class FragilityCurve(Result):
         Intensity of probability .5; for a step the geometric mean of its two sides; NaN without a
         curve.
     beta
-        Standard deviation of ln im (lognormal) or its scale (logistic); 0 of a step, NaN without.
+        Standard deviation of ln im (lognormal) or its scale (logistic); NaN of a step, which does
+        not identify it, and without a curve.
     step
         Highest intensity with a survival and lowest with a failure; None unless separated.
     log_likelihood
@@ -198,7 +199,14 @@ class FragilityCurve(Result):
                 "median",
                 value_words(self.median, unit, self.median_band),
             ),
-            Fact("beta", plain(self.beta), "beta", value_words(self.beta, "", self.beta_band)),
+            Fact(
+                "beta",
+                plain(self.beta),
+                "beta",
+                NOT_IDENTIFIED
+                if math.isnan(self.beta)
+                else value_words(self.beta, "", self.beta_band),
+            ),
             Fact("median_band", listed(self.median_band)),
             Fact("beta_band", listed(self.beta_band)),
             *band_facts(self.bands),
@@ -318,7 +326,7 @@ def curve_of(
         median, beta = math.exp(best.centre - best.scale * a / b), best.scale / float(b)
     elif best.step is not None:
         low, high = best.step  # at one level with both outcomes that level, to the last bit
-        median, beta = low if low == high else math.sqrt(low) * math.sqrt(high), 0.0
+        median = low if low == high else math.sqrt(low) * math.sqrt(high)
     failures, trials = (counts.sum() for counts in best.counts.totals)
     levels = best.counts.levels
     flat = best.status == NOT_RISING

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
@@ -97,15 +98,25 @@ class VectorFit(Result):
         eta = self.coefficients[0] + logs @ self.coefficients[1:]
         return np.asarray(family_of("lognormal").cdf(eta))
 
+    @property
+    def _answer(self) -> str:
+        """What the intensities explain, in words."""
+        if self.status != FITTED:
+            return NOT_IDENTIFIED
+        return f"{number(100.0 * self.explained)} % of the deviance explained"
+
     def describe(self) -> Description:
         """Return the coefficients and how much they explain."""
         powers = dict(zip(self.names, self.coefficients[1:].tolist(), strict=True))
         values = [plain(value) for value in self.coefficients.tolist()]
-        words = ", ".join(f"{number(power)} ln({name})" for name, power in powers.items())
+        parts = (f"{number(power)} ln({name})" for name, power in powers.items())
+        words = ", ".join([number(self.coefficients[0]), *parts])
+        if self.status != FITTED:
+            words = NOT_IDENTIFIED
         facts = [
             Fact("measures", list(self.names), "intensities"),
             Fact("status", self.status, "status"),
-            Fact("coefficients", values, "predictor", f"{number(self.coefficients[0])}, {words}"),
+            Fact("coefficients", values, "predictor", words),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
             Fact("aic", self.aic, "Akaike's criterion"),
             Fact("explained", plain(self.explained), "share of the deviance explained"),
@@ -114,8 +125,8 @@ class VectorFit(Result):
             Fact("records", self.records, "records"),
         ]
         return Description(
-            headline=f"{' and '.join(self.names)}: {number(100.0 * self.explained)} % of the "
-            f"deviance explained, {plural(self.records, 'record')}, {self.status}",
+            headline=f"{' and '.join(self.names)}: {self._answer}, "
+            f"{plural(self.records, 'record')}, {self.status}",
             facts=facts,
         )
 

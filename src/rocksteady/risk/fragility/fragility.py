@@ -32,8 +32,9 @@ _LEGEND: Final = (
     "Median and beta (standard deviation of the logarithm) with their bands; beta is given uplift "
     "where the curve has two stages, and over PGV all is. Misfit: largest difference between the "
     "curve and the share of runs at a level. Stages: 2, uplift and failure given uplift, where "
-    "their gain, the log-likelihood above that of one curve, is above 0. Efficiency, of one curve "
-    "of all runs over each measure: that of the highest log-likelihood predicts best."
+    "their gain, the log-likelihood above that of one curve, is above 0, or the gate is exact. "
+    "Efficiency, of one curve of all runs over each measure: that of the highest log-likelihood "
+    "predicts best."
 )
 """What the columns mean."""
 
@@ -217,7 +218,7 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         + (", given uplift" if each.given_uplift else "")
         + ("" if shape.status == "fitted" else f", {shape.status}"),
         "misfit": number_or_none(curve.misfit),
-        "gain": number_or_none(each.gain) if isinstance(curve, TwoStageCurve) else None,
+        "gain": number_or_none(curve.gain) if isinstance(curve, TwoStageCurve) else None,
     }
 
 

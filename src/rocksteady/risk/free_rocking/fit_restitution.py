@@ -150,7 +150,8 @@ def fit_restitution(
         known = True
     places = (0, 1) if apart else (0, 0)
     factors = tuple(math.exp(estimated.factor[place]) for place in places)
-    errors = tuple(float(estimated.deviation[place]) for place in places)
+    # Without a step to spare there is no scatter from which an error could follow.
+    errors = tuple(float(estimated.deviation[place]) if free > 0 else math.nan for place in places)
     low, high = (np.exp(estimated.interval[list(places), end]) * base for end in (0, 1))
     ratios = factors[0] * base[0], factors[1] * base[1]
     mean = math.sqrt(ratios[0] * ratios[1])
@@ -172,7 +173,7 @@ def fit_restitution(
         housner=pair if sound else None,
         factor=(factors[0], factors[1]) if sound else None,
         factor_error=(factors[0] * errors[0], factors[1] * errors[1]) if sound else None,
-        scatter=mean * estimated.scatter,
+        scatter=mean * estimated.scatter if free > 0 else math.nan,
         scatter_low=mean * estimated.scatter_interval[0],
         scatter_high=mean * estimated.scatter_interval[1] if free > 0 else math.inf,
         sigma_rad=sigma,

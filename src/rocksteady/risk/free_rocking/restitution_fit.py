@@ -13,6 +13,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.free_rocking.release import Release
@@ -166,6 +167,7 @@ class RestitutionFit(Result):
         same = self.restitution[0] == self.restitution[1]
         sides = (0,) if same else (0, 1)
         words = " and ".join(number(self.restitution[k], 4) for k in sides)
+        identified = not math.isnan(self.standard_error[0])
         errors = " and ".join(number(self.standard_error[k], 2) for k in sides)
         spans = " and ".join(
             f"{number(self.low[k], 4)} to {number(self.high[k], 4)}" for k in sides
@@ -173,7 +175,12 @@ class RestitutionFit(Result):
         counted = plural(sum(2 if each.side == 0 else 1 for each in self.impacts), "impact")
         facts = [
             Fact("restitution", list(self.restitution), "restitution", words),
-            Fact("standard_error", list(self.standard_error), "standard error", errors),
+            Fact(
+                "standard_error",
+                [_known(each) for each in self.standard_error],
+                "standard error",
+                errors if identified else f"{NOT_IDENTIFIED}: {TOO_FEW} impacts",
+            ),
             Fact("low", list(self.low)),
             Fact("high", list(self.high)),
             Fact("", label="90 % interval", text=spans),
@@ -190,16 +197,18 @@ class RestitutionFit(Result):
             )
             facts += [
                 Fact("factor", list(self.factor), "e/Housner", ratios),
-                Fact("factor_error", list(self.factor_error)),
+                Fact("factor_error", [_known(each) for each in self.factor_error]),
             ]
         high = None if math.isinf(self.scatter_high) else self.scatter_high
         beyond = "any" if high is None else number(high, 2)
         facts += [
             Fact(
                 "scatter",
-                self.scatter,
+                _known(self.scatter),
                 "scatter of impacts",
-                f"sd {number(self.scatter, 2)} ({number(self.scatter_low, 2)} to {beyond})",
+                f"{NOT_IDENTIFIED}: {TOO_FEW} impacts"
+                if not identified
+                else f"sd {number(self.scatter, 2)} ({number(self.scatter_low, 2)} to {beyond})",
             ),
             Fact("scatter_low", self.scatter_low),
             Fact("scatter_high", high),
@@ -348,3 +357,8 @@ def _energy(peaks: Floats, alpha: float, model: Model) -> Floats:
     if isinstance(model, Linear):
         return peaks * (alpha - 0.5 * peaks)
     return np.asarray(2.0 * np.sin(alpha - 0.5 * peaks) * np.sin(0.5 * peaks))
+
+
+def _known(value: float) -> float | None:
+    """Return a number; None of NaN."""
+    return None if math.isnan(value) else value

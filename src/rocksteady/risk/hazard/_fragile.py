@@ -141,7 +141,8 @@ class Converted:
     def beta(self) -> float:
         """Standard deviation of the logarithm: of other curves that from median to 5 %."""
         beta = getattr(self.curve, "beta", None)
-        if getattr(self.curve, "family", "lognormal") == "lognormal" and isinstance(beta, float):
+        family = getattr(self.curve, "family", "lognormal")
+        if family == "lognormal" and isinstance(beta, float) and math.isfinite(beta):
             return beta
         return math.log(self.quantile(0.5) / self.quantile(0.05)) / Q05
 

@@ -3,6 +3,7 @@
 from functools import partial
 from typing import Any
 
+from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.rendering import printable
 from rocksteady.risk.calibration.calibration import Calibration
@@ -101,6 +102,15 @@ def _ladder(calibration: Calibration, first: int, axes: Any) -> None:
     plot_ladders(calibration, axes, first=first)
 
 
+def _interval_words(row: dict[str, Any]) -> str:
+    """Return median and interval of a parameter, or that it has none."""
+    if row["low"] is None:
+        return NOT_IDENTIFIED
+    return (
+        f"median {number(row['median'])}, 90 % from {number(row['low'])} to {number(row['high'])}"
+    )
+
+
 def _posteriors(calibration: Calibration) -> list[Picture]:
     """Return a picture of each parameter, or of the alpha of the first objects."""
     names = list(calibration.posteriors)[:MOST_OBJECTS]
@@ -109,9 +119,8 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
         picture(
             partial(_posterior, calibration, row["parameter"], row["object"], several),
             3.0,
-            f"{row['parameter']} of {printable(row['object'])}: median {number(row['median'])}, "
-            f"90 % from {number(row['low'])} to {number(row['high'])}; before, from "
-            f"{number(row['prior_low'])} to {number(row['prior_high'])}.",
+            f"{row['parameter']} of {printable(row['object'])}: {_interval_words(row)}; before, "
+            f"from {number(row['prior_low'])} to {number(row['prior_high'])}.",
             phone=False,
             page=HALF,
         )

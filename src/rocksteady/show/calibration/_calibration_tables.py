@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS, Scores
@@ -39,6 +40,7 @@ PARAMETERS = {
     "base": "base over outline",
 }
 VERDICTS = {
+    NOT_IDENTIFIED: ("raised", f"fewer than {FEWEST_DRAWS:g} effective draws: make more draws"),
     "identified": ("agrees", "the tests narrow it inside what was known before"),
     "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
     "prior returned": ("open", "it comes back as it was put in, and the tests do not inform it"),
@@ -109,8 +111,8 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
             "object": each["object"] if several and each["parameter"] == FIRST else "",
             "name": parameter_words(each["parameter"]),
             "prior": span(each["prior_low"], each["prior_high"]),
-            "median": number(each["median"]),
-            "interval": span(each["low"], each["high"]),
+            "median": NOTHING if each["median"] is None else number(each["median"]),
+            "interval": NOTHING if each["low"] is None else span(each["low"], each["high"]),
             "outline": NOTHING if each.get("outline") is None else number(each["outline"]),
             "verdict": each["verdict"],
             "look": VERDICTS[each["verdict"]][0],
@@ -166,7 +168,9 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
                     "gain": number(test.gain),
                     "outcome": "fell" if test.fell else "stood",
                     "p": number(p),
-                    "band": span(float(predictions.low[place]), float(predictions.high[place])),
+                    "band": NOTHING
+                    if math.isnan(predictions.low[place])
+                    else span(float(predictions.low[place]), float(predictions.high[place])),
                     "error": number(float(predictions.mc_error[place]), 2),
                     "chance": chance,
                 }

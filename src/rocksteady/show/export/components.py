@@ -368,7 +368,8 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
     def shares(logs: Floats) -> Floats:
         return probability_of(component, state, np.exp(logs))
 
-    trial = np.linspace(*np.log(SEARCHED), 8001)
+    ends = [math.log(end) for end in SEARCHED]
+    trial = np.linspace(ends[0], ends[1], 8001)
     found = shares(trial)
     reason = ""
     if not np.isfinite(found).all():
@@ -393,7 +394,8 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
     first = np.diff(high, prepend=-np.inf) > 2.0 * STEP
     last = np.diff(high, append=np.inf) > 2.0 * STEP
     sides = [high[first & ~last] - STEP, high[last & ~first] + STEP]
-    return np.exp(np.sort(np.concatenate([high[first & last], *sides])))
+    levels: Floats = np.exp(np.sort(np.concatenate([high[first & last], *sides])))
+    return levels
 
 
 def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:

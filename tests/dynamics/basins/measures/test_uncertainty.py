@@ -110,7 +110,19 @@ def test_without_a_boundary_there_is_no_exponent() -> None:
     found = compute_uncertainty_exponent(np.zeros((80, 80), dtype=np.int64))
     assert math.isnan(found.exponent)
     assert all(map(math.isnan, found.interval()))
-    assert "no exponent" in found.summary()
+    assert "not identified" in found.summary()
+
+
+def test_two_sizes_are_too_few_for_an_exponent() -> None:
+    """A line through two points has no error: whatever they are, it fits them."""
+    labels = newton(200)
+    two = compute_uncertainty_exponent(labels, [1, 4])
+    assert math.isnan(two.exponent)
+    assert math.isnan(two.dimension)
+    assert all(map(math.isnan, two.interval()))
+    assert "too few for an exponent" in two.summary().replace("\n", " ")
+    low, high = compute_uncertainty_exponent(labels, [1, 2, 4]).interval()
+    assert low < high
 
 
 @pytest.mark.parametrize(

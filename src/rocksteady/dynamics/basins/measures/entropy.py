@@ -13,6 +13,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_BOXES, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
@@ -20,8 +21,6 @@ Integers = NDArray[np.int64]
 
 BOX = 20
 """Default number of cells along a side of a box, that of Attractors.jl."""
-FEW_BOXES = 20
-"""Boundary boxes below which their mean is of little use."""
 
 
 @checked_result
@@ -71,18 +70,21 @@ class BasinEntropy(Result):
 
     @property
     def fractal(self) -> bool:
-        """Whether S_bb > ln 2, which proves a fractal boundary; False decides nothing."""
-        return self.boundary_entropy > math.log(2.0)
+        """Whether S_bb > ln 2 in 20 boxes or more, of a fractal boundary; False decides nothing."""
+        return self.boundary_boxes >= FEWEST_BOXES and self.boundary_entropy > math.log(2.0)
 
     def describe(self) -> Description:
         """Return both entropies, what they are over, and the criterion."""
         sides = " x ".join(map(str, self.box))
-        above = "above" if self.fractal else "not above"
+        few = self.boundary_boxes < FEWEST_BOXES
+        criterion = f"S_bb is {'above' if self.fractal else 'not above'} ln 2 = 0.6931"
+        if few:
+            criterion = f"{NOT_IDENTIFIED}: {TOO_FEW} boundary boxes"
         bound = "—" if math.isnan(self.boundary_entropy) else f"{self.boundary_entropy:.4f}"
         facts = [
             Fact("entropy", self.entropy, "basin entropy S_b", f"{self.entropy:.4f}"),
             Fact("boundary_entropy", self.boundary_entropy, "boundary entropy S_bb", bound),
-            Fact("fractal", self.fractal, "ln 2 criterion", f"S_bb is {above} ln 2 = 0.6931"),
+            Fact("fractal", self.fractal, "ln 2 criterion", criterion),
             Fact("box", list(self.box), "box", f"{sides} states"),
             Fact("boxes", self.boxes),
             Fact("boundary_boxes", self.boundary_boxes),
@@ -96,9 +98,9 @@ class BasinEntropy(Result):
         notes = []
         if self.boundary_boxes == 0:
             notes.append("No box has two basins: there is no boundary to measure at this size.")
-        elif self.boundary_boxes < FEW_BOXES:
+        elif few:
             notes.append("Few boxes lie on a boundary: take more states, or smaller boxes.")
-        if self.boundary_boxes and not self.fractal:
+        if not few and not self.fractal:
             notes.append("S_bb above ln 2 means a fractal boundary; below it, either is possible.")
         return Description(
             f"basin entropy {self.entropy:.4f}, on the boundary {bound}, boxes of {sides} states",

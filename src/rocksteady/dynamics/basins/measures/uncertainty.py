@@ -15,6 +15,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT, confidence_value
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_SIZES, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 
@@ -64,7 +65,7 @@ class UncertaintyExponent(Result):
     def _fit(self) -> tuple[float, float, float]:
         """Slope of the line, its standard error, and r^2."""
         used = self.uncertain > 0
-        if np.count_nonzero(used) < 2:
+        if np.count_nonzero(used) < FEWEST_SIZES:
             return math.nan, math.nan, math.nan
         x = np.log(self.size[used].astype(np.float64))
         # Boxes count as in Attractors.jl, by their number and not by their share.
@@ -74,13 +75,11 @@ class UncertaintyExponent(Result):
         left = y - y.mean() - slope * away
         spread = float(((y - y.mean()) ** 2).sum())
         fitted = 1.0 - float(left @ left) / spread if spread > 0.0 else 1.0
-        if len(x) == 2:
-            return slope, math.nan, fitted
         return slope, math.sqrt(float(left @ left) / (len(x) - 2) / float(away @ away)), fitted
 
     @property
     def exponent(self) -> float:
-        """Uncertainty exponent; nan where fewer than two sizes meet a boundary."""
+        """Uncertainty exponent; nan where fewer than three sizes meet a boundary."""
         return self._fit[0] + (0.0 if self.by == "states" else self.dimensions)
 
     @property
@@ -128,8 +127,8 @@ class UncertaintyExponent(Result):
             )
         ]
         known = not math.isnan(self.exponent)
-        error = "" if math.isnan(self.standard_error) else f" ± {self.standard_error:.3f}"
-        value = f"{self.exponent:.3f}{error}" if known else "—"
+        error = f" ± {self.standard_error:.3f}"
+        value = f"{self.exponent:.3f}{error}" if known else NOT_IDENTIFIED
         facts = [
             Fact("by", self.by, "counted", self.by),
             Fact("exponent", self.exponent, "uncertainty exponent", value),
@@ -156,7 +155,9 @@ class UncertaintyExponent(Result):
         ]
         notes = []
         if not known:
-            notes.append("Fewer than two sizes meet a boundary: there is no exponent.")
+            notes.append(
+                f"Fewer than {FEWEST_SIZES} sizes meet a boundary, {TOO_FEW} for an exponent."
+            )
         elif self.standard_error > ROUGH or self.uncertain[self.uncertain > 0].min() < FEW:
             notes.append("The fit is poor, or counts are small: take more states in the window.")
         if known and self.by == "boxes" and int(self.size.min()) < 5:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.results.doubts import FEWEST_DRAWS
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -134,7 +136,7 @@ def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[s
         Weight and share of each draw and test, shape (draws, tests); one column of weights may
         stand for all.
     ends
-        Whether the band is wanted too.
+        Whether the band is wanted too; it is NaN below 50 effective draws.
     """
     p = (weights * share).sum(axis=0)
     count = np.broadcast_to(effective(weights), p.shape)
@@ -146,7 +148,8 @@ def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[s
     columns = {"p": p, "error": error, "effective": count}
     if ends:
         wide = np.broadcast_to(weights, share.shape)
-        columns["low"], columns["high"] = weighted_quantiles(share, wide, (0.05, 0.95))
+        ends_of = weighted_quantiles(share, wide, (0.05, 0.95))
+        columns["low"], columns["high"] = np.where(count < FEWEST_DRAWS, np.nan, ends_of)
     return columns
 
 

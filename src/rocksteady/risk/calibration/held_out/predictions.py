@@ -69,8 +69,8 @@ class Predictions(Result):
             {
                 "test": self.test[k],
                 "p": float(self.p[k]),
-                "low": float(self.low[k]),
-                "high": float(self.high[k]),
+                "low": None if np.isnan(self.low[k]) else float(self.low[k]),
+                "high": None if np.isnan(self.high[k]) else float(self.high[k]),
                 "mc_error": float(self.mc_error[k]),
                 "held_out": self.held_out[k],
                 "outcome": OUTCOMES[self.fell[k]],

@@ -10,6 +10,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_GROUPS
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
 
@@ -158,14 +159,15 @@ def scores_of(
     groups = len(sums)
     values = _from_sums(sums.sum(axis=0)[np.newaxis])[0]
     ends = np.full((2, len(NAMES)), np.nan)
-    if replicates and groups > 1:
+    if replicates and groups >= FEWEST_GROUPS:
         drawn = np.random.default_rng(seed).multinomial(
             groups, np.full(groups, 1.0 / groups), size=replicates
         )
         scores = _from_sums(drawn @ sums)
         for place in range(len(NAMES)):
             known = scores[np.isfinite(scores[:, place]), place]
-            if len(known):
+            # Scores that are all alike show nothing of their scatter.
+            if len(known) and np.ptp(known) > 0.0:
                 ends[:, place] = np.quantile(known, [0.05, 0.95])
     intervals = {
         key: (float(values[place]), float(ends[0, place]), float(ends[1, place]))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
@@ -148,7 +149,7 @@ def validate_trial(
     }
     rules = (held.p, at_tempers[1.0], rates, curves)
     groups = [names[code] for code in trial.codes.tolist()]
-    low = np.flatnonzero(held.effective < 50.0)
+    low = np.flatnonzero(held.effective < FEWEST_DRAWS)
     warnings = []
     if len(low):
         few = sorted({groups[place] for place in low.tolist()})

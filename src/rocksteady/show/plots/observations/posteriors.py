@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
@@ -99,7 +100,12 @@ def plot_posterior(
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     posterior = calibration.posteriors[name]
     values = posterior.of(parameter)
-    edges = _edges(values, row["low"], row["high"])
+    known = row["low"] is not None
+    edges = _edges(
+        values,
+        row["low"] if known else row["prior_low"],
+        row["high"] if known else row["prior_high"],
+    )
     after, _ = np.histogram(values, edges, weights=posterior.weights, density=True)
     before, _ = np.histogram(values, edges, weights=posterior.prior_weights, density=True)
     bars = axes.stairs(
@@ -113,13 +119,14 @@ def plot_posterior(
     )  # fmt: skip
     top = float(max(after.max(), before.max()))
     height = -0.06 * top
+    ends = [row["low"], row["high"]] if known else []
     (interval,) = axes.plot(
-        [row["low"], row["high"]], [height] * 2, color=inks.lines[0], lw=3.2 * size,
-        solid_capstyle="butt", label="90\N{NO-BREAK SPACE}% interval and median", zorder=3.0,
+        ends, [height] * len(ends), color=inks.lines[0], lw=3.2 * size, solid_capstyle="butt",
+        label="90\N{NO-BREAK SPACE}% interval and median" if known else NOT_IDENTIFIED, zorder=3.0,
     )  # fmt: skip
     axes.plot(
-        [row["median"]], [height], "o", ms=5.0 * size, color=inks.paper, mec=inks.lines[0],
-        mew=1.4 * size, zorder=3.2,
+        [row["median"]] if known else [], [height] if known else [], "o", ms=5.0 * size,
+        color=inks.paper, mec=inks.lines[0], mew=1.4 * size, zorder=3.2,
     )  # fmt: skip
     handles = [bars, line, interval]
     outline = row.get("outline")
