@@ -30,7 +30,7 @@ MOST_MISFIT: Final = 0.1
 
 
 def misfit_words(misfit: float) -> str:
-    """Return what the first line of an answer says of a curve that misses its shares.
+    """Return words on a curve that misses its counted shares; empty of a good one.
 
     Examples
     --------
@@ -43,13 +43,13 @@ def misfit_words(misfit: float) -> str:
 
 
 def with_misfit(line: str, misfit: float) -> str:
-    """Return the first line of an answer, with the misfit of its curve where that is large."""
+    """Return the first line of an answer, with the misfit of a poor curve."""
     words = misfit_words(misfit)
     return f"{line}; {words}" if words else line
 
 
 def counted_otherwise(probability: float, counted: float) -> bool:
-    """Return whether a curve and the share counted at the same demand are too far apart.
+    """Return whether a curve is too far from the share counted at a demand.
 
     Examples
     --------

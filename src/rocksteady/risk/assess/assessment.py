@@ -127,7 +127,7 @@ class Assessment(Result):
 
     @property
     def doubts(self) -> tuple[str, ...]:
-        """Sentences that stand on the answer: a curve that misses the shares, or the runs there."""
+        """Sentences on a curve that misses its shares, or the count at the demand."""
         curve, sentences = self.curve, []
         if curve is None or not self.probability:
             return ()

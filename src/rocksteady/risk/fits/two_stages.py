@@ -120,7 +120,7 @@ class TwoStageCurve(Result):
 
     @property
     def best(self) -> "FragilityCurve | TwoStageCurve":
-        """The curve of all runs: these stages where they gain or the gate is exact, else one."""
+        """The curve of all runs: in stages where these gain or the gate is exact."""
         return self if self.gate is not None or self.gain > LEAST_GAIN else self.plain
 
     def over(self, given_uplift: bool) -> "FragilityCurve | TwoStageCurve":

@@ -42,7 +42,7 @@ class StateFragility:
 
     @property
     def curve(self) -> FragilityCurve | TwoStageCurve:
-        """The curve to use: given uplift, or in two stages where they gain, else one curve."""
+        """The curve to use: given uplift, in two stages, or one curve."""
         return self.plain if self.two_stage is None else self.two_stage.over(self.given_uplift)
 
     def share(self, trials: int, lifted: int | None, failures: int) -> float:

@@ -151,7 +151,7 @@ def fit_restitution(
     places = (0, 1) if apart else (0, 0)
     factors = tuple(math.exp(estimated.factor[place]) for place in places)
     # Without a step to spare there is no scatter from which an error could follow.
-    errors = tuple(float(estimated.deviation[place]) if free > 0 else math.nan for place in places)
+    errors = tuple(float(estimated.deviation[place]) if free > 0 else math.inf for place in places)
     low, high = (np.exp(estimated.interval[list(places), end]) * base for end in (0, 1))
     ratios = factors[0] * base[0], factors[1] * base[1]
     mean = math.sqrt(ratios[0] * ratios[1])

@@ -167,7 +167,7 @@ class RestitutionFit(Result):
         same = self.restitution[0] == self.restitution[1]
         sides = (0,) if same else (0, 1)
         words = " and ".join(number(self.restitution[k], 4) for k in sides)
-        identified = not math.isnan(self.standard_error[0])
+        identified = math.isfinite(self.standard_error[0])
         errors = " and ".join(number(self.standard_error[k], 2) for k in sides)
         spans = " and ".join(
             f"{number(self.low[k], 4)} to {number(self.high[k], 4)}" for k in sides
@@ -360,5 +360,5 @@ def _energy(peaks: Floats, alpha: float, model: Model) -> Floats:
 
 
 def _known(value: float) -> float | None:
-    """Return a number; None of NaN."""
-    return None if math.isnan(value) else value
+    """Return a number; None of what is not identified."""
+    return value if math.isfinite(value) else None

@@ -30,7 +30,10 @@ def test_four_boxes_by_hand() -> None:
     assert found.entropy == pytest.approx(expected.sum() / 4.0, rel=1e-15)
     assert found.boundary_entropy == pytest.approx(expected.sum() / 3.0, rel=1e-15)
     assert (found.boxes, found.boundary_boxes, found.basins) == (4, 3, 4)
-    assert found.fractal
+    # S_bb is above ln 2, of three boxes; of 27 alike it decides.
+    assert not found.fractal
+    assert "not identified: too few boundary boxes" in found.summary().replace("\n", " ")
+    assert compute_basin_entropy(np.tile(labels, (3, 3)), 2).fractal
     assert found.largest == math.log(4.0)
 
 

@@ -1,5 +1,7 @@
 """Posteriors: areas of one, the interval of the table, the outline of the ruler."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
@@ -32,8 +34,13 @@ def test_both_densities_have_the_area_of_one_and_the_mean_of_their_draws() -> No
 
 
 def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
-    row = next(each for each in calibrated().parameters if each["parameter"] == "alpha_rad")
-    lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in drawn().lines}
+    few = next(each for each in calibrated().parameters if each["parameter"] == "alpha_rad")
+    assert few["low"] is None  # of too few draws
+    assert "not identified" in [str(each.get_label()) for each in drawn().lines]
+    row = few | {"median": 0.24, "low": 0.21, "high": 0.26}
+    known = replace(calibrated(), parameters=(row,))
+    axes = plot_posterior(known, Figure().add_subplot())
+    lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in axes.lines}
     interval = next(x for label, x in lines.items() if label.startswith("90"))
     assert interval.tolist() == [row["low"], row["high"]]
     assert lines["the outline's"].tolist() == [row["outline"]] * 2
