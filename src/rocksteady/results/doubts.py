@@ -48,6 +48,11 @@ def with_misfit(line: str, misfit: float) -> str:
     return f"{line}; {words}" if words else line
 
 
+def marked(label: str, misfit: float) -> str:
+    """Return a legend entry, which has little room, with the misfit of a poor curve."""
+    return f"{label}, poor fit ({misfit:.2f})" if misfit > MOST_MISFIT else label
+
+
 def counted_otherwise(probability: float, counted: float) -> bool:
     """Return whether a curve is too far from the share counted at a demand.
 

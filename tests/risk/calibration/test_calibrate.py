@@ -163,7 +163,6 @@ def test_posterior_and_predictions_are_those_of_a_dense_grid() -> None:
     weights = np.exp(logs.sum(axis=1))
     ends = np.interp([0.5, 0.05, 0.95], np.cumsum(weights) / weights.sum(), alphas + 0.0008)
     assert found.posteriors["block"].interval("alpha_rad") == pytest.approx(ends, abs=0.01)
-    assert row_of(found, "alpha_rad")["verdict"] == "identified"
     for place, group in enumerate(tests.groups):
         weights = np.exp(logs[:, tests.groups != group].sum(axis=1))
         exact = float(weights @ p[:, place] / weights.sum())
@@ -267,8 +266,10 @@ def test_a_measured_peak_narrows_alpha() -> None:
     widths = []
     for test in tests:
         shaken_once = Observations(tests=[test], objects={"block": given})
-        found = calibrate(shaken_once, sampling=Sampling(draws=8000, gains=1), model=LINEAR)
-        low, high = found.posteriors["block"].interval("alpha_rad")[1:]
+        found = calibrate(shaken_once, sampling=Sampling(draws=300, gains=1), model=LINEAR)
+        posterior = found.posteriors["block"]
+        values, weights = posterior.of("alpha_rad")[:, np.newaxis], posterior.weights[:, np.newaxis]
+        low, high = weighted_quantiles(values, weights, (0.05, 0.95))[:, 0]
         widths.append(high - low)
     assert widths[1] < 0.85 * widths[0]
 

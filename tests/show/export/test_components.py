@@ -155,7 +155,8 @@ def test_a_curve_that_misses_its_shares_says_so_first_in_every_file(tmp_path: Pa
     assert words in curve.describe().headline
     for plot in (plot_fragility, plot_fragility_states):
         axes = plot(found, Figure().add_subplot())
-        assert any(words in label for label in axes.get_legend_handles_labels()[1])
+        entries = axes.get_legend_handles_labels()[1]
+        assert any(f"poor fit ({curve.misfit:.2f})" in entry for entry in entries)
     good = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4)
     assert "poor fit" not in good.summary()
 

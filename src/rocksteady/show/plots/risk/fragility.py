@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
-from rocksteady.results.doubts import with_misfit
+from rocksteady.results.doubts import marked
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
@@ -197,7 +197,7 @@ def plot_fragility_states(
         style = {"color": colour, "lw": width, "zorder": 2.8}
         at, shares, _ = _shares(each)
         axes.plot(at, shares, mark, color=colour, ms=3.6 * size, mew=0.0, alpha=0.75, zorder=2.9)
-        name = greek(with_misfit(each.name or "fragility", each.best.misfit))
+        name = greek(marked(each.name or "fragility", each.best.misfit))
         lines = _draw_curve(axes, each.best, limits, name, style)
         lines[0].set(marker=mark, markevery=[], markersize=4.0 * size)
         handles += lines
@@ -259,10 +259,10 @@ def _words(curve: Curve, name: str) -> str:
         if curve.status in NO_CURVE:
             return NO_CURVE[curve.status]
         words = rf"{name}, median {number(curve.median)}{unit}, $\beta$ {curve.beta:.2f}"
-        return with_misfit(words, curve.misfit)
+        return marked(words, curve.misfit)
     if not math.isfinite(curve.median):
         return f"{name}, no median"
-    return with_misfit(f"{name}, median {number(curve.median)}{unit}", curve.misfit)
+    return marked(f"{name}, median {number(curve.median)}{unit}", curve.misfit)
 
 
 def _between_words(step: tuple[float, float]) -> str:
