@@ -3,6 +3,7 @@
 import csv
 import hashlib
 import json
+import math
 import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -14,6 +15,7 @@ from rocksteady.errors import OutputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
 
@@ -85,26 +87,22 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
     with (tmp_path / "answer" / "fragility.csv").open(encoding="utf-8", newline="") as stream:
         (row,) = csv.DictReader(stream)
     assert rocking.fragility is not None
-    block = rocking.facts.block
-    plain = rocking.fragility.state("overturned").plain
-    unit = block.gravity * (0.34 / 1.8) / block.p
+    curve = rocking.fragility.state("overturned").curve  # over PGV, of the runs that lift
+    assert isinstance(curve, FragilityCurve)
     assert row["Demand-Type"] == "Peak Floor Velocity"
     assert row["Demand-Directional"] == "1"
-    assert float(row["LS1-Theta_0"]) == pytest.approx(plain.median * unit, rel=1e-9)
-    assert float(row["LS1-Theta_1"]) == pytest.approx(plain.beta, rel=1e-9)
+    assert float(row["LS1-Theta_0"]) == pytest.approx(curve.median, rel=1e-9)
+    assert float(row["LS1-Theta_1"]) == pytest.approx(curve.beta, rel=1e-9)
     assert re.fullmatch(r"RS\.[A-Za-z0-9_.]+", row["ID"])
     root = ET.fromstring((tmp_path / "answer" / "fragility.xml").read_text(encoding="utf-8"))
     space = {"n": "http://openquake.org/xmlns/nrml/0.5"}
     imls = root.find(".//n:imls", space)
-    poes = root.find(".//n:poes", space)
+    params = root.find(".//n:params", space)
     assert imls is not None
-    assert poes is not None
-    levels = [float(text) for text in (imls.text or "").split()]
-    shares = [float(text) for text in (poes.text or "").split()]
-    curve = rocking.fragility.state("overturned").curve
+    assert params is not None
     assert imls.attrib["imt"] == "PGV"
-    expected = curve.probability([level / 100.0 / unit for level in levels])
-    assert shares == pytest.approx(expected.tolist(), abs=1e-12)
+    mean = 100.0 * curve.median * math.exp(0.5 * curve.beta**2)
+    assert float(params.attrib["mean"]) == pytest.approx(mean, rel=1e-9)
 
 
 def test_the_description_for_loss_tools_names_the_object_once(

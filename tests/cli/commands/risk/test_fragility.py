@@ -160,7 +160,7 @@ def test_a_band_of_restitutions_and_a_measure_with_a_period(folder: Path) -> Non
         f"fragility {BLOCK} -r 0.9 --scale 1:3:3 --replicates 0 --json --records", folder
     )
     assert factors.json["stripes"] == "scale"
-    assert factors.json["measure"] == "p_pgv_per_uplift"
+    assert factors.json["measure"] == "pgv_m_s"
     assert factors.json["scale_factor_max"] == 3.0
     default = rocksteady(f"fragility {BLOCK} --levels 1 --replicates 0 --json --records", folder)
     e = Block.rectangle(width=0.32, height=1.8).restitution
