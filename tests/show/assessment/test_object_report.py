@@ -116,12 +116,8 @@ def test_the_curves_of_all_states_stand_on_it(found: Assessment, page: Page) -> 
 
 
 def test_the_median_is_given_as_a_peak_velocity(found: Assessment, page: Page) -> None:
-    """p PGV/(g tan alpha) of the median, solved for PGV with alpha and p of the rectangle."""
     assert found.curve is not None
-    alpha = math.atan(0.34 / 1.8)
-    rate = math.sqrt(0.75 * 9.80665 / (0.5 * math.hypot(0.34, 1.8)))
-    peak = found.curve.median * 9.80665 * math.tan(alpha) / rate
-    assert f"{number(peak)} m/s of PGV" in page.text
+    assert f"{number(found.curve.median)} m/s of PGV" in page.text
 
 
 def test_the_same_assessment_gives_the_same_bytes(found: Assessment, html: str) -> None:
