@@ -1,5 +1,5 @@
 """The program as `python -m rocksteady`."""
 
-from rocksteady.cli.start import main
+from rocksteady.cli.entry import main
 
 main()

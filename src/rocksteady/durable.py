@@ -107,7 +107,7 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
 
 @contextmanager
 def private_folder(parent: Path, prefix: str = PREFIX) -> Iterator[Path]:
-    """Make a private folder, remove it at the end, and those that killed programs have left.
+    """Make a private folder and remove it at the end; folders of killed programs are removed too.
 
     A program holds a lock on its folder, which the system drops when the program ends in any way.
 

@@ -17,8 +17,10 @@ from packaging.utils import parse_wheel_filename
 from tools.wheels.building import LARGEST, ROOT
 
 MB = 1e6
-MOST_INSTALLED = 540.0
-"""MB of what is installed with the package, itself included."""
+MOST_INSTALLED = 580.0
+"""MB of what is installed with the package, itself included. The pinned releases weigh 552, of
+which SciPy, pandas and NumPy are some 290 and the package at most 12: there is room for new
+releases, and none for one more large dependency."""
 LONGEST_IMPORT = 0.03
 """Seconds of ``import rocksteady``."""
 LONGEST_FIRST_PICTURE = 3.0

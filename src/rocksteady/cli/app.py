@@ -37,9 +37,9 @@ from rocksteady.cli.commands.windows import basins, edge
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
+from rocksteady.cli.entry import INTERRUPTED
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import no_number
-from rocksteady.cli.start import INTERRUPTED
 from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
 
 HELP = (

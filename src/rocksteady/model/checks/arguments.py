@@ -23,8 +23,7 @@ from rocksteady.model.checks._signatures import readable
 from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
     UnfitError,
-    compare_by_value,
-    keep_arrays,
+    guard_result,
     numeric_array,
     refuse_mask_and_unit,
     scalar_of,
@@ -76,13 +75,8 @@ def checked(target: T) -> T:
 
 
 def checked_result(target: T) -> T:
-    """Check as `checked` does, and that numbers are numbers: of results, which may hold NaN.
-
-    Arrays of a frozen result cannot be written to, except `KERNEL_FIELDS` of its class: kernels
-    take no others.  A result that compares by value is equal to its copies.
-    """
-    guarded: T = _checked(target, numbers=True)
-    return guarded
+    """Check as `checked` does, and that numbers are numbers: of results, which may hold NaN."""
+    return guard_result(_checked(target, numbers=True))
 
 
 def _checked(target: Any, *, numbers: bool) -> Any:
@@ -98,10 +92,6 @@ def _checked(target: Any, *, numbers: bool) -> Any:
             setattr(target, name, type(member)(_guarded(member.__func__, numbers=False)))
         elif inspect.isfunction(member):
             setattr(target, name, _guarded(member, numbers=numbers and name == "__init__"))
-    if numbers and hasattr(target, "__dataclass_params__"):
-        keep_arrays(target)
-        if "__eq__" in vars(target) and target.__dataclass_params__.eq:
-            compare_by_value(target)
     return target
 
 

@@ -53,6 +53,19 @@ class UnfitError(Exception):
     """A value is not what an argument takes: what is valid and what to do, as two clauses."""
 
 
+def guard_result(kind: T) -> T:
+    """Let a frozen result stay as it is, and be equal to its copies where it compares by value.
+
+    Its arrays cannot be written to, except `KERNEL_FIELDS` of its class: kernels take no others.
+    """
+    parameters = getattr(kind, "__dataclass_params__", None)
+    if parameters is not None:
+        keep_arrays(kind)
+        if parameters.eq and "__eq__" in vars(kind):
+            compare_by_value(kind)
+    return kind
+
+
 def keep_arrays(kind: Any) -> None:
     """Let the arrays of a frozen dataclass be read only: in its fields, and in tuples there.
 

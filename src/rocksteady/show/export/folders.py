@@ -81,7 +81,7 @@ def check_folder(
 
 
 def _was_read(file: Path, read: Iterable[Path], hashes: Collection[str | None]) -> bool:
-    """Return whether a file is one of those that are read, by its path or by its content."""
+    """Return whether a file is read too, by its path or by its content."""
     if any(durable.same_file(file, each) for each in read):
         return True
     if not hashes:
