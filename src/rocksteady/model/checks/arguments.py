@@ -76,7 +76,8 @@ def checked(target: T) -> T:
 
 def checked_result(target: T) -> T:
     """Check as `checked` does, and that numbers are numbers: of results, which may hold NaN."""
-    return guard_result(_checked(target, numbers=True))
+    guarded: T = guard_result(_checked(target, numbers=True))
+    return guarded
 
 
 def _checked(target: Any, *, numbers: bool) -> Any:
