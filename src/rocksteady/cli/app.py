@@ -37,7 +37,6 @@ from rocksteady.cli.commands.windows import basins, edge
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
-from rocksteady.cli.entry import INTERRUPTED
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import no_number
 from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
@@ -47,7 +46,7 @@ HELP = (
     "Results go to standard output, messages to standard error. Every command has --json; "
     "rocksteady COMMAND --help shows its flags, their units and examples."
 )
-USAGE, INTERNAL = 2, 101
+USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
 OUTPUT_LOST = "standard output cannot be written"
 LONGEST_MESSAGE = 400
 """Characters of what typer finds wrong, which shows arguments whole."""

@@ -5,9 +5,6 @@ import signal
 import sys
 from types import FrameType
 
-INTERRUPTED = 130
-"""Exit code after Ctrl-C."""
-
 
 def main() -> None:
     """Load the program and run it."""
@@ -18,8 +15,8 @@ def main() -> None:
     run()
 
 
-def _leave(_: int, __: FrameType | None) -> None:
+def _leave(number: int, _: FrameType | None) -> None:
     """End the process at once: nothing has begun, and an import would report the signal."""
     if sys.stderr is not None:
         os.write(2, b"rocksteady: interrupted\n")
-    os._exit(INTERRUPTED)
+    os._exit(128 + number)
