@@ -181,7 +181,8 @@ VAGUE = re.compile(
 )
 NAMED = re.compile(
     r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|facade) = |"
-    r".*; see rocksteady.*--help$)"
+    r".*; see rocksteady.*--help$|"
+    r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help )"
 )
 
 
