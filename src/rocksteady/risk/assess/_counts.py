@@ -60,7 +60,7 @@ class Counts:
 
     @property
     def tried(self) -> Integers:
-        """Runs that a probability is of: those that lift, or all."""
+        """Runs behind a probability: runs that lift, or all."""
         return self.lifted if self.given_uplift else self.trials
 
     def totals(self, level: int) -> tuple[int, int]:
