@@ -6,7 +6,7 @@ import pytest
 
 from rocksteady import Block
 from rocksteady.risk.screens._cabinets import BETA, CABINETS, nearest_cabinet
-from rocksteady.risk.screens._thresholds import kaneko_hayashi
+from rocksteady.risk.screens.thresholds import kaneko_hayashi
 
 PUBLISHED = {  # depth, height [in], median [m/s], alpha, p, number, e, NRML mean and sd [cm/s]
     "102a": (12.625, 29.0, 0.724, 0.41060, 4.27904, 0.7257, 0.7610, 82.0399, 43.7224),

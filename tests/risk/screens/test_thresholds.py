@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block, Demand, assess_two_numbers, screen_block
 from rocksteady.results.numbers import percent
-from rocksteady.risk.screens._thresholds import (
+from rocksteady.risk.screens.thresholds import (
     circolare_rectangle,
     impulse_velocity_m_s,
     ishiyama_bounds,

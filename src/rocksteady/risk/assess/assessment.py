@@ -128,12 +128,10 @@ class Assessment(Result):
     @property
     def doubts(self) -> tuple[str, ...]:
         """Sentences on a curve that misses its shares, or the count at the demand."""
-        curve, sentences = self.curve, []
-        if curve is None or not self.probability:
+        if self.curve is None or not self.probability:
             return ()
-        poor = misfit_words(curve.misfit)
-        if poor:
-            sentences.append(f"The curve of falling is a {poor}.")
+        poor = misfit_words(self.curve.misfit)
+        sentences = [f"The curve of falling is a {poor}."] if poor else []
         case = self.cases[0]
         if counted_otherwise(self.probability, case.counted):
             sentences.append(
@@ -157,8 +155,8 @@ class Assessment(Result):
         """The same in words; empty without."""
         if self.pgv_percentile is None:
             return ""
-        demand = self.described.given.demand
-        pga, pgv = quantity(demand.pga_g or 0.0, "g"), quantity(demand.pgv_m_s or 0.0, "m/s")
+        peaks = self.described.given.demand
+        pga, pgv = quantity(peaks.pga_g or 0.0, "g"), quantity(peaks.pgv_m_s or 0.0, "m/s")
         return f"at {pga} a PGV of {pgv} is percentile {self.pgv_percentile:.0f} of the motions"
 
     @property
@@ -191,11 +189,7 @@ class Assessment(Result):
             headline=self.sentence,
             facts=[*self._answer(), *(fact for fact in facts.facts if fact.key != "name")],
             tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
-            notes=[
-                *self.facts.warnings,
-                *self._warnings(),
-                *CAVEATS,
-            ],
+            notes=[*self.facts.warnings, *self._warnings(), *CAVEATS],
         )
 
     def _answer(self) -> list[Fact]:
@@ -255,12 +249,10 @@ class Assessment(Result):
         """Return what limits the fits, and what was noted of risk."""
         warnings = [] if self.fragility is None else list(self.fragility.warnings)
         if self.fragility is not None:
-            given = self.fragility.measure.given_uplift
-            if given and self.described.given.demand.pga_g is None:
+            unknown = self.described.given.demand.pga_g is None
+            if self.fragility.measure.given_uplift and unknown:
                 lift = quantity(self.facts.uplift_pga_g, "g")
-                warnings.append(
-                    f"No PGA is given: the probability holds above {lift}, which lifts the object."
-                )
+                warnings.append(f"No PGA is given: the probability holds where it is above {lift}.")
             warnings += self._shortened(self.fragility) + self._beyond(self.fragility)
         if self.described.demand.vertical_at_peak_g:
             warnings.append(
@@ -362,6 +354,7 @@ def assess_object(
     ('slides', True)
     """
     began = time.perf_counter()
+    curves = [hazard] if isinstance(hazard, HazardCurve) else [*(hazard or ())]
     suite = [*motions]
     if not suite:
         raise InputError("motions", [], "an assessment needs motions", "give records")
@@ -396,7 +389,7 @@ def assess_object(
     )
     if not onset.slides:
         assessment = _rocking(assessment, suite, intensity, findings, run)
-        assessment = replace(assessment, risks=_risks(assessment, suite, _curves(hazard)))
+        assessment = replace(assessment, risks=_risks(assessment, suite, curves))
         findings = replace(
             findings,
             answer=Probability(value=assessment.probability, basis=assessment.basis),
@@ -463,13 +456,6 @@ def _words_of(described: ObjectFile, level: DemandLevel) -> str:
     vertical = described.demand.vertical_words
     words = f"{' and '.join(peaks) or level.words}, of the {given.place}"
     return f"{words}, with {vertical}" if vertical else words
-
-
-def _curves(hazard: HazardCurve | Sequence[HazardCurve] | None) -> list[HazardCurve]:
-    """Return one or more hazard curves, or none."""
-    if hazard is None:
-        return []
-    return [hazard] if isinstance(hazard, HazardCurve) else [*hazard]
 
 
 def _risks(

@@ -12,14 +12,6 @@ from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.screens._thresholds import (
-    BETA,
-    MEDIAN,
-    OTHER_BETA,
-    OTHER_MEDIAN,
-    shares_at,
-    velocity_number,
-)
 from rocksteady.risk.screens.demand import Demand, peak_value
 from rocksteady.risk.screens.friction import (
     FrictionNeed,
@@ -27,6 +19,14 @@ from rocksteady.risk.screens.friction import (
     first_motion,
     needed_friction,
     uplift_acceleration_g,
+)
+from rocksteady.risk.screens.thresholds import (
+    BETA,
+    MEDIAN,
+    OTHER_BETA,
+    OTHER_MEDIAN,
+    shares_at,
+    velocity_number,
 )
 from rocksteady.seismic.measures.free_sides import first_side
 

@@ -163,7 +163,7 @@ class Risk(Result):
             Fact(
                 "annual_rate", self.annual_rate, "Annual rate of failure", _rate(self.annual_rate)
             ),
-            Fact("annual_rate_band", _plain(self.annual_rate_band)),
+            Fact("annual_rate_band", self.annual_rate_band and list(self.annual_rate_band)),
             Fact("probability", self.probability, "Probability", chance + self._band_words),
             Fact("survival", self.survival, "Survival", f"{number(100.0 * self.survival)} %"),
             Fact("return_period_years", self._return_period),
@@ -504,8 +504,3 @@ def _of(value: float, unit: str) -> str:
 def _real(value: float) -> float | None:
     """Return a number, or None of what JSON has no number for."""
     return value if math.isfinite(value) else None
-
-
-def _plain(band: tuple[float, float] | None) -> list[float] | None:
-    """Return a band as a list."""
-    return None if band is None else list(band)

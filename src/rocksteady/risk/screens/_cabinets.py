@@ -7,7 +7,7 @@ from typing import Final
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Side
-from rocksteady.risk.screens._thresholds import velocity_number
+from rocksteady.risk.screens.thresholds import velocity_number
 
 INCH_M: Final = 0.0254
 BETA: Final = 0.5

@@ -12,15 +12,6 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side, wall_ratio
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.risk.screens._cabinets import nearest_cabinet
-from rocksteady.risk.screens._thresholds import (
-    MEDIAN,
-    circolare_rectangle,
-    impulse_velocity_m_s,
-    ishiyama_bounds,
-    kaneko_hayashi,
-    shares_at,
-    velocity_number,
-)
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
     Mode,
@@ -29,6 +20,15 @@ from rocksteady.risk.screens.friction import (
     uplift_acceleration_g,
 )
 from rocksteady.risk.screens.screen import Screen, Standing
+from rocksteady.risk.screens.thresholds import (
+    MEDIAN,
+    circolare_rectangle,
+    impulse_velocity_m_s,
+    ishiyama_bounds,
+    kaneko_hayashi,
+    shares_at,
+    velocity_number,
+)
 from rocksteady.seismic.measures.free_sides import first_side, free_sides
 
 SLIDES = ("slides", "slides and rocks")
@@ -393,7 +393,7 @@ def velocity_row(case: Case) -> Screen:
         needs=needs,
         details=tuple(details),
         approximate=outside,
-        remark="Of blocks that lift, as rocksteady assess has it of two numbers: theirs, and that "
+        remark="Of blocks that lift, the same as of rocksteady assess: theirs, and that "
         f"of this package. Passed below {LEAST_NUMBER:g} only."
         + (" The block lies outside the latter: alpha 0.1 to 0.3 rad, p 1 to 3 rad/s." * outside),
     )

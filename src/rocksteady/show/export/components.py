@@ -370,13 +370,13 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
 
     ends = [math.log(end) for end in SEARCHED]
     trial = np.linspace(ends[0], ends[1], 8001)
-    found = shares(trial)
+    curve = shares(trial)
     reason = ""
-    if not np.isfinite(found).all():
+    if not np.isfinite(curve).all():
         reason = "no probability at some intensities"
-    elif (np.diff(found) < -LEAST).any():
+    elif (np.diff(curve) < -LEAST).any():
         reason = "a probability that falls with the intensity"
-    elif found[0] > asked[0] or found[-1] < asked[-1]:
+    elif curve[0] > asked[0] or curve[-1] < asked[-1]:
         reason = "a probability that does not go from 0 to 1"
     if reason:
         raise InputError(
@@ -385,7 +385,7 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
             "a file of points holds curves that rise from 0 to 1",
             "leave the state out",
         )
-    place = np.searchsorted(np.maximum.accumulate(found), asked).clip(1)
+    place = np.searchsorted(np.maximum.accumulate(curve), asked).clip(1)
     low, high = trial[place - 1], trial[place]
     for _ in range(40):
         middle = 0.5 * (low + high)
