@@ -172,8 +172,7 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     notes
         What was done to its record, by the key of JSON.
     """
-    from rocksteady.dynamics.history.full_equations import full_run
-    from rocksteady.dynamics.history.neighbours import check_neighbours
+    from rocksteady.dynamics.history.neighbours import check_neighbours, full_run
 
     description = trajectory.describe()
     facts, remarks = [*description.facts], [*description.notes]

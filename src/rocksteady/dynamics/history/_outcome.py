@@ -73,7 +73,7 @@ def description_of(run: Described) -> Description:
             "way of computing it may end otherwise."
         )
     if needs_full_equations(run.block, run.motion, run.model):
-        notes.append(LINEAR_NOTE)
+        notes.insert(0, LINEAR_NOTE)
     motion = motion_text(run.block, run.motion, run.vertical)
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
     return Description(f"{words}, {run.model.name} model", facts, notes=notes)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.full_equations import LONGEST
+from rocksteady.dynamics.history.neighbours import LONGEST
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import (

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
 from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
-from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
+from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import sin
 from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
@@ -166,14 +166,7 @@ class SteadyStates(OfLinear, Result):
 
         They are the squares of those of the half cycle, in the same order.
         """
-        real, imaginary = self.half_cycle_multipliers.real, self.half_cycle_multipliers.imag
-        squares = np.empty(real.shape, dtype=np.complex128)
-        with np.errstate(over="ignore", invalid="ignore"):
-            squares.real = real * real - imaginary * imaginary
-            squares.imag = 2.0 * real * imaginary + 0.0  # no -0
-        lower = squares[..., 0].imag < 0.0
-        squares[lower] = squares[lower].conj()
-        return squares
+        return squared_pairs(self.half_cycle_multipliers)
 
     @cached_property
     def half_cycle_multipliers(self) -> NDArray[np.complex128]:
@@ -182,22 +175,7 @@ class SteadyStates(OfLinear, Result):
         They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
         the positive imaginary part first.  nan at a graze.
         """
-        half = 0.5 * self.trace
-        product = np.broadcast_to(self.restitution * self.restitution, half.shape)
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-            # sqrt(half^2 - product) without squaring a trace near the overflow
-            ratio = self.restitution / np.abs(half)
-            real = np.abs(half) >= self.restitution
-            root = np.abs(half) * np.sqrt(np.where(real, (1.0 - ratio) * (1.0 + ratio), 0.0))
-            large = half + np.copysign(root, half)
-            turn = np.sqrt(np.maximum(product - half * half, 0.0))
-            first = np.empty(half.shape, dtype=np.complex128)
-            first.real, first.imag = np.where(real, large, half), np.where(real, 0.0, turn)
-            second = np.conj(first)
-            second.real = np.where(real, product / large, half)
-        nothing = np.isnan(half)
-        first[nothing] = second[nothing] = NO_MULTIPLIERS[0]
-        return np.stack([first, second], axis=-1)
+        return half_cycle_pairs(self.trace, self.restitution)
 
     @cached_property
     def neutral(self) -> Bools:

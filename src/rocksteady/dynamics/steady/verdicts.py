@@ -4,12 +4,46 @@ import math
 from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
 
 NO_MULTIPLIERS = np.full(2, complex(math.nan, math.nan))
 """Multipliers of a motion that grazes: no derivative exists there."""
 NO_MULTIPLIERS.flags.writeable = False
 MULTIPLIERS = "multipliers of a period"
 """Label of the multipliers of a motion, in every table: those of one of its periods."""
+
+
+def half_cycle_pairs(trace: Floats, restitution: Floats) -> NDArray[np.complex128]:
+    """Return the roots of ``m^2 - trace m + restitution^2``, the larger in modulus first."""
+    half = 0.5 * trace
+    product = np.broadcast_to(restitution * restitution, half.shape)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        # sqrt(half^2 - product) without squaring a trace near the overflow
+        ratio = restitution / np.abs(half)
+        real = np.abs(half) >= restitution
+        root = np.abs(half) * np.sqrt(np.where(real, (1.0 - ratio) * (1.0 + ratio), 0.0))
+        large = half + np.copysign(root, half)
+        turn = np.sqrt(np.maximum(product - half * half, 0.0))
+        first = np.empty(half.shape, dtype=np.complex128)
+        first.real, first.imag = np.where(real, large, half), np.where(real, 0.0, turn)
+        second = np.conj(first)
+        second.real = np.where(real, product / large, half)
+    nothing = np.isnan(half)
+    first[nothing] = second[nothing] = NO_MULTIPLIERS[0]
+    return np.stack([first, second], axis=-1)
+
+
+def squared_pairs(pairs: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Return the squares of pairs of multipliers, of a conjugate pair the upper one first."""
+    squares = np.empty(pairs.shape, dtype=np.complex128)
+    with np.errstate(over="ignore", invalid="ignore"):
+        squares.real = pairs.real * pairs.real - pairs.imag * pairs.imag
+        squares.imag = 2.0 * pairs.real * pairs.imag + 0.0  # no -0
+    lower = squares[..., 0].imag < 0.0
+    squares[lower] = squares[lower].conj()
+    return squares
 
 
 def verdict(*, admissible: bool, neutral: bool | None, stable: bool | None) -> str:

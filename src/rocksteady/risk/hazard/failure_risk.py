@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from operator import itemgetter
 from typing import Any
 
 import numpy as np
@@ -183,6 +184,7 @@ class Risk(Result):
             Fact("unsampled", self.unsampled),
             Fact("", None, f"5, 50, 95 % of the risk below [{unit}]", self._contributing_words),
         ]
+        title = "Where the risk is"
         columns = (
             Column("low", f"{label} from"),
             Column("high", f"to [{unit}]"),
@@ -193,13 +195,7 @@ class Risk(Result):
             headline=f"Fails at a rate of {number(self.annual_rate)} a year: {chance}",
             facts=facts,
             tables=[
-                Table(
-                    "contributions",
-                    self.rows(),
-                    columns,
-                    title="Where the risk is",
-                    severity=lambda row: row["share"],
-                )
+                Table("contributions", self.rows(), columns, title, severity=itemgetter("share"))
             ],
             notes=list(self._notes()),
         )

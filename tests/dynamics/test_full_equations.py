@@ -14,7 +14,7 @@ from rocksteady import (
     Steady,
     simulate,
 )
-from rocksteady.dynamics.history.full_equations import full_run
+from rocksteady.dynamics.history.neighbours import full_run
 
 BLOCK = Block.rectangle(width=0.4, height=2.0)
 
