@@ -483,14 +483,14 @@ def _outcome(
 ) -> tuple[dict[str, Any], str]:
     """Return what the full equations settle to, in values and in words."""
     try:
-        found = find_attractor(block, motion, start=start, max_cycles=LONGEST, model=Nonlinear())
+        full = find_attractor(block, motion, start=start, max_cycles=LONGEST, model=Nonlinear())
     except ModelError:
         return {"kind": None, "period": None, "peaks": None}, "have no such motion"
-    values = {"kind": found.kind.value, "period": found.period, "peaks": found.peaks}
-    if found.kind is AttractorKind.OVERTURNED:
+    values = {"kind": full.kind.value, "period": full.period, "peaks": full.peaks}
+    if full.kind is AttractorKind.OVERTURNED:
         return values, "falls"
-    if found.orbit is None:
-        return values, "comes to rest" if found.kind is AttractorKind.REST else found.kind.value
-    highest, lowest = (lean_text(block, u) for u in (found.orbit.highest, found.orbit.lowest))
-    reach = highest if found.orbit.symmetric else f"{lowest} to {highest}"
-    return values, f"{kind_text(found.kind.value, found.period)}, {reach}"
+    if full.orbit is None:
+        return values, "comes to rest" if full.kind is AttractorKind.REST else full.kind.value
+    highest, lowest = (lean_text(block, u) for u in (full.orbit.highest, full.orbit.lowest))
+    reach = highest if full.orbit.symmetric else f"{lowest} to {highest}"
+    return values, f"{kind_text(full.kind.value, full.period)}, {reach}"

@@ -201,7 +201,7 @@ class AttractorSweep(Result):
         return dict(sorted(Counter(self.kinds).items()))
 
     def table(self) -> Table:
-        """Return the runs as people read them; of many those that fall, then the longest."""
+        """Return the runs as people read them; of many the falls, then the longest."""
         way = "upward" if self.direction == "up" else "downward"
         listed = [
             {**row, "settles": kind_text(row["kind"], row["period"])} for row in self.run_rows()
