@@ -67,9 +67,7 @@ def test_what_is_wrong_is_refused_in_one_line(
 
 
 def test_a_peak_is_below_a_right_angle() -> None:
-    record = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.1)
-    given: dict[str, Any] = {"record": record, "object": "vase", "fell": False, "sigma_rad": 0.01}
-    assert ShakingTest(**given, peak_rad=1.57).peak_rad == 1.57
+    assert ShakingTest(**WHOLE, sigma_rad=0.01, peak_rad=1.57).peak_rad == 1.57
     for wrong in (0.5 * math.pi, -0.1):
         with pytest.raises(InputError, match="peak_rad"):
-            ShakingTest(**given, peak_rad=wrong)
+            ShakingTest(**WHOLE, sigma_rad=0.01, peak_rad=wrong)
