@@ -180,7 +180,7 @@ VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "
 )
 NAMED = re.compile(
-    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|facade) = |"
+    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|object|facade) = |"
     r".*; see rocksteady.*--help$|"
     r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help )"
 )

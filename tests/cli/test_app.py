@@ -258,6 +258,8 @@ def test_the_examples_in_the_help_run() -> None:
     for command in SHAKEN:
         for example in examples_of(command):
             assert rocksteady(example).code == 0, example
+            for picture in Path().glob("*.png"):  # which the next example may write too
+                picture.unlink()
 
 
 def test_the_program_alone_shows_its_help() -> None:

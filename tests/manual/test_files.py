@@ -14,6 +14,7 @@ import pytest
 
 import rocksteady as rs
 from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.model.blocks.sizes import TALL
 from rocksteady.records.core.units import UNITS
 from rocksteady.records.read import FORMATS
 from rocksteady.results.rendering import printable
@@ -211,7 +212,7 @@ def test_defaults_are_those_of_the_reader(page: str) -> None:
 
 
 def test_ranges_of_an_object_are_those_of_the_reader() -> None:
-    high = object_bounds.LARGEST_M
+    high = TALL
     for table, rows in tables_of("object").items():
         for row in rows:
             key, found = row["key"], limits(row)

@@ -23,7 +23,11 @@ def test_the_truth_lies_in_most_regions() -> None:
     assert len(mixed) > TRIALS / 3
     # The chance of fewer than 70 % is 1 in 100 where the coverage is 90 %.
     assert np.mean([trial.covered for trial in mixed]) >= 0.7
-    # Regions are no plane: the wrong shaking, of five times the strength, is outside most of them.
-    wrong = [trial.found.contains(5.0 * trial.pga_g, 5.0 * trial.pgv_m_s) for trial in mixed]
+    # Regions are no plane: shaking of five times the strength, or of a fifth where that was not
+    # searched, is outside most of them.
+    wrong = []
+    for trial in mixed:
+        wrongly = 5.0 if 5.0 * trial.pga_g <= trial.found.first_values[-1] else 0.2
+        wrong.append(trial.found.contains(wrongly * trial.pga_g, wrongly * trial.pgv_m_s))
     assert np.mean(wrong) < 0.3
     assert "surveys: the truth lies in the region" in report(done, 8)

@@ -444,7 +444,7 @@ class RecordFlags:
         Raises
         ------
         InputError
-            If the scale is not above 0, or not finite.
+            If the scale is not in [1e-50, 1e50].
         """
         if self.scale is not None:
             return record.scaled(single("--scale", self.scales))
@@ -462,7 +462,7 @@ class RecordFlags:
         hint = "give a factor, as 1.5; --reverse changes the sign"
         values = [1.0] if self.scale is None else axis("--scale", self.scale)
         for value in values:
-            in_range("--scale", value, 0.0, LARGEST, hint=hint)
+            in_range("--scale", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
         remark_on_scale(max(values), f"--scale {max(values):g} multiplies the record")
         return values
 

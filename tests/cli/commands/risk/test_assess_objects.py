@@ -186,7 +186,7 @@ def test_the_example_needs_no_file(tmp_path: Path) -> None:
     ran = rocksteady("assess --example --out", tmp_path / "answer")
     assert ran.code == 0, ran.err
     assert ran.out.startswith("About ")
-    assert "The motions are synthetic: they are no earthquake's." in " ".join(ran.out.split())
+    assert "The motions are synthetic: no earthquake made them." in " ".join(ran.out.split())
     assert (tmp_path / "answer" / "fragility.xml").is_file()
 
 

@@ -24,6 +24,7 @@ from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import RunsFlags
+from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
@@ -344,7 +345,10 @@ def _hazard_curves(hazard: Path | None) -> "Sequence[HazardCurve] | None":
         return None
     from rocksteady.risk.hazard.read_hazard import read_hazard_curves
 
-    return read_hazard_curves(hazard)
+    try:
+        return read_hazard_curves(hazard)
+    except InputError as error:
+        raise InputError("--hazard", error.value, error.valid, error.hint) from None
 
 
 def _refuse_idle(
