@@ -253,12 +253,12 @@ def _unknown(error: TyperException, path: str) -> str | None:
         lists, hint = f"{path} --help lists its flags", "leave it out, or give one of these"
         hint = f"did you mean {' or '.join(near)}?" if near else hint
         return one_line(f"{option} is no flag of {path}: {lists}; {hint}")
-    found = re.match(
+    words = re.match(
         r"No such command '(.*?)'\.(.*)|Got unexpected .*\((.*)\)", error.message, re.DOTALL
     )
-    if found is None:
+    if words is None:
         return None
-    command, suggestions, extra = found.groups()
+    command, suggestions, extra = words.groups()
     if extra is not None:
         return one_line(f"{extra} is too much: {path} --help lists what it takes; leave it out")
     near = re.findall(r"'(.*?)'", suggestions)

@@ -116,7 +116,7 @@ def probability_of(
     described, onset, fragility, level
         The object that does not slide, what its demand begins, its curves, and the demand.
     counted
-        Share of its runs at the demand that fall, over PGV of those that lift; nan without any.
+        Share of its runs at the demand that fall, over PGV of the runs that lift; nan without any.
     """
     if onset.motion == "rest":
         return Probability(value=0.0, basis="statics", method="statics: the PGA does not lift it")
