@@ -293,6 +293,9 @@ def test_a_state_that_is_none_is_refused(given: dict[str, Any], line: str) -> No
         ({"measure": "sa_g"}, "period_s"),
         ({"measure": "pga_g", "period_s": 1.0}, "period_s"),
         ({"measure": "pgd_m"}, "measure"),
+        ({"measure": 5}, "measure"),
+        ({"measure": "sa_g:x"}, "its period must be a number"),
+        ({"measure": "sa_g:0.7", "period_s": 1.0}, "measure"),
         ({"measure": "pga_g", "no_damage": -0.1}, "no_damage"),
         ({"measure": "pga_g", "states": ()}, "states"),
     ],
@@ -301,6 +304,12 @@ def test_a_component_that_is_none_is_refused(given: dict[str, Any], line: str) -
     states = (LossState(name="x", median=0.4, beta=0.5),)
     with pytest.raises(InputError, match=line):
         LossComponent(**{"identifier": "A", "states": states, **given})
+
+
+def test_a_measure_as_text_has_its_period() -> None:
+    states = (LossState(name="x", median=0.4, beta=0.5),)
+    component = LossComponent(identifier="A", measure="sa_g:0.7", states=states)
+    assert (component.measure, component.period_s) == ("sa_g", 0.7)
 
 
 def test_two_names_that_would_be_one_in_a_file_are_refused() -> None:

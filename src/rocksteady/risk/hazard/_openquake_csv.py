@@ -6,7 +6,7 @@ from typing import Final
 
 from rocksteady.errors import InputError
 from rocksteady.records.core.numbers import number as read_number
-from rocksteady.risk.hazard._hazard_measures import ground_measure, written
+from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,

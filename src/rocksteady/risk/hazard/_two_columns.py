@@ -7,7 +7,7 @@ from typing import Final
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
-from rocksteady.risk.hazard._hazard_measures import ground_measure, written
+from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,

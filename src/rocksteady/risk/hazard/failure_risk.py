@@ -22,7 +22,7 @@ from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
-from rocksteady.risk.hazard._hazard_measures import fragility_factor, intensity_named, written
+from rocksteady.risk.hazard.hazard_measures import fragility_factor, intensity_named, written
 from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve
 from rocksteady.seismic.measures.scalar import Intensity
 

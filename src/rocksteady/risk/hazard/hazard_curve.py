@@ -13,7 +13,7 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.hazard._hazard_measures import ground_measure, written
+from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]

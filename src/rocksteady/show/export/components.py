@@ -19,6 +19,7 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.risk.hazard.hazard_measures import intensity_named
 from rocksteady.seismic.measures.scalar import GIVEN
 
 Floats = NDArray[np.float64]
@@ -143,7 +144,7 @@ class LossComponent:
         Letter first, then letters, digits, "_" and ".", at most 75 characters; pelicun splits
         names at "-".
     measure
-        "pga_g", "pgv_m_s" or "sa_g".
+        "pga_g", "pgv_m_s" or "sa_g"; "sa_g:0.7" gives the period too.
     states
         In increasing order of severity.
     period_s
@@ -173,7 +174,7 @@ class LossComponent:
     """
 
     identifier: str
-    measure: LossMeasure
+    measure: LossMeasure | str
     states: tuple[LossState, ...]
     period_s: float | None = None
     floor: bool = False
@@ -197,6 +198,10 @@ class LossComponent:
                 "no word for a missing value",
                 "name it as RS.cabinet",
             )
+        if isinstance(self.measure, str) and ":" in self.measure and self.period_s is None:
+            intensity = intensity_named("measure", self.measure)
+            object.__setattr__(self, "measure", intensity.name)
+            object.__setattr__(self, "period_s", intensity.period_s)
         if self.measure not in MEASURES:
             raise InputError(
                 "measure",
