@@ -198,7 +198,7 @@ class LossComponent:
                 "no word for a missing value",
                 "name it as RS.cabinet",
             )
-        if isinstance(self.measure, str) and ":" in self.measure and self.period_s is None:
+        if ":" in str(self.measure) and self.period_s is None:
             intensity = intensity_named("measure", self.measure)
             object.__setattr__(self, "measure", intensity.name)
             object.__setattr__(self, "period_s", intensity.period_s)
