@@ -212,14 +212,13 @@ def test_defaults_are_those_of_the_reader(page: str) -> None:
 
 
 def test_ranges_of_an_object_are_those_of_the_reader() -> None:
-    high = TALL
     for table, rows in tables_of("object").items():
         for row in rows:
             key, found = row["key"], limits(row)
             if found is None:
                 assert key not in object_bounds.BOUNDS, key
                 continue
-            low, top, ends, _ = object_bounds.BOUNDS.get(key, (0.0, high, "(]", ""))
+            low, top, ends, _ = object_bounds.BOUNDS.get(key, (0.0, TALL, "(]", ""))
             assert found == (ends[0], low, top, ends[1]), (table, key)
     for row in tables_of("object")["assessment"]:
         if row["key"] in object_bounds.WHOLE:

@@ -97,7 +97,8 @@ def test_the_readme_can_be_read_in_five_minutes() -> None:
 def test_the_changelog_has_what_a_user_notices_in_short_lines() -> None:
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     unreleased = text.split("## [Unreleased]", 1)[1].split("\n## ", 1)[0]
-    _, one, two, unreleased = re.split(r"^### Answers .*\n|^### (?=Block)", unreleased, flags=re.M)
+    parts = re.split(r"^### Answers .*\n|^### (?=Block)", unreleased, flags=re.MULTILINE)
+    _, one, two, unreleased = parts
     assert max(len(one.split()), len(two.split())) <= 800
     assert len(unreleased.split()) <= 1600
     entries = re.findall(r"^- (.*?)(?=^- |^#|\Z)", unreleased, re.MULTILINE | re.DOTALL)

@@ -396,9 +396,9 @@ def compute_basins(
     ... )
     >>> for attractor, part in zip(basins.attractors, basins.fractions()):
     ...     print(attractor.name, f"{part.share:.4f}", f"{part.low:.3f} to {part.high:.3f}")
-    overturned 0.9025 0.869 to 0.928
-    unsymmetric-1a 0.0525 0.035 to 0.079
-    unsymmetric-1b 0.0450 0.029 to 0.070
+    overturned 0.9025 0.875 to 0.924
+    unsymmetric-1a 0.0525 0.037 to 0.074
+    unsymmetric-1b 0.0450 0.031 to 0.065
     >>> steady = simulate(basins.block, basins.motion, start=basins.attractors[1].start, cycles=2)
     """
     bare, shaken = bare_block(block), periodic_motion(motion)

@@ -48,7 +48,7 @@ def share_interval(
     --------
     >>> low, high = share_interval([0.0, 0.3], 10)
     >>> print(low.round(4), high.round(4))
-    [0.     0.1321] [0.213  0.5488]
+    [0.     0.1269] [0.2129 0.5583]
     """
     from scipy.special import ndtri
 

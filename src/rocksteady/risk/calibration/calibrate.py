@@ -111,7 +111,7 @@ def calibrate(
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
     >>> calibration = calibrate(tests, sampling=Sampling(draws=60, gains=2), model=Linear())
     >>> [row["verdict"] for row in calibration.parameters if row["parameter"] == "scatter"]
-    ['prior returned']
+    ['not identified']
     """
     options = Sampling() if sampling is None else sampling
     known = Prior() if prior is None else prior

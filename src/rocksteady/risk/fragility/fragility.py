@@ -174,7 +174,7 @@ class Fragility(Result):
                 "trials": trials,
                 "uplifted": lifted,
                 "failures": failures,
-                "share": number_or_none(each.share(trials, lifted, failures)),
+                "share": failures / tried if (tried := _tried(each, trials, lifted)) else None,
                 "probability": number_or_none(float(each.curve.probability(level))),
             }
             for each in self.states
@@ -247,3 +247,8 @@ def _with_band(value: float, band: tuple[float, float] | None) -> str:
     return (
         number(value) if band is None else f"{number(value)} ({number(band[0])}-{number(band[1])})"
     )
+
+
+def _tried(state: StateFragility, trials: int, lifted: int | None) -> int:
+    """Return the number of runs of a state's curve: over PGV only runs that lift."""
+    return lifted if state.given_uplift and lifted is not None else trials

@@ -45,11 +45,6 @@ class StateFragility:
         """The curve to use: given uplift, in two stages, or one curve."""
         return self.plain if self.two_stage is None else self.two_stage.over(self.given_uplift)
 
-    def share(self, trials: int, lifted: int | None, failures: int) -> float:
-        """Return the share of failures that the curve is of; NaN without a run."""
-        tried = lifted if self.given_uplift and lifted is not None else trials
-        return failures / tried if tried else math.nan
-
     @property
     def gain(self) -> float | None:
         """What two stages add to the log-likelihood of the failures; None without stages."""
@@ -107,5 +102,5 @@ class StateFragility:
 
 
 def number_or_none(value: float) -> float | None:
-    """Return a number as it is; None of nan."""
-    return None if math.isnan(value) else float(value)
+    """Return a number as it is; None of what JSON has no number for."""
+    return float(value) if math.isfinite(value) else None

@@ -6,7 +6,6 @@ from typing import Final
 
 from rocksteady.errors import InputError
 from rocksteady.records.core.numbers import number as read_number
-from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,
@@ -15,6 +14,7 @@ from rocksteady.risk.hazard._hazard_text import (
     number_of,
 )
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.seismic.measures.scalar import Intensity
 
 _POE: Final = "poe-"

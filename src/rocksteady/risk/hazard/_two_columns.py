@@ -7,7 +7,6 @@ from typing import Final
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
-from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,
@@ -17,6 +16,7 @@ from rocksteady.risk.hazard._hazard_text import (
 )
 from rocksteady.risk.hazard._openquake_csv import rate_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_measures import ground_measure, written
 from rocksteady.seismic.measures.scalar import Intensity
 
 VELOCITIES: Final = {

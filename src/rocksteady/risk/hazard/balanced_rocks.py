@@ -19,9 +19,9 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._fragile import Converted, Fragile
-from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_measures import written
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]

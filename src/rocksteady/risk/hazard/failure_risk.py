@@ -20,10 +20,11 @@ from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.fragility.state_fragility import number_or_none
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
-from rocksteady.risk.hazard.hazard_measures import fragility_factor, intensity_named, written
 from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve
+from rocksteady.risk.hazard.hazard_measures import fragility_factor, intensity_named, written
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
@@ -168,18 +169,20 @@ class Risk(Result):
             Fact("probability", self.probability, "Probability", chance + self._band_words),
             Fact("survival", self.survival, "Survival", f"{number(100.0 * self.survival)} %"),
             Fact("return_period_years", self._return_period),
-            Fact("median", _real(self.median), "Median capacity", _of(self.median, unit)),
-            Fact("beta", _real(self.beta), "beta", number(self.beta)),
+            Fact("median", number_or_none(self.median), "Median capacity", _of(self.median, unit)),
+            Fact("beta", number_or_none(self.beta), "beta", number(self.beta)),
             Fact("beta_u", self.beta_u, "beta_U", number(self.beta_u)),
-            Fact("hclpf", _real(self.hclpf), "HCLPF capacity", _of(self.hclpf, unit)),
-            Fact("k", _real(self.k), "Slope k of the hazard at the median", number(self.k)),
+            Fact("hclpf", number_or_none(self.hclpf), "HCLPF capacity", _of(self.hclpf, unit)),
+            Fact(
+                "k", number_or_none(self.k), "Slope k of the hazard at the median", number(self.k)
+            ),
             Fact(
                 "closed_form_rate",
-                _real(self.closed_form_rate),
+                number_or_none(self.closed_form_rate),
                 "H(median) exp(k^2 beta^2/2)",
                 _rate(self.closed_form_rate),
             ),
-            Fact("contributing", [_real(each) for each in self.contributing]),
+            Fact("contributing", [number_or_none(each) for each in self.contributing]),
             Fact("share_outside", self.share_outside),
             Fact("unsampled", self.unsampled),
             Fact("", None, f"5, 50, 95 % of the risk below [{unit}]", self._contributing_words),
@@ -495,8 +498,3 @@ def _rate(value: float) -> str:
 def _of(value: float, unit: str) -> str:
     """Return a quantity, or a dash where there is none."""
     return quantity(value, unit) if math.isfinite(value) else "—"
-
-
-def _real(value: float) -> float | None:
-    """Return a number, or None of what JSON has no number for."""
-    return value if math.isfinite(value) else None

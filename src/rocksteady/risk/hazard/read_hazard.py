@@ -6,11 +6,11 @@ from pathlib import Path
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.risk.hazard.hazard_measures import ground_measure
 from rocksteady.risk.hazard._hazard_text import read_lines
 from rocksteady.risk.hazard._openquake_csv import find_names, read_sites
 from rocksteady.risk.hazard._two_columns import read_columns
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_measures import ground_measure
 from rocksteady.seismic.measures.scalar import Intensity
 
 

@@ -201,7 +201,7 @@ def shares_at(number: float) -> tuple[float, float]:
     Examples
     --------
     >>> [round(share, 4) for share in shares_at(0.757)]
-    [0.5, 0.6016]
+    [0.5, 0.6017]
     """
     pairs = ((MEDIAN, BETA), (OTHER_MEDIAN, OTHER_BETA))
     published, ours = (normal_share(math.log(number / median) / beta) for median, beta in pairs)
