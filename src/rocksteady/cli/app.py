@@ -260,10 +260,10 @@ def _unknown(error: TyperException, path: str) -> str | None:
         return None
     command, suggestions, extra = words.groups()
     if extra is not None:
-        return one_line(f"{extra} is too much: {path} --help lists what it takes; leave it out")
+        return one_line(f"{extra!r} is too much: {path} --help lists what it takes; leave it out")
     near = re.findall(r"'(.*?)'", suggestions)
     hint = f"did you mean {' or '.join(near)}?" if near else "give one of these"
-    return one_line(f"{command} is no command: {path} --help lists them; {hint}")
+    return one_line(f"{command!r} is no command: {path} --help lists them; {hint}")
 
 
 def _command_of(arguments: list[str]) -> str:

@@ -56,7 +56,7 @@ class Column:
     def words(self, row: Mapping[str, Any]) -> str:
         """Return the cell of a row as people read it."""
         value = row.get(self.key)
-        return shown(value) if self.text is None else self.text(value)
+        return shown(value) if self.text in (None, number) else self.text(value)
 
 
 @dataclass(frozen=True)

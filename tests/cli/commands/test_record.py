@@ -203,7 +203,7 @@ def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path)
         ("hut.AT2 --units-out g", ["--units-out = 'g'", "--csv"]),
         ("hut.AT2 -r 0.9", ["--restitution/-r"]),
         ("hut.AT2 hut.AT2 --csv all.csv", ["--csv = 'all.csv'", "there are 2"]),
-        ("hut.AT2 --csv hut.AT2", ["--force"]),
+        ("hut.AT2 --csv hut.AT2", ["this file is read"]),
         ("hut.AT2 --format grib", ["--format = 'grib'", "peer-at2"]),
         ("hut.AT2 --channel 2", ["--channel = '2'", "1 (090)"]),
         ("hut.AT2 --baseline quadratic", ["--baseline = 'quadratic'"]),

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_GROUPS
@@ -34,6 +35,7 @@ WORDS = {
 }
 
 
+@compare_by_value
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Scores(Result):
     """Scores of predictions: value, low and high end of 90 % by a bootstrap of groups.
