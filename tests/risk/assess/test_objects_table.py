@@ -116,8 +116,10 @@ def test_rows_are_sorted_by_any_column_and_those_without_a_value_are_last(
 
 def test_the_whole_table_is_in_json_and_the_worst_come_first(table: ObjectsTable) -> None:
     values = table.to_dict()
+    places = {"red": 0, "amber": 1, "grey": 2, "green": 3}
     assert [row["name"] for row in values["objects"]] == [
-        row["name"] for row in table.sorted_by("probability")
+        row["name"]
+        for row in sorted(table.sorted_by("probability"), key=lambda row: places[row["colour"]])
     ]
     assert sum(values["colours"].values()) == len(table.rows)
     assert "colour" in table.summary()
@@ -174,6 +176,7 @@ def test_of_forty_objects_the_worst_are_on_the_screen() -> None:
         pga_g=0.4,
         pgv_m_s=0.45,
     )
+    assert None not in [row["probability"] for row in table.rows]
     worst = sorted(table.rows, key=lambda row: -row["probability"])
     text = table.summary().splitlines()
     named = [line.split()[1] for line in text if line.startswith("rack ")]
@@ -182,3 +185,21 @@ def test_of_forty_objects_the_worst_are_on_the_screen() -> None:
     colours = [row["colour"] for row in worst[24:]]
     kinds = ", ".join(f"{colours.count(kind)} {kind}" for kind in dict.fromkeys(colours))
     assert f"16 more rows in the file and in JSON: {kinds}" in text
+
+
+def test_objects_without_an_answer_stand_before_those_that_are_safe() -> None:
+    """Thirty that slide, more than a screen has rows: none of the safe ones is on it."""
+    wide = {"width_m": 0.9, "height_m": 1.8}
+    slim = {"width_m": 0.2, "height_m": 1.8}
+    made = [
+        *(ObjectFile(values={"name": f"safe {n}", "geometry": wide}) for n in range(3)),
+        *(
+            ObjectFile(values={"name": f"slides {n}", "geometry": slim, "friction": 0.05})
+            for n in range(30)
+        ),
+        ObjectFile(values={"name": "falls", "geometry": slim}),
+    ]
+    table = assess_objects(made, SUITE, pga_g=0.4, pgv_m_s=0.45)
+    (shown,) = table.describe().tables
+    assert [row["colour"] for row in shown.shown][:2] == ["red", "grey"]
+    assert "green" not in {row["colour"] for row in shown.shown}

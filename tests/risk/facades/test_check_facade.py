@@ -42,7 +42,7 @@ def runs(share: list[float], limit_state: str = "SLV", facade: Facade = WALL) ->
         model=Nonlinear(),
         records=tuple(f"r{k}" for k in range(count)),
         directions=("as recorded",),
-        pga_g=np.full(count, 0.2),
+        pga_g=np.full(count, 0.4),
         scale=np.ones(count),
         vertical=(False,) * count,
         status=np.full((count, 1), int(Status.AT_REST)),
@@ -110,6 +110,16 @@ def test_the_dynamic_check_is_the_mean_and_no_run_beyond_d0(
     assert found.satisfied is runs(share, state).satisfied
     if satisfied is None:
         assert "7 records or more" in found.remark
+
+
+def test_runs_under_records_weaker_than_the_demand_are_no_answer() -> None:
+    """Of 0.4 g on average at least 0.9 of the demand's PGA, and falls count all the same."""
+    for pga, answered in ((0.43, True), (0.46, False)):
+        found = line(check_facade(WALL, everywhere(pga), runs=runs([0.1] * 7)), "SLV", "dynamic")
+        assert (found.satisfied is True) is answered
+        assert ("mean PGA of 0.4 g" in found.remark) is not answered
+    beyond = check_facade(WALL, everywhere(0.46), runs=runs([0.1] * 7 + [math.inf]))
+    assert line(beyond, "SLV", "dynamic").satisfied is False
 
 
 def test_methods_that_disagree_are_named_with_the_reason() -> None:

@@ -324,10 +324,11 @@ def test_the_capacity_curve_drops_where_a_tie_ends() -> None:
 def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
     arch: dict[str, Any] = {"name": "arch", "force_kn": 10.0, "z_m": 4.0}
     bare, pushed, relieved = (
-        held(*each).mechanism
-        for each in ((), (Thrust(**arch),), (Thrust(**arch, until_collapse=False),))
+        held(*each).mechanism for each in ((), (Thrust(**arch),), (Thrust(**arch, lost_at_m=1e-3),))
     )
     assert pushed.d0_m < bare.d0_m
+    # A thrust that is not verified to last is no thrust that is known to end.
+    assert held(Thrust(**arch, until_collapse=False)).mechanism == pushed
     assert pushed.alpha0 == relieved.alpha0 < bare.alpha0
     assert relieved.d0_m == pytest.approx(bare.d0_m)
     assert relieved.theta0_rad == pushed.theta0_rad  # runs never gain from what ends
@@ -338,8 +339,9 @@ def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
     for x, counted in ((0.6, False), (0.1, True)):  # x/z of .2 and .03, M/K of .092
         floor: dict[str, Any] = {"name": "floor", "weight_kn": 30.0, "x_m": x, "z_m": 3.0}
         loads = [held(Load(**floor, until_collapse=until)) for until in (None, True, False)]
-        silent, there, gone = (each.mechanism for each in loads)
-        assert silent.theta0_rad == min(there.theta0_rad, gone.theta0_rad)
+        silent, there, unverified = (each.mechanism for each in loads)
+        assert silent == unverified
+        assert silent.theta0_rad == min(there.theta0_rad, bare.theta0_rad)
         assert [each.name for each in loads[0].ending] == ([] if counted else ["floor"])
         assert silent.alpha0 == there.alpha0
 

@@ -306,6 +306,14 @@ def test_a_component_that_is_none_is_refused(given: dict[str, Any], line: str) -
         LossComponent(**{"identifier": "A", "states": states, **given})
 
 
+def test_a_state_that_points_cannot_hold_is_left_out_and_the_others_are_kept() -> None:
+    """It rises so slowly that it is not 1 at 1e4 g, where a file of points has to end."""
+    slow = fragility("pga_g", fell=np.array([0, 0, 10, 11, 12]))
+    component = LossComponent.from_fragility(slow, "A")
+    assert [state.name for state in component.states] == ["uplift"]
+    assert any("overturned is left out" in line for line in component.left_out)
+
+
 def test_a_measure_as_text_has_its_period() -> None:
     states = (LossState(name="x", median=0.4, beta=0.5),)
     component = LossComponent(identifier="A", measure="sa_g:0.7", states=states)

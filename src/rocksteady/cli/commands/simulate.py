@@ -173,6 +173,7 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         What was done to its record, by the key of JSON.
     """
     from rocksteady.dynamics.history.neighbours import check_neighbours, full_run
+    from rocksteady.model.equations import LINEAR_NOTE
 
     description = trajectory.describe()
     facts, remarks = [*description.facts], [*description.notes]
@@ -182,7 +183,10 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         neighbours = check_neighbours(trajectory)
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
-    facts.append(full_run(trajectory))
+    full = full_run(trajectory)
+    facts.append(full)
+    if full.value is not None:
+        remarks = [remark for remark in remarks if remark != LINEAR_NOTE]
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))

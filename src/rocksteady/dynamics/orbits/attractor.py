@@ -284,7 +284,8 @@ class Attractor(Result):
         text = "" if exponent is None else f"{number(exponent)} per forcing period"
         label = "" if exponent is None else "Lyapunov exponent"
         facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
-        known = plural(self.after, "forcing period") if self.after else "less than 1 forcing period"
+        # Of a fall it is not known in periods.
+        known = ("known after", plural(self.after, "forcing period")) if self.after else ("", "")
         meaning = self.kind.value
         if self.kind is AttractorKind.UNSYMMETRIC:
             if self.block.one_sided:
@@ -305,7 +306,7 @@ class Attractor(Result):
             + where(self.block, self.motion, self.model),
             [
                 *facts.values(),
-                Fact("settled_after_periods", self.after, "known after", known),
+                Fact("settled_after_periods", self.after, *known),
                 Fact("growth", self.growth),
                 Fact("", label="start", text=start_text(self.initial)),
                 *case_facts(self.block, self.motion, self.model),

@@ -63,7 +63,20 @@ def guard_result(kind: T) -> T:
         keep_arrays(kind)
         if parameters.eq and "__eq__" in vars(kind):
             compare_by_value(kind)
+        if "to_dataset" in vars(kind):
+            _give_away_datasets(kind)
     return kind
+
+
+def _give_away_datasets(kind: Any) -> None:
+    """Let a result's datasets be copies, which their owner may change."""
+    of_result = kind.to_dataset
+
+    @functools.wraps(of_result)
+    def to_dataset(self: Any, *args: Any, **kwargs: Any) -> Any:
+        return of_result(self, *args, **kwargs).copy(deep=True)
+
+    kind.to_dataset = to_dataset
 
 
 def keep_arrays(kind: Any) -> None:

@@ -51,6 +51,10 @@ METHOD = (
 )
 
 
+ORDER = {"red": 0, "amber": 1, "grey": 2, "green": 3}
+"""Place of a colour on the screen: an object without an answer comes before what is safe."""
+
+
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectsTable(Result):
@@ -144,7 +148,7 @@ class ObjectsTable(Result):
             tables=[
                 Table(
                     "objects",
-                    self.sorted_by("probability"),
+                    sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]]),
                     columns,
                     kind=lambda row: str(row["colour"]),
                     alarm="red",

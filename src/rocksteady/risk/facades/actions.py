@@ -155,8 +155,8 @@ class Thrust:
     z_m
         Height above the hinge [m].
     until_collapse
-        Whether it is verified to act up to collapse, so that d0 counts it; default None: it
-        acts throughout.
+        Whether it is verified to act up to collapse; default None.  It counts in d0 either way,
+        as it pushes.
     lost_at_m
         Displacement d at which it ends [m], in place of `until_collapse`; default None.
 

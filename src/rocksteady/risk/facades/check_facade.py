@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Final
 
 from rocksteady.errors import InputError, ModelError, RocksteadyError, Words
@@ -19,6 +19,8 @@ from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
 from rocksteady.risk.screens.spectra import damping_factor
 
+LEAST_PGA = 0.9
+"""Mean PGA of records over that of the demand, below which their runs are no answer."""
 BEHAVIOUR_FACTOR: Final = 2.0
 """Behaviour factor q of the linear check of SLV."""
 ELASTIC_DAMPING: Final = 0.05
@@ -135,7 +137,7 @@ def _checks(facade: Facade, demand: FacadeDemand, runs: FacadeRuns | None) -> It
         yield _peak(mechanism, "SLV", demand.slv, "C8.7.1, q = 2", BEHAVIOUR_FACTOR)
     yield _secant("SLV", demand.slv, "C8.7.1.10, 12", mechanism.t_slv_s, mechanism.d_slv_m)
     yield _secant("SLC", demand.slc, "C8.7.1.11, 12", mechanism.t_slc_s, mechanism.d_slc_m)
-    yield _dynamic(mechanism, runs)
+    yield _dynamic(mechanism, runs, demand)
 
 
 def _peak(
@@ -205,8 +207,8 @@ def _how(spectrum: DemandSpectrum, period: float, damping: float) -> Iterator[Re
         yield Remark("records")
 
 
-def _dynamic(mechanism: Mechanism, runs: FacadeRuns | None) -> Check:
-    """Return the check of runs under records."""
+def _dynamic(mechanism: Mechanism, runs: FacadeRuns | None, demand: FacadeDemand) -> Check:
+    """Return the check of runs under records; no answer under records weaker than the demand."""
     state: LimitState = "SLC" if runs is not None and runs.limit_state == "SLC" else "SLV"
     capacity = mechanism.d_slc_m if state == "SLC" else mechanism.d_slv_m
     value, remark = None, Remark("no_runs")
@@ -217,7 +219,21 @@ def _dynamic(mechanism: Mechanism, runs: FacadeRuns | None) -> Check:
             remark = Remark("few_records", (f"{FEWEST}",))
         elif runs.beyond:
             value, remark = math.inf, Remark("beyond_d0", (", ".join(runs.beyond),))
+        elif (weak := _weaker(runs, demand.of(state), state)) is not None:
+            value, remark = None, weak
     return _check(state, "dynamic", "C8.7.1.2.1.9", value, capacity, [remark])
+
+
+def _weaker(runs: FacadeRuns, spectrum: DemandSpectrum | None, state: LimitState) -> Remark | None:
+    """Return a remark where the mean PGA of the records is below that of the demand."""
+    peak = 0.0
+    if spectrum is not None:
+        with suppress(RocksteadyError):  # a table that does not begin at period 0
+            peak = spectrum.sa_g(0.0, ELASTIC_DAMPING)
+    mean = float(runs.pga_g.mean())
+    if mean >= LEAST_PGA * peak:
+        return None
+    return Remark("weak_records", (number(mean), number(peak), state))
 
 
 def _check(

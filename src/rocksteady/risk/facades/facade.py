@@ -201,22 +201,22 @@ class Facade:
     def _actions(self) -> list[tuple[Load | Tie | Thrust, Moments, bool]]:
         """Loads, ties and thrusts, their moments, and whether each counts up to collapse.
 
-        A tie counts where it is verified, a thrust unless it ends.  A load without either word
-        counts where it lowers the rotation of zero moment.
+        A tie counts where it is verified, a thrust unless it ends.  A load that is not verified
+        counts where it lowers the rotation of zero moment: what is not known to last does not make
+        the facade safer, whether it holds or pushes.
         """
         actions: list[tuple[Load | Tie | Thrust, Moments, bool | None]] = []
         for load in self.loads:
             lever = load.x_m - self.hinge_inset_m
             moments = Moments.of_weight(load.weight_kn, lever, load.z_m)
-            known = None if load.lost_at_m is None else False
-            actions.append((load, moments, load.until_collapse if known is None else known))
+            lasts = None if load.lost_at_m is None else False
+            actions.append((load, moments, load.until_collapse or lasts))
         for tie in self.ties:
             moments = Moments.of_force(tie.force_kn, tie.z_m)
             actions.append((tie, moments, bool(tie.until_collapse)))
         for thrust in self.thrusts:
             moments = Moments.of_force(-thrust.force_kn, thrust.z_m)
-            lasts = thrust.until_collapse is not False and thrust.lost_at_m is None
-            actions.append((thrust, moments, lasts))
+            actions.append((thrust, moments, thrust.lost_at_m is None))
         certain = [*self._body, *(moments for _, moments, lasts in actions if lasts)]
         taken = unfavourable(certain, (each for _, each, lasts in actions if lasts is None))
         return [

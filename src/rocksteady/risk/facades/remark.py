@@ -19,6 +19,8 @@ TEMPLATES: Final[Mapping[str, str]] = {
     "no_runs": "no runs under records",
     "few_records": "a mean needs {0} records or more",
     "beyond_d0": "runs beyond d0 under {0}",
+    "weak_records": "no answer: the records have a mean PGA of {0} g, and the demand of {2} {1} g; "
+    "scale them with --pga-g",
     "mean_of_runs": "mean of the largest displacements, no run beyond d0",
     "linear_or_displacement": "The linear check compares the peak acceleration divided by q = 2 "
     "with a0, which does not depend on size; the displacement capacity grows with the thickness.",

@@ -4,7 +4,7 @@ import itertools
 import math
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -268,13 +268,8 @@ class LossComponent:
             else:
                 left_out.append(f"{each.state.name} is left out. {made}")
         if not states:
-            raise InputError(
-                "fragility",
-                Words("has no curve to write"),
-                " ".join(left_out),
-                "run more levels, or stronger ones",
-            )
-        return cls(
+            raise _nothing_left(left_out)
+        component = cls(
             identifier=identifier,
             measure=measure,
             states=tuple(states),
@@ -282,14 +277,30 @@ class LossComponent:
             floor=floor,
             no_damage=_gate_of(fragility) if measure == "pga_g" else None,
             description=description,
-            left_out=tuple(left_out),
         )
+        states = []
+        for state in component.states:
+            reason = "" if state.curve is None else _unfit(component, state)
+            if reason:
+                left_out.append(f"{state.name} is left out. It has {reason}.")
+            else:
+                states.append(state)
+        if not states:
+            raise _nothing_left(left_out)
+        return replace(component, states=tuple(states), left_out=tuple(left_out))
 
     @property
     def notes(self) -> list[str]:
         """Sentences on what the curves stand for, on states left out, and on curves that cross."""
         each = [f"{state.name}: {state.note}" for state in self.states if state.note]
         return [*each, *self.left_out, *_crossings(self)]
+
+
+def _nothing_left(left_out: list[str]) -> InputError:
+    """Return the error of a fragility of which every state is left out."""
+    valid = " ".join(left_out)
+    hint = "run more levels, or stronger ones"
+    return InputError("fragility", Words("has no curve to write"), valid, hint)
 
 
 def text_value(name: str, value: object) -> str:
@@ -356,6 +367,18 @@ def probability_of(component: LossComponent, state: LossState, intensity: ArrayL
     return shares if component.no_damage is None else np.where(at > component.no_damage, shares, 0)
 
 
+def _unfit(component: LossComponent, state: LossState) -> str:
+    """Return why points cannot hold a curve; empty where they can."""
+    curve = probability_of(component, state, np.geomspace(*SEARCHED, 8001))
+    if not np.isfinite(curve).all():
+        return "no probability at some intensities"
+    if (np.diff(curve) < -LEAST).any():
+        return "a probability that falls with the intensity"
+    if curve[0] > LEAST or curve[-1] < 1.0 - 10.0 * LEAST:
+        return "a probability that does not go from 0 to 1"
+    return ""
+
+
 def points_of(component: LossComponent, state: LossState) -> Floats:
     """Return intensities between which straight lines hold a curve, from its probability 0 to 1.
 
@@ -373,16 +396,9 @@ def points_of(component: LossComponent, state: LossState) -> Floats:
     def shares(logs: Floats) -> Floats:
         return probability_of(component, state, np.exp(logs))
 
-    ends = [math.log(end) for end in SEARCHED]
-    trial = np.linspace(ends[0], ends[1], 8001)
+    trial = np.log(np.geomspace(*SEARCHED, 8001))
     curve = shares(trial)
-    reason = ""
-    if not np.isfinite(curve).all():
-        reason = "no probability at some intensities"
-    elif (np.diff(curve) < -LEAST).any():
-        reason = "a probability that falls with the intensity"
-    elif curve[0] > asked[0] or curve[-1] < asked[-1]:
-        reason = "a probability that does not go from 0 to 1"
+    reason = _unfit(component, state)
     if reason:
         raise InputError(
             component.identifier,

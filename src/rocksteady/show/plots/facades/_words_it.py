@@ -333,6 +333,10 @@ ITALIAN: Final[dict[str, str]] = {
     "remark_no_runs": "nessuna analisi con accelerogrammi",
     "remark_few_records": "la media richiede almeno {0} accelerogrammi",
     "remark_beyond_d0": "analisi oltre d₀ con {0}",
+    "remark_weak_records": (
+        "nessuna risposta: gli accelerogrammi hanno una PGA media di {0} g, la domanda {2} di "
+        "{1} g; scalarli con --pga-g"
+    ),
     "remark_mean_of_runs": "media degli spostamenti massimi, nessuna analisi oltre d₀",
     "remark_linear_or_displacement": (
         "La verifica lineare confronta l'accelerazione di picco divisa per q = 2 con a₀, che non "
