@@ -16,10 +16,14 @@ LISTS = "rocksteady steady --help lists its flags"
         ("steady", "--ampl 2", f"--ampl is no flag of rocksteady steady: {LISTS}; did you mean "),
         ("steady", "--zzz", f"--zzz is no flag of rocksteady steady: {LISTS}; leave it out"),
         ("steady", "-A", "-A is given without a value: it takes one; see rocksteady steady --help"),
-        ("steady", "extra", "extra is too much: rocksteady steady --help lists what it takes; "),
-        ("", "stedy", "stedy is no command: rocksteady --help lists them; did you mean steady or "),
-        ("", "zzz", "zzz is no command: rocksteady --help lists them; give one of these"),
-        ("study", "zzz", "zzz is no command: rocksteady study --help lists them; give one of "),
+        ("steady", "extra", "'extra' is too much: rocksteady steady --help lists what it takes; "),
+        (
+            "",
+            "stedy",
+            "'stedy' is no command: rocksteady --help lists them; did you mean steady or ",
+        ),
+        ("", "zzz", "'zzz' is no command: rocksteady --help lists them; give one of these"),
+        ("study", "zzz", "'zzz' is no command: rocksteady study --help lists them; give one of "),
     ],
 )
 def test_words_that_no_command_knows_have_the_form_of_all_errors(

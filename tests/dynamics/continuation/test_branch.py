@@ -83,7 +83,7 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
         here = point.chain.phases[0] + point.chain.turns[0] * math.pi
         assert math.cos(here - states.phase[which]) == pytest.approx(1.0, abs=1e-12)
         assert point.peaks[0] == pytest.approx(np.asarray(states.peak)[which], abs=1e-9)
-        pair = states.multipliers[which] ** 2
+        pair = states.multipliers[which]
         assert sorted(abs(point.chain.multipliers)) == pytest.approx(sorted(abs(pair)), rel=1e-7)
         assert point.stable is bool(states.stable[which])
 

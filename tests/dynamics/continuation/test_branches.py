@@ -198,7 +198,7 @@ def test_any_parameter(parameter: str) -> None:
         ({"max_branches": None}, "max_branches = None"),
         ({"origins": 3}, "origins = 3"),
         ({"origins": [3]}, "origins = [3]"),
-        ({"within": (3.0, 2.0)}, "less than the second"),
+        ({"within": (3.0, 2.0)}, "below its upper end"),
         ({"parameter": "mass"}, "parameter = 'mass'"),
         ({"largest_step": 0.0}, "largest_step = 0"),
     ],

@@ -86,7 +86,7 @@ def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
     # The half-cycle map by differences of two marches to the first impact; the multiplier comes
     # from the trace, the direction from the Jacobian.
     states = find_steady_states(a, w, 0.8, order=n)
-    multiplier = float(states.multipliers[branch - 1, 0].real)
+    multiplier = float(states.half_cycle_multipliers[branch - 1, 0].real)
     phase, velocity = float(states.phase[branch - 1]), float(states.velocity[branch - 1])
 
     def landed(d_phase: float, d_velocity: float) -> tuple[float, float]:
@@ -121,7 +121,7 @@ def test_where_the_multiplier_is_negative_one_side_is_the_others_mirror_image_la
     w: float, kick: float
 ) -> None:
     states = find_steady_states(2.0, w, 0.8)
-    multiplier = float(states.multipliers[0, 0].real)
+    multiplier = float(states.half_cycle_multipliers[0, 0].real)
     assume(multiplier < -1.0)
     # after a half cycle the distance is |multiplier| times as large, to first order
     one = started(2.0, w, 1, 1, kick=kick, side=1)

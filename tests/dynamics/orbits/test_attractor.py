@@ -246,7 +246,7 @@ def test_a_stable_start_is_returned() -> None:
         found = settled(a, w, r, start=Steady(order=n))
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
         assert found.orbit is not None
-        size = float(abs(states.multipliers[0, 0])) ** 2
+        size = float(abs(states.multipliers[0, 0]))
         assert found.orbit.largest_multiplier == pytest.approx(size, rel=1e-9)
 
 
@@ -278,7 +278,7 @@ def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
     assert found.kind is AttractorKind.SYMMETRIC
     assert found.orbit is not None
     assert found.orbit.largest_multiplier == pytest.approx(
-        float(abs(states.multipliers[0, 0])) ** 2, abs=1e-6
+        float(abs(states.multipliers[0, 0])), abs=1e-6
     )
 
 

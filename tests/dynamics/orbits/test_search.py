@@ -156,7 +156,7 @@ def test_symmetric_ones_are_the_closed_forms() -> None:
                 if orbit.admissible:
                     assert orbit.highest == float(np.asarray(states.peak)[which])
                 assert orbit.admissible is bool(np.asarray(states.admissible)[which])
-                pair = states.multipliers[which] ** 2
+                pair = states.multipliers[which]
                 pair = pair if pair[0].imag >= 0.0 else pair[::-1]
                 assert orbit.multipliers == pytest.approx(pair)
                 assert orbit.stable is bool(states.stable[which])

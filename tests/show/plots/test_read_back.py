@@ -162,7 +162,7 @@ CASES: dict[str, Case] = {
     ),
     "plot_facade_runs": lambda t: (
         {"runs": t["facade runs"]},
-        [1e3 * t["facade runs"].displacement_m[t["facade runs"].share <= 1.0]],
+        [t["facade runs"].share[:, 0][~t["facade runs"].beyond_d0[:, 0]]],
     ),
     "plot_fatal_kicks": lambda t: (
         {"kicks": t["kicks"]},
@@ -235,7 +235,11 @@ CASES: dict[str, Case] = {
     ),
     "plot_posterior": lambda t: (
         {"calibration": t["calibration"]},
-        [[t["calibration"].posteriors["vase"].interval("alpha_rad")[0]]],
+        [
+            [row["outline"]]
+            for row in t["calibration"].parameters
+            if (row["object"], row["parameter"]) == ("vase", "alpha_rad")
+        ],
     ),
     "plot_predictions": lambda t: (
         {"predictions": t["predictions"]},

@@ -56,7 +56,8 @@ def share_interval(
     z = float(ndtri(0.5 + 0.5 * confidence))
     scale = 1.0 + z * z / count
     centre = (share + 0.5 * z * z / count) / scale
-    half = z * np.sqrt(share * (1.0 - share) / count + (0.5 * z / count) ** 2) / scale
+    shift = 0.5 * z / count
+    half = z * np.sqrt(share * (1.0 - share) / count + shift * shift) / scale
     # Rounded, an end may lie a hair beyond the share of no trial or of all.
     low, high = np.maximum(centre - half, 0.0), np.minimum(centre + half, 1.0)
     return np.where(share == 0.0, 0.0, low), np.where(share == 1.0, 1.0, high)

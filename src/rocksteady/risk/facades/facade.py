@@ -192,7 +192,7 @@ class Facade:
             push_kn=weight,
             push_moment_kn_m=weight * (height * centre),
             second_moment_kn_m2=second,
-            lumped_moment_kn_m2=weight * (height * centre) ** 2,
+            lumped_moment_kn_m2=weight * (height * centre) * (height * centre),
             inertia_kn_m2=second + weight * across,
         )
         return [wall, *(Moments.of_mass(each.weight_kn, each.z_m) for each in self.masses)]

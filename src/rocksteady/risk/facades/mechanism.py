@@ -253,7 +253,8 @@ class Mechanism(Result):
                 heights = (self.capacity_g(side) for side in sides)
                 points += [(end, each if each > least else 0.0) for each in heights]
         if self.elastic_period_s is not None:
-            rate = (2.0 * math.pi / self.elastic_period_s) ** 2 / STANDARD_GRAVITY
+            angular = 2.0 * math.pi / self.elastic_period_s
+            rate = angular * angular / STANDARD_GRAVITY
             for stage in (self, *(each for _, each in self.after)):
                 place = stage.a0_g / (rate + stage.a0_g / stage._zero_m(arm))
                 points += [(place, self.capacity_g(place))] if place < d0 else []

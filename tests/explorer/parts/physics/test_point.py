@@ -398,7 +398,7 @@ def test_closed_forms_are_those_of_python(in_node: InNode) -> None:
             for k in range(2):
                 worth = "stable" if states.stable[k] else "unstable"
                 worth = "neutral" if states.neutral[k] else worth
-                half = states.multipliers[k].tolist()
+                half = states.half_cycle_multipliers[k].tolist()
                 here.append(
                     {
                         "order": order,
