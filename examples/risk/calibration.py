@@ -12,8 +12,8 @@ import matplotlib.pyplot as plt
 import rocksteady as rs
 
 column = rs.Block.rectangle(width=0.15, height=0.6)
-tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(10), model=rs.Linear())
-sampling = rs.Sampling(draws=400, gains=4, rounds=3)
+tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(8), model=rs.Linear())
+sampling = rs.Sampling(draws=1500, gains=3, rounds=2)
 calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.4), layout="constrained")
 rs.plot_ladders(calibration, left)

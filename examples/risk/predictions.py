@@ -13,7 +13,7 @@ import rocksteady as rs
 
 column = rs.Block.rectangle(width=0.15, height=0.6)
 tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(6), model=rs.Linear())
-sampling = rs.Sampling(draws=200, gains=3, rounds=2)
+sampling = rs.Sampling(draws=1500, gains=3, rounds=2)
 calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
 fig, ax = plt.subplots(figsize=(7.36, 5.0), layout="constrained")
 rs.plot_predictions(calibration.validation.predictions, ax)
