@@ -69,6 +69,7 @@ LONGEST_RUN = 4000
 """Most forcing periods of a run without an orbit."""
 AFTERWARDS = 5
 """Forcing periods of such a run beyond those after which its kind was known."""
+LESS = "less than 1 forcing period"
 ROUNDED = 1e12
 """Growth of small differences from which on a rounding may decide."""
 MEANING = {
@@ -284,8 +285,10 @@ class Attractor(Result):
         text = "" if exponent is None else f"{number(exponent)} per forcing period"
         label = "" if exponent is None else "Lyapunov exponent"
         facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
-        # Of a fall it is not known in periods.
-        known = ("known after", plural(self.after, "forcing period")) if self.after else ("", "")
+        periods = plural(self.after, "forcing period") if self.after else LESS
+        # Of a fall with none the number is not known.
+        unknown = self.kind is AttractorKind.OVERTURNED and not self.after
+        known = ("", "") if unknown else ("known after", periods)
         meaning = self.kind.value
         if self.kind is AttractorKind.UNSYMMETRIC:
             if self.block.one_sided:
