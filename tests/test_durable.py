@@ -21,6 +21,7 @@ ROOT = str(Path(__file__).parents[1])
 KILLS = """
 import os, shutil, signal, sys
 from pathlib import Path
+from rocksteady.durable import PREFIX
 from tests.outputs import WRITERS
 root, name, step = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
 write = WRITERS[name]
@@ -59,7 +60,7 @@ while True:
     assert found in (old, new), moment
     there.append(found == new)
     rest = [path.name for path in place.iterdir() if path.name != name]
-    assert all(path.startswith(".rocksteady-") for path in rest), rest
+    assert all(path.startswith(PREFIX) for path in rest), rest
     if os.WIFEXITED(status):
         assert os.WEXITSTATUS(status) == 0 and there[-1] and not rest
         break
@@ -287,3 +288,22 @@ def test_one_file_has_many_names(tmp_path: Path) -> None:
     assert durable.same_file(new, tmp_path / "folder" / "NEW.csv"), "where case is ignored"
     for one, other in ((file, new), (file, tmp_path / "A.csv"), (new, tmp_path / "b.csv")):
         assert durable.same_file(one, other) == (other.exists() and one.samefile(other))
+
+
+def test_a_folder_that_somebody_else_has_made_is_not_taken_for_a_leftover(tmp_path: Path) -> None:
+    """Only what has the name, the rights and the kind of a private folder is removed."""
+    left = tmp_path / f"{durable.PREFIX}ab_12xyz"
+    left.mkdir(mode=0o700)
+    opened = tmp_path / f"{durable.PREFIX}settings"
+    opened.mkdir(mode=0o755)
+    hidden, elsewhere = tmp_path / ".partial-download", tmp_path / "elsewhere"
+    for folder in (hidden, elsewhere):
+        folder.mkdir(mode=0o700)
+    linked = tmp_path / f"{durable.PREFIX}a_link_1"
+    linked.symlink_to(elsewhere)
+    for folder in (left, opened, hidden, elsewhere):
+        (folder / "notes.txt").write_text("mine", encoding="utf-8")
+    save_text("path", tmp_path / "answer.txt", "new")
+    assert not left.exists()
+    for folder in (opened, hidden, elsewhere, linked):
+        assert (folder / "notes.txt").read_text(encoding="utf-8") == "mine"

@@ -15,8 +15,10 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-PREFIX = ".rocksteady-"
+PREFIX = ".rocksteady-partial-"
 """Begins the names of private folders; `tempfile` adds eight random characters."""
+PRIVATE = re.escape(PREFIX) + r"\w{8}"
+"""Names of private folders, as a regular expression."""
 
 FEW, AT_ONCE = 4, 32
 """Files that are forced to the disk one after another, and threads where there are more."""
@@ -106,7 +108,7 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
 
 
 @contextmanager
-def private_folder(parent: Path, prefix: str = PREFIX) -> Iterator[Path]:
+def private_folder(parent: Path) -> Iterator[Path]:
     """Make a private folder and remove it at the end; folders of killed programs are removed too.
 
     A program holds a lock on its folder, which the system drops when the program ends in any way.
@@ -115,17 +117,15 @@ def private_folder(parent: Path, prefix: str = PREFIX) -> Iterator[Path]:
     ----------
     parent
         Where it is made.
-    prefix
-        Begins its name.
 
     Raises
     ------
     OSError
         If it cannot be made.
     """
-    _remove_left(parent, prefix)
+    _remove_left(parent)
     while True:
-        made = TemporaryDirectory(prefix=prefix, dir=parent, ignore_cleanup_errors=True)
+        made = TemporaryDirectory(prefix=PREFIX, dir=parent, ignore_cleanup_errors=True)
         with made as folder:
             held = _locked(Path(folder), wait=True)
             try:
@@ -138,11 +138,16 @@ def private_folder(parent: Path, prefix: str = PREFIX) -> Iterator[Path]:
                     os.close(held)
 
 
-def _remove_left(parent: Path, prefix: str) -> None:
-    """Remove private folders that no running program holds."""
+def _remove_left(parent: Path) -> None:
+    """Remove private folders that no running program holds.
+
+    A folder that somebody else has made is not of this user, or not closed to all others.
+    """
     with suppress(OSError):
-        for folder in parent.glob(f"{prefix}*"):
-            if not re.fullmatch(rf"{re.escape(prefix)}\w{{8}}", folder.name) or folder.is_symlink():
+        for folder in parent.glob(f"{PREFIX}*"):
+            about = folder.lstat()
+            ours = stat.S_ISDIR(about.st_mode) and stat.S_IMODE(about.st_mode) == stat.S_IRWXU
+            if not (ours and re.fullmatch(PRIVATE, folder.name)) or about.st_uid != os.getuid():
                 continue
             held = _locked(folder, wait=False)
             if held is not None:

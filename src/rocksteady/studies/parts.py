@@ -10,13 +10,14 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import OutputError, Store, __version__
+from rocksteady.durable import PRIVATE
 from rocksteady.show.export.files import json_text, save_text, save_whole
 
 FOLDER = ".unfinished"
 """Name of the hidden folder inside that of the study."""
 SCHEMA = "rocksteady/unfinished/1"
 DESCRIPTION = "study.json"
-OURS = re.compile(r"part-[\w-]+\.zarr|figure-\w+\.(png|svg|pdf)|study\.json|\.partial-\w+")
+OURS = re.compile(rf"part-[\w-]+\.zarr|figure-\w+\.(png|svg|pdf)|study\.json|{PRIVATE}")
 """Names of what lies there."""
 
 

@@ -150,8 +150,8 @@ def test_a_run_that_was_killed_does_not_stand_in_the_way(
     sliding: Assessment, tmp_path: Path
 ) -> None:
     """As of `kill -9`, after which nothing can be tidied: the next write removes what it left."""
-    left = tmp_path / ".partial-ab_12xyz"
-    left.mkdir()
+    left = tmp_path / ".rocksteady-partial-ab_12xyz"
+    left.mkdir(mode=0o700)
     (left / "run.json").write_text("{", encoding="utf-8")
     write_assessment(sliding, tmp_path)
     write_assessment(sliding, tmp_path, force=True)
@@ -204,5 +204,5 @@ def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
     monkeypatch.setattr(durable, "write", full)
     with pytest.raises(OutputError, match="No space left") as refusal:
         write_assessment(sliding, tmp_path / "answer")
-    assert ".partial-" not in str(refusal.value)
+    assert "partial-" not in str(refusal.value)
     assert not (tmp_path / "answer").exists()

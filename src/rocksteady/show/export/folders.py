@@ -11,9 +11,6 @@ from pathlib import Path
 from rocksteady import durable
 from rocksteady.errors import OutputError
 
-KILLED = r"\.(partial|rocksteady)-\w{8}"
-"""Names of the hidden folders that a run leaves which was killed while it wrote."""
-
 
 def check_folder(
     folder: Path | str,
@@ -117,7 +114,7 @@ def check_own_folder(
     target = Path(folder)
     check_folder(target, ours, force=force, read=read, hashes=hashes)
     held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
-    foreign = [name for name in held if not re.fullmatch(f"{ours}|{KILLED}", name)]
+    foreign = [name for name in held if not re.fullmatch(f"{ours}|{durable.PRIVATE}", name)]
     if foreign:
         raise OutputError(
             "out",
@@ -195,7 +192,7 @@ def fill_folder(
         target.mkdir(exist_ok=True)
         durable.sync_folder(target.absolute().parent)
         # Inside the target, so that moving never crosses from one disk to another.
-        with durable.private_folder(within or target, ".partial-") as stage:
+        with durable.private_folder(within or target) as stage:
             try:
                 write(stage)
             except OutputError as error:  # whose path is one that goes away with this folder
