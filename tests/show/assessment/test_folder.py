@@ -161,6 +161,17 @@ def test_a_run_that_was_killed_does_not_stand_in_the_way(
         write_assessment(sliding, tmp_path, force=True)
 
 
+def test_a_file_that_no_answer_wrote_is_not_replaced(sliding: Assessment, tmp_path: Path) -> None:
+    """Not with force: an input of the name of an output may lie in a folder of its own."""
+    for name in ("results.csv", "report.html", "fragility.csv"):
+        folder = tmp_path / name.partition(".")[0]
+        folder.mkdir()
+        (folder / name).write_text("mine", encoding="utf-8")
+        with pytest.raises(OutputError, match="which no earlier answer wrote"):
+            write_assessment(sliding, folder, force=True)
+        assert [each.read_text(encoding="utf-8") for each in folder.iterdir()] == ["mine"]
+
+
 def test_what_fails_leaves_nothing_half_written(
     rocking: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

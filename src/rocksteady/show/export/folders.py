@@ -11,6 +11,9 @@ from pathlib import Path
 from rocksteady import durable
 from rocksteady.errors import OutputError
 
+MANIFESTS = {"run.json", "fit.json"}
+"""Files of which every folder of an answer holds one."""
+
 
 def check_folder(
     folder: Path | str,
@@ -109,12 +112,21 @@ def check_own_folder(
     Raises
     ------
     OutputError
-        As for `check_folder`; and if the folder holds anything else.
+        As for `check_folder`; and if the folder holds anything else, or files of such names
+        without the manifest of an earlier answer, which therefore did not write them.
     """
     target = Path(folder)
     check_folder(target, ours, force=force, read=read, hashes=hashes)
     held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
     foreign = [name for name in held if not re.fullmatch(f"{ours}|{durable.PRIVATE}", name)]
+    named = [name for name in held if re.fullmatch(ours, name)]
+    if named and not foreign and not MANIFESTS & set(named):
+        raise OutputError(
+            "out",
+            target,
+            f"it holds {named[0]}, which no earlier answer wrote",
+            "move it, or name a new or an empty folder",
+        )
     if foreign:
         raise OutputError(
             "out",
