@@ -27,6 +27,17 @@ def number(value: float, digits: int = DIGITS) -> str:
     return f"{value:.0f}" if "e+" in text and size < LARGEST_WHOLE else text
 
 
+def number_or_none(value: float | None) -> float | None:
+    """Return a number; None of what JSON has no number for.
+
+    Examples
+    --------
+    >>> number_or_none(0.25), number_or_none(math.nan), number_or_none(math.inf)
+    (0.25, None, None)
+    """
+    return None if value is None or not math.isfinite(value) else float(value)
+
+
 def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
     """Return a number with its unit.
 

@@ -31,9 +31,8 @@ from rocksteady import (
     read_record,
     run_ensemble,
 )
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, number_or_none
 from rocksteady.risk.fragility._labels_of_runs import kept_measures
-from rocksteady.risk.fragility.state_fragility import number_or_none
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
 

@@ -12,7 +12,7 @@ from rocksteady.model.facts import block_text, case_text, lean_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number, number_or_none, quantity
 
 
 def fates_headline(fates: Any) -> str:
@@ -38,19 +38,19 @@ def fates_described(fates: Any) -> Description:
         Fact("still_share", fates.still_share),
         Fact(
             "global_integrity",
-            _or_none(fates.global_integrity),
+            number_or_none(fates.global_integrity),
             "global integrity",
             _text(fates.global_integrity),
         ),
         Fact(
             "integrity_factor",
-            _or_none(fates.integrity_factor),
+            number_or_none(fates.integrity_factor),
             "integrity factor",
             _text(fates.integrity_factor),
         ),
         Fact("radius", fates.radius),
         Fact("still_radius", fates.still_radius),
-        Fact("largest_safe_peak", _or_none(fates.largest_safe_peak)),
+        Fact("largest_safe_peak", number_or_none(fates.largest_safe_peak)),
         Fact("confidence", CONFIDENCE),
         Fact("angles", _axis(fates.angle)),
         Fact("velocities", _axis(fates.velocity)),
@@ -85,10 +85,6 @@ def _moment(fates: Any) -> list[Fact]:
         facts.append(Fact("time_s", seconds))
         words = f"{quantity(seconds, 's')} ({words})"
     return [*facts, Fact("", label="states at", text=words)] if fates.time_pt else facts
-
-
-def _or_none(value: float) -> float | None:
-    return None if math.isnan(value) else value
 
 
 def _text(value: float) -> str:

@@ -19,7 +19,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ class EdgeState(Result):
                 "" if self.kick is None else "least kick",
                 self._kick_text(),
             ),
-            Fact("least_kick_m_s", None if math.isnan(self.kick_m_s) else self.kick_m_s),
+            Fact("least_kick_m_s", number_or_none(self.kick_m_s)),
             Fact("start_state", _pair(self.start), "start", _text(self.start)),
             Fact("other_state", _pair(self.other), "other", _text(self.other)),
             Fact("boundary_state", _pair(self.boundary), "boundary", _text(self.boundary)),

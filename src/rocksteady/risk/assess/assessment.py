@@ -1,6 +1,5 @@
 """The whole assessment of one object: screens, ensemble, fragility, sensitivity, risk, remedies."""
 
-import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +14,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
-from rocksteady.results.numbers import number, percent, quantity
+from rocksteady.results.numbers import number, number_or_none, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._counts import MULTIPLES, Basis, count_runs, is_fitted
@@ -238,7 +237,7 @@ class Assessment(Result):
             measure = self.fragility.measure
             words = f"{measure.label} {number(median)} {measure.unit}".rstrip()
             facts += [
-                Fact("median", None if math.isnan(median) else median, "half fall at", words),
+                Fact("median", number_or_none(median), "half fall at", words),
                 Fact("measure", measure.key),
                 Fact("records", self.fragility.records, "records"),
                 Fact("runs", self.fragility.runs, "runs"),

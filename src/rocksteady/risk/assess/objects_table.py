@@ -1,6 +1,5 @@
 """Many objects under one demand: a probability, a colour and a sentence for each."""
 
-import math
 import time
 from collections import Counter
 from collections.abc import Sequence
@@ -13,7 +12,7 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
 from rocksteady.risk.assess._probability import (
@@ -314,7 +313,7 @@ def _row(
         "probability": answer.value,
         "basis": answer.basis,
         "method": answer.method,
-        "counted": None if math.isnan(counts.share) else counts.share,
+        "counted": number_or_none(counts.share),
         "closed_form": closed,
         **counts._asdict(),
         "alpha_rad": side.alpha,

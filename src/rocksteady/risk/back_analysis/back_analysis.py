@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
@@ -181,10 +181,10 @@ class BackAnalysis(Result):
             {
                 "measure": measure.key,
                 "label": str(measure),
-                "median": _or_none(self.medians[place]),
-                "low": _or_none(self.lows[place]),
-                "high": _or_none(self.highs[place]),
-                "mc_error": _or_none(self.mc_errors[place]),
+                "median": number_or_none(self.medians[place]),
+                "low": number_or_none(self.lows[place]),
+                "high": number_or_none(self.highs[place]),
+                "mc_error": number_or_none(self.mc_errors[place]),
             }
             for place, measure in enumerate(self.measures)
         ]
@@ -242,7 +242,7 @@ class BackAnalysis(Result):
                 Fact("bound", self.bound, "Kind of result"),
                 Fact("confidence", self.confidence, "Confidence", percent),
                 Fact("share", self.share),
-                Fact("plain_coverage", _or_none(self.plain_coverage)),
+                Fact("plain_coverage", number_or_none(self.plain_coverage)),
                 Fact("held_out_surveys", self.held_out_surveys, "Coverage of the region", coverage),
                 Fact("temper", self.temper, "Temper of the likelihood"),
                 Fact(
@@ -299,11 +299,6 @@ def _record_columns(measures: tuple[Intensity, ...]) -> tuple[Column, ...]:
         Column("scale", "best scale"),
         *(Column(measure.key, str(measure)) for measure in measures),
     )
-
-
-def _or_none(value: float) -> float | None:
-    """Return a number, or None for NaN."""
-    return None if np.isnan(value) else float(value)
 
 
 def _or_open(value: object) -> str:

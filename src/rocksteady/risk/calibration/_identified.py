@@ -1,6 +1,5 @@
 """What follows from outcomes for each parameter: prior beside posterior, and a verdict."""
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -8,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
+from rocksteady.results.numbers import number_or_none
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from rocksteady.risk.calibration.posterior import Posterior
 
@@ -62,9 +62,9 @@ def parameters_of(
             "parameter": name,
             "prior_low": float(low),
             "prior_high": float(high),
-            "median": _known(median),
-            "low": _known(below),
-            "high": _known(above),
+            "median": number_or_none(median),
+            "low": number_or_none(below),
+            "high": number_or_none(above),
             "sd_ratio": ratio if posterior.identified else None,
             "verdict": _verdict(name, posterior, values, before, ratio),
             "bound": None,
@@ -82,11 +82,6 @@ def parameters_of(
                 }
         rows.append(row)
     return rows
-
-
-def _known(value: float) -> float | None:
-    """Return a number; None of NaN."""
-    return None if math.isnan(value) else value
 
 
 def _verdict(name: str, posterior: Posterior, values: Floats, before: Floats, ratio: float) -> str:

@@ -17,7 +17,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import length, number, plural
+from rocksteady.results.numbers import length, number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
@@ -150,7 +150,7 @@ class FacadeRuns(Result):
             Fact("model", self.model.name, "equations of motion"),
             Fact("d0_m", mechanism.d0_m, "d0", length(mechanism.d0_m)),
             Fact("limit_m", self.limit_m, "the mean may reach", limit),
-            Fact("mean_m", _finite(mean), "mean of the largest", _mean_words(self)),
+            Fact("mean_m", number_or_none(mean), "mean of the largest", _mean_words(self)),
             Fact("beyond", list(beyond), "records beyond d0", ", ".join(beyond) or "none"),
             Fact("satisfied", self.satisfied, "dynamic check", _verdict(self.satisfied)),
             Fact("base_factor", mechanism.base_factor, "factor of the base acceleration"),
@@ -197,9 +197,9 @@ class FacadeRuns(Result):
                 "pga_g": float(self.pga_g[place]),
                 "scale": float(self.scale[place]),
                 "vertical": self.vertical[place],
-                **{sign: _finite(value) for sign, value in signs},
-                "largest_m": _finite(float(self.largest_m[place])),
-                "share_d0": _finite(worst),
+                **{sign: number_or_none(value) for sign, value in signs},
+                "largest_m": number_or_none(float(self.largest_m[place])),
+                "share_d0": number_or_none(worst),
                 "beyond_d0": worst > 1.0,
             }
 
@@ -215,8 +215,8 @@ class FacadeRuns(Result):
                     "scale": float(self.scale[place]),
                     "status": Status(int(self.status[place, sign])).label,
                     "uplift": ratio > 0.0,
-                    "displacement_m": _finite(ratio * self.facade.mechanism.d0_m),
-                    "share_d0": _finite(ratio),
+                    "displacement_m": number_or_none(ratio * self.facade.mechanism.d0_m),
+                    "share_d0": number_or_none(ratio),
                     "beyond_d0": ratio > 1.0,
                 }
 
@@ -356,11 +356,6 @@ def _factors(scale: float | None, pga_g: float | None, peaks: Floats) -> Floats:
     level = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give a PGA in g, as 0.3")
     factors: Floats = level * STANDARD_GRAVITY / peaks
     return factors
-
-
-def _finite(value: float | None) -> float | None:
-    """Return a number; None of an infinite one."""
-    return value if value is not None and np.isfinite(value) else None
 
 
 def _length(value: float | None) -> str:

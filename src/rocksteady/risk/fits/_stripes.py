@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.results.description import Column, Table
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, number_or_none
 from rocksteady.risk.fits._trial_counts import Counts
-from rocksteady.risk.fits._values import plain
 
 Floats = NDArray[np.float64]
 Row = tuple[float, int, int, float | None]
@@ -39,7 +38,7 @@ def compare_stripes(counts: Counts, probability: Floats) -> tuple[tuple[Row, ...
     curve = np.bincount(place, weights=trials * probability) / weight
     rows = zip(at.tolist(), weight.tolist(), failed.tolist(), curve.tolist(), strict=True)
     return (
-        tuple((x, int(n), int(k), plain(p)) for x, n, k, p in rows),
+        tuple((x, int(n), int(k), number_or_none(p)) for x, n, k, p in rows),
         float(np.abs(failed / weight - curve).max()),
     )
 

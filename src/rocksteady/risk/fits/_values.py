@@ -28,11 +28,6 @@ def share_value(given: float) -> float:
     return in_range("probability", given, 0.0, 1.0, "()", hint="give a share, as 0.5")
 
 
-def plain(value: float) -> float | None:
-    """Return a number for JSON, None of NaN."""
-    return None if math.isnan(value) else value
-
-
 def listed(pair: tuple[float, float] | None) -> list[float] | None:
     """Return a pair for JSON."""
     return None if pair is None else list(pair)

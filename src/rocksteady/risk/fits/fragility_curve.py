@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import FEW_RECORDS, NOT_IDENTIFIED, with_misfit
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._goodness import goodness_of
@@ -23,7 +23,6 @@ from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import (
     intensities,
     listed,
-    plain,
     range_words,
     share_value,
     value_words,
@@ -195,13 +194,13 @@ class FragilityCurve(Result):
             Fact("status", self.status, "status"),
             Fact(
                 "median",
-                plain(self.median),
+                number_or_none(self.median),
                 "median",
                 value_words(self.median, unit, self.median_band),
             ),
             Fact(
                 "beta",
-                plain(self.beta),
+                number_or_none(self.beta),
                 "beta",
                 NOT_IDENTIFIED
                 if math.isnan(self.beta)
@@ -213,7 +212,7 @@ class FragilityCurve(Result):
             Fact("step", listed(self.step)),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
             Fact("deviance", self.deviance, "deviance"),
-            Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
+            Fact("misfit", number_or_none(self.misfit), "largest misfit of a stripe"),
             Fact("goodness", self.goodness, "goodness of fit, p-value"),
             Fact("trials", self.trials, "trials"),
             Fact("failures", self.failures, "failures"),

@@ -12,7 +12,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import with_misfit
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, number_or_none
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
@@ -22,7 +22,6 @@ from rocksteady.risk.fits._trial_counts import SAME_LEVEL, counts_of, same_lengt
 from rocksteady.risk.fits._values import (
     intensities,
     listed,
-    plain,
     range_words,
     share_value,
     value_words,
@@ -206,7 +205,7 @@ class TwoStageCurve(Result):
             Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
             Fact(
                 "median",
-                plain(self.median),
+                number_or_none(self.median),
                 "median",
                 value_words(self.median, unit, self.median_band),
             ),
@@ -222,8 +221,8 @@ class TwoStageCurve(Result):
             ),
             Fact("plain", self.plain.to_dict(), "one curve", self.plain.describe().headline),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
-            Fact("gain", plain(self.gain), "gain over one curve", number(self.gain)),
-            Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
+            Fact("gain", number_or_none(self.gain), "gain over one curve", number(self.gain)),
+            Fact("misfit", number_or_none(self.misfit), "largest misfit of a stripe"),
             Fact("", None, "the same of one curve", number(self.plain.misfit)),
             Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
             Fact("warnings", list(self.warnings)),

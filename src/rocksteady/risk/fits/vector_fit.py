@@ -11,12 +11,12 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import NOT_IDENTIFIED
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
 from rocksteady.risk.fits._trial_counts import counts_of, values_of
-from rocksteady.risk.fits._values import intensities, plain
+from rocksteady.risk.fits._values import intensities
 
 Floats = NDArray[np.float64]
 FEW_POINTS = 500
@@ -108,7 +108,7 @@ class VectorFit(Result):
     def describe(self) -> Description:
         """Return the coefficients and how much they explain."""
         powers = dict(zip(self.names, self.coefficients[1:].tolist(), strict=True))
-        values = [plain(value) for value in self.coefficients.tolist()]
+        values = [number_or_none(value) for value in self.coefficients.tolist()]
         parts = (f"{number(power)} ln({name})" for name, power in powers.items())
         words = ", ".join([number(self.coefficients[0]), *parts])
         if self.status != FITTED:
@@ -119,7 +119,7 @@ class VectorFit(Result):
             Fact("coefficients", values, "predictor", words),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
             Fact("aic", self.aic, "Akaike's criterion"),
-            Fact("explained", plain(self.explained), "share of the deviance explained"),
+            Fact("explained", number_or_none(self.explained), "share of the deviance explained"),
             Fact("trials", self.trials, "trials"),
             Fact("failures", self.failures, "failures"),
             Fact("records", self.records, "records"),

@@ -9,14 +9,14 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import with_misfit
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import Fitting
-from rocksteady.risk.fragility.state_fragility import StateFragility, number_or_none
+from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.seismic.measures.scalar import GIVEN, Intensity
 
 if TYPE_CHECKING:

@@ -1,10 +1,10 @@
 """Fragility of one damage state: its curves and its points."""
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.numbers import number_or_none
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
@@ -99,8 +99,3 @@ class StateFragility:
             "trials": None if lognormal is None else lognormal.trials,
             "failures": None if lognormal is None else lognormal.failures,
         }
-
-
-def number_or_none(value: float) -> float | None:
-    """Return a number as it is; None of what JSON has no number for."""
-    return float(value) if math.isfinite(value) else None

@@ -14,7 +14,7 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.free_rocking.release import Release
 
@@ -177,7 +177,7 @@ class RestitutionFit(Result):
             Fact("restitution", list(self.restitution), "restitution", words),
             Fact(
                 "standard_error",
-                [_known(each) for each in self.standard_error],
+                [number_or_none(each) for each in self.standard_error],
                 "standard error",
                 errors if identified else f"{NOT_IDENTIFIED}: {TOO_FEW} impacts",
             ),
@@ -197,14 +197,14 @@ class RestitutionFit(Result):
             )
             facts += [
                 Fact("factor", list(self.factor), "e/Housner", ratios),
-                Fact("factor_error", [_known(each) for each in self.factor_error]),
+                Fact("factor_error", [number_or_none(each) for each in self.factor_error]),
             ]
         high = None if math.isinf(self.scatter_high) else self.scatter_high
         beyond = "any" if high is None else number(high, 2)
         facts += [
             Fact(
                 "scatter",
-                _known(self.scatter),
+                number_or_none(self.scatter),
                 "scatter of impacts",
                 f"{NOT_IDENTIFIED}: {TOO_FEW} impacts"
                 if not identified
@@ -357,8 +357,3 @@ def _energy(peaks: Floats, alpha: float, model: Model) -> Floats:
     if isinstance(model, Linear):
         return peaks * (alpha - 0.5 * peaks)
     return np.asarray(2.0 * np.sin(alpha - 0.5 * peaks) * np.sin(0.5 * peaks))
-
-
-def _known(value: float) -> float | None:
-    """Return a number; None of what is not identified."""
-    return value if math.isfinite(value) else None

@@ -15,12 +15,11 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number, number_or_none, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
-from rocksteady.risk.fragility.state_fragility import number_or_none
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
 from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.results.numbers import plural
+from rocksteady.results.numbers import number_or_none, plural
 from rocksteady.studies.facade_checks._checked_walls import (
     METHODS,
     SHARE,
@@ -93,7 +93,7 @@ def worked_values(wall: WorkedWall) -> dict[str, Any]:
         "confidence_factor": facade.confidence_factor,
         "pga_g": float(runs.pga_g[0]),
         "records": list(runs.records),
-        "demand_per_capacity": {name: _finite(each) for name, each in wall.ratios.items()},
+        "demand_per_capacity": {name: number_or_none(each) for name, each in wall.ratios.items()},
         "beyond_d0": list(runs.beyond),
         "t_slv_s": mechanism.t_slv_s,
         "d_slv_m": mechanism.d_slv_m,
@@ -105,15 +105,10 @@ def worked_values(wall: WorkedWall) -> dict[str, Any]:
         "direction": wall.direction,
         "spectral_m": float(wall.spectra_m[wall.governing]),
         "spectral_to_twice_m": wall.longer_m,
-        "largest_m": _finite(float(runs.largest_m[wall.governing])),
+        "largest_m": number_or_none(float(runs.largest_m[wall.governing])),
         "impacts": len(wall.history.impacts.pt),
-        "others": {name: _finite(each) for name, each in wall.others.items()},
+        "others": {name: number_or_none(each) for name, each in wall.others.items()},
     }
-
-
-def _finite(value: float) -> float | None:
-    """Return a number; None of an infinite one."""
-    return value if math.isfinite(value) else None
 
 
 def sentences(checked: CheckedWalls) -> list[str]:
