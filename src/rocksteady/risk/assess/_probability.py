@@ -154,9 +154,13 @@ def fit_fragilities(
     intensities: Sequence[Intensity],
     fittings: Sequence[Fitting],
     *,
+    ranked: bool = True,
     run: Run | None = None,
 ) -> list[Fragility]:
     """Run objects on all motions at all levels of each object, and fit the curves of each.
+
+    Other measures of intensity are computed beside the levels where they are `ranked`; no curve
+    depends on them, and they take longer than the runs.
 
     Objects that share levels and restitutions are run in one sweep.  The first sweep is kept in the
     store of `run`, further ones beside it: in runs-2.zarr, runs-3.zarr and so on beside runs.zarr.
@@ -171,7 +175,8 @@ def fit_fragilities(
         # Equal coordinates in one group: an object's part of it is as if it ran alone.
         key = (intensity, levels, band, block.symmetric, block.one_sided)
         if key not in groups:
-            sweeps.append((replace(stripes, levels=levels), band))
+            beside = stripes.beside if ranked else ()
+            sweeps.append((replace(stripes, levels=levels, beside=beside), band))
         groups.setdefault(key, []).append(place)
     runs = _runs_for(run, len(groups))
     fragilities: dict[int, Fragility] = {}

@@ -252,6 +252,7 @@ def assess_objects(
                 suite,
                 [intensities[place] for place in rocking],
                 [fitting] * len(rocking),
+                ranked=False,
                 run=run,
             ),
             strict=True,
