@@ -21,8 +21,8 @@ settings.register_profile(
 )
 # Other examples in each run, ten times as many: `pytest --hypothesis-profile=search`.
 settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)
-# Where the slow tests are left out, half as many examples are drawn.
-settings.register_profile("quick", COMPILED, max_examples=50)
+# Where the slow tests are left out, a quarter as many examples are drawn.
+settings.register_profile("quick", COMPILED, max_examples=25)
 PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
 settings.load_profile("plain" if PLAIN else "compiled")
 

@@ -85,6 +85,7 @@ def content(tmp_path: Path, request: pytest.FixtureRequest) -> tuple[str, bytes,
     return name, found[0], found[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("content", WRITERS, indirect=True)
 @pytest.mark.parametrize("there", [True, False])
 def test_a_power_failure_leaves_the_old_file_or_the_new_one(

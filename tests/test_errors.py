@@ -22,6 +22,7 @@ from rocksteady.errors import (
     Words,
     with_call_errors,
 )
+from tests.every import every
 
 KINDS = (InputError, ModelError, OutputError, MissingKernelsError)
 
@@ -79,20 +80,20 @@ def test_a_message_is_one_short_printable_line_of_whatever_it_is_made() -> None:
     assert "[0] = <list> is not valid" in str(InputError("[0]", deep, "a", "b"))
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every("kind", KINDS)
 def test_every_error_is_caught_as_a_rocksteady_error(kind: type[RocksteadyError]) -> None:
     with pytest.raises(RocksteadyError):
         raise kind(name="a", value=0, valid="b", hint="c")
 
 
-@pytest.mark.parametrize(("kind", "is_one"), [*zip(KINDS, (True, True, False, False), strict=True)])
+@every(("kind", "is_one"), [*zip(KINDS, (True, True, False, False), strict=True)])
 def test_what_is_wrong_with_arguments_is_a_value_error(
     kind: type[RocksteadyError], is_one: bool
 ) -> None:
     assert issubclass(kind, ValueError) is is_one
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every("kind", KINDS)
 def test_an_error_comes_back_whole_from_another_process(kind: type[RocksteadyError]) -> None:
     error = kind(name="width", value=-1.0, valid="it must be above 0", hint="give metres")
     back = pickle.loads(pickle.dumps(error))
@@ -110,7 +111,7 @@ def test_an_error_carries_its_parts() -> None:
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("value", "shown"),
     [
         (np.float64(1.2), "1.2"),

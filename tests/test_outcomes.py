@@ -18,6 +18,7 @@ from rocksteady.dynamics.maps.fate_map import FATES
 from rocksteady.errors import InputError
 from rocksteady.kernels.orbits import return_map
 from rocksteady.outcomes import NO_START, AttractorKind, Event, Status
+from tests.every import every
 
 
 def test_status_codes_never_change() -> None:
@@ -30,13 +31,13 @@ def test_status_codes_never_change() -> None:
     }
 
 
-@pytest.mark.parametrize("status", Status)
+@every("status", Status)
 def test_a_status_is_named_as_its_label_says(status: Status) -> None:
     assert status.name == status.label.upper().replace("-", "_")
     assert Status(int(status)) is status
 
 
-@pytest.mark.parametrize("status", Status)
+@every("status", Status)
 def test_advice_is_one_sentence_that_also_says_what_to_try(status: Status) -> None:
     assert status.advice.endswith(".")
     assert status.advice.count(".") == 1
@@ -77,7 +78,7 @@ def test_no_start_is_one_code_in_both_maps_and_no_outcome() -> None:
 OUTCOMES = (Status, AttractorKind, Event)
 
 
-@pytest.mark.parametrize("kinds", OUTCOMES)
+@every("kinds", OUTCOMES)
 def test_an_outcome_equals_its_word_and_its_code_and_nothing_else(kinds: Any) -> None:
     for place, outcome in enumerate(kinds):
         assert outcome.code == place

@@ -21,6 +21,7 @@ import pytest
 
 import rocksteady as rs
 from tests.cli.program import rocksteady
+from tests.every import every
 from tests.show.calibrated import without_pictures
 from tools.manual import gallery
 
@@ -77,6 +78,7 @@ def is_long(code: str) -> bool:
     return "rs.calibrate(" in code
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "block",
     [
@@ -90,6 +92,7 @@ def test_each_block_of_python_runs_alone(block: Block, tmp_path: Path) -> None:
         assert out == block.printed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", [at for at, block in SNIPPETS.items() if is_long(block.body)])
 def test_a_long_block_runs_alone_with_few_draws_and_records(place: str, tmp_path: Path) -> None:
     code = SNIPPETS[place].body
@@ -315,6 +318,7 @@ def run_on_gpu(line: str) -> None:
         assert re.search(r"^rocksteady: --executor = 'gpu' is not valid: .+$", ran.err), ran.err
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("line", [line for line in TYPED if not LONG.search(line)])
 def test_a_command_line_runs_with_a_few_values_on_its_axes(
@@ -354,7 +358,8 @@ def test_a_long_command_line_runs(line: str) -> None:
     return None
 
 
-@pytest.mark.parametrize("line", [line for line in EVERY if line not in TYPED])
+@pytest.mark.slow
+@every("line", [line for line in EVERY if line not in TYPED])
 def test_a_command_that_is_named_has_the_flags_that_are_named(line: str) -> None:
     flags = re.findall(r"--[\w-]+", line)
     ran = rocksteady("", *line.partition(" --")[0].split(), "--help")

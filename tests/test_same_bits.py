@@ -18,6 +18,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.every import every
+
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
 FREE = {"kernels", "show"}
@@ -227,7 +229,7 @@ def test_what_computes_names_nothing_that_differs_between_processors() -> None:
     assert inexact_of_the_package() == set(ALLOWED)
 
 
-@pytest.mark.parametrize(
+@every(
     ("source", "names"),
     [
         ("import math\nmath.sqrt(2.0) + math.pi", []),
@@ -299,6 +301,7 @@ def digests(environment: dict[str, str]) -> dict[str, list[int | str]]:
     return found
 
 
+@pytest.mark.slow
 def test_numbers_are_the_same_where_those_of_the_system_are_not() -> None:
     """On a processor with fused instructions, beside itself without them."""
     here, there = digests({}), digests(LIKE_AN_OLD_PROCESSOR)

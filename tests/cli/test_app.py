@@ -28,12 +28,13 @@ from rocksteady.kernels.machine_code import compilation
 from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "curves", "basins", "map")
 """Those that take shaking and a block."""
 ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
-commands = pytest.mark.parametrize("command", COMMANDS)
+commands = every("command", COMMANDS)
 SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
     "basins": "basins -A 2 -W 4 --angles=-1:1:30 --velocities=-1:1:30",  # short of its progress
     "bifurcate": "bifurcate -A 2 -W 3:5:9",
@@ -58,7 +59,7 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
 
 
 @commands
-@pytest.mark.parametrize(
+@every(
     ("given", "needles"),
     BAD_INPUT,
 )
@@ -68,8 +69,8 @@ def test_bad_input_is_one_line_with_the_value(command: str, given: str, needles:
         assert needle in line, line
 
 
-@pytest.mark.parametrize("command", ORDERED)
-@pytest.mark.parametrize(
+@every("command", ORDERED)
+@every(
     ("order", "needles"),
     [
         ("2", ["--order/-n = 2", "odd"]),
@@ -106,8 +107,9 @@ def test_a_value_is_never_shown_in_another_unit(command: str) -> None:
 # ----------------------------------------------------------------------------------- files
 
 
+@pytest.mark.slow
 @commands
-@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+@every("flag", ["--plot", "--csv"])
 def test_an_existing_file_is_left_alone_without_force(
     command: str, flag: str, tmp_path: Path
 ) -> None:
@@ -128,7 +130,7 @@ def test_an_existing_file_is_left_alone_without_force(
 
 
 @commands
-@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+@every("flag", ["--plot", "--csv"])
 def test_a_missing_folder_and_a_folder_for_a_file_are_refused(
     command: str, flag: str, tmp_path: Path
 ) -> None:
@@ -148,7 +150,7 @@ def test_a_dash_is_no_file(command: str) -> None:
 
 
 @commands
-@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+@every("flag", ["--plot", "--csv"])
 def test_an_unwritable_folder_is_refused_before_anything_is_computed(
     command: str, flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -242,7 +244,8 @@ def beside_a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     at2(tmp_path / "RSN77_PUL164.AT2", samples())
 
 
-@commands
+@pytest.mark.slow
+@pytest.mark.parametrize("command", COMMANDS)
 @pytest.mark.usefixtures("beside_a_record")
 def test_the_examples_in_the_help_run_on_coarser_axes(command: str) -> None:
     for example in examples_of(command):
@@ -274,7 +277,8 @@ def test_version() -> None:
     assert rocksteady("--version").out == f"rocksteady {__version__}\n"
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "arguments",
     [
         ["--help"],
@@ -310,6 +314,7 @@ def test_a_refusal_of_flags_loads_nothing_heavy() -> None:
     assert set(done.stdout.split()) & set(HEAVY) == set()
 
 
+@pytest.mark.slow
 def test_a_picture_of_a_history_loads_no_more_than_it_shows(tmp_path: Path) -> None:
     """Compilers, statistics and tables of many cases would take most of its first seconds."""
     picture = tmp_path / "history.png"
@@ -332,7 +337,8 @@ def test_a_picture_of_a_history_loads_no_more_than_it_shows(tmp_path: Path) -> N
     assert picture.stat().st_size > 10_000
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("call", "code", "said"),
     [
         ("sys.exit(app.run(['simulate', '-A', '2', '-W', '4', '-r', '0.8']))", 2, "rocksteady: "),
@@ -379,7 +385,7 @@ def test_python_m_rocksteady_is_the_program() -> None:
     assert done.stderr.startswith("rocksteady: --restitution/-r = 1.2 ")
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+@every("shell", ["bash", "zsh", "fish"])
 def test_the_completion_script_of_each_shell_calls_the_program_back(shell: str) -> None:
     # Asked for by name: --show-completion looks at the shell that runs, which under make is none.
     done = process(_ROCKSTEADY_COMPLETE=f"source_{shell}")
@@ -395,7 +401,8 @@ def test_completion_knows_commands_and_flags() -> None:
     assert set(done.stdout.split()) == {"--frequency-ratio", "--freq-hz"}
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "arguments",
     ["--help", "steady -A 2 -W 4 -r 0.8", "steady -A 1:6:300 -W 1:4:30 -r 0.8 --json"],
 )
@@ -418,7 +425,7 @@ def test_a_closed_pipe_is_no_error(arguments: str) -> None:
 # --------------------------------------------------------------------------- what goes wrong
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@every("command", COMMANDS)
 def test_an_internal_error_says_so_and_ends_with_101(
     command: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

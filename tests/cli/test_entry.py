@@ -3,14 +3,13 @@
 import subprocess
 import sys
 
-import pytest
-
 from tests.cli.program import refused
+from tests.every import every
 
 LISTS = "rocksteady steady --help lists its flags"
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "given", "line"),
     [
         ("steady", "--ampl 2", f"--ampl is no flag of rocksteady steady: {LISTS}; did you mean "),

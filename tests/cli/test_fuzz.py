@@ -60,6 +60,7 @@ def test_no_command_line_ends_in_another_way(seed: int) -> None:
     assert found(seed, LINES) == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", rest_slow(range(1000, 1000 + PROCESSES), QUICK_PROCESSES))
 def test_no_process_ends_in_another_way(seed: int, folder: Path) -> None:
     assert found_apart(seed, 10, folder) == []

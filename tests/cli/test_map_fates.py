@@ -10,6 +10,7 @@ import pytest
 from rocksteady import DimensionlessBlock, State, Steady, map_fates, open_store
 from rocksteady.cli.flags.parsing import axis
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 MAP = "map -A 0.5:5:7 -W 1:8:9 -r 0.8 --start 0,0.3 --fate"
 GRID = {"amplitude": axis("", "0.5:5:7"), "frequency_ratio": axis("", "1:8:9")}
@@ -82,7 +83,7 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
     assert 64 < values["computed"] < 57 * 57
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "said"),
     [
         ("--cycles 0", "--cycles = 0 is not valid"),

@@ -32,6 +32,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Model
+from tests.every import every
 from tests.records import synthetic
 
 Floats = NDArray[np.float64]
@@ -81,9 +82,9 @@ def impacts_by_integrator(
     return found
 
 
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("free", [FREE, Block.asymmetric(left=0.15, right=0.35, height=2.5)])
-@pytest.mark.parametrize(("seed", "ratio"), [(1, "housner"), (2, 0.7), (5, 1.0)])
+@every("model", MODELS)
+@every("free", [FREE, Block.asymmetric(left=0.15, right=0.35, height=2.5)])
+@every(("seed", "ratio"), [(1, "housner"), (2, 0.7), (5, 1.0)])
 def test_impacts_are_those_of_an_adaptive_integrator(
     model: Model, free: Block, seed: int, ratio: Any
 ) -> None:
@@ -95,9 +96,9 @@ def test_impacts_are_those_of_an_adaptive_integrator(
     np.testing.assert_allclose(run.impacts.pt[:3] / block.p, expected, rtol=0.0, atol=1e-9)
 
 
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("seed", range(10))
+@every("model", MODELS)
+@every("sign", [1.0, -1.0])
+@every("seed", range(10))
 def test_every_run_obeys_the_equation_of_motion_and_the_wall(
     model: Model, sign: float, seed: int
 ) -> None:
@@ -137,8 +138,8 @@ def test_every_run_obeys_the_equation_of_motion_and_the_wall(
     assert (base[~flying] <= lift * (1.0 + 1e-9)).all()
 
 
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("ratio", [0.3, 0.8, 0.95])
+@every("model", MODELS)
+@every("ratio", [0.3, 0.8, 0.95])
 def test_on_a_still_base_it_is_the_free_block_folded_to_one_side(
     model: Model, ratio: float
 ) -> None:
@@ -221,8 +222,8 @@ def test_growth_is_that_of_two_runs_a_little_apart(model: Model) -> None:
     assert until.growth == pytest.approx(np.linalg.norm(np.array(columns)), rel=1e-5)
 
 
-@pytest.mark.parametrize("block", [FACADE, FACADE.dimensionless()])
-@pytest.mark.parametrize(
+@every("block", [FACADE, FACADE.dimensionless()])
+@every(
     ("start", "words"),
     [
         (State(angle=-0.1, velocity=0.0), "positive side alone"),
@@ -282,7 +283,8 @@ def test_a_run_describes_the_wall_and_one_side() -> None:
     assert again.describe() == run.describe()
 
 
-@pytest.mark.parametrize("ratio", [0.0, 0.47, 1.0])
+@pytest.mark.slow
+@every("ratio", [0.0, 0.47, 1.0])
 def test_neighbours_have_other_walls_and_the_reversed_record(ratio: float) -> None:
     run = simulate(FREE.against_wall(ratio), noise(4, peak=2.0))
     found = check_neighbours(run)

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.explorer._bundle import ENTRY, PARTS, PartError, joined, script
+from tests.every import every
 from tools.aot.replay.wasm import node
 
 
@@ -50,7 +51,7 @@ def test_modules_give_what_they_export_and_keep_the_rest(tmp_path: Path) -> None
     assert ran.stdout == "6\n"
 
 
-@pytest.mark.parametrize(
+@every(
     ("main", "other", "fault"),
     [
         ("", "import { start } from './main.mjs';\n", "in a circle"),

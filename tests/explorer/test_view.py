@@ -24,6 +24,7 @@ from rocksteady import (
     named_block,
 )
 from rocksteady.explorer.view import DEFAULT_MOTION, LIMITS, TABS, WINDOW, state_of
+from tests.every import every
 from tests.explorer.in_node import InNode
 
 IMPORTS = """
@@ -151,7 +152,7 @@ def test_ground_motions_open_their_tab_with_the_full_equations() -> None:
         assert (state["tab"], state["model"]) == expected
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "name", "words"),
     [
         ({"tab": "basin"}, "tab", "explore, basins"),
@@ -170,7 +171,7 @@ def test_numbers_that_the_page_does_not_take_are_refused(
         ExplorerView(**given)
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "name"),
     [
         ({"block": Block.asymmetric(left=0.2, right=0.3, height=2.0)}, "block"),

@@ -21,6 +21,7 @@ from rocksteady import (
 from rocksteady.explorer import _motions, write
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer.module import page_module
+from tests.every import every
 from tests.explorer.in_node import InNode
 from tests.explorer.test_page import NASTY, Reader
 from tests.strategies import PLAIN
@@ -138,7 +139,7 @@ def test_an_old_page_is_replaced_whole_or_stays(
         write_explorer(tmp_path / "no" / "page.html")
 
 
-@pytest.mark.parametrize("name", ["page", "page.csv", "page.html.gz", "html", ".html"])
+@every("name", ["page", "page.csv", "page.html.gz", "html", ".html"])
 def test_another_ending_is_refused_and_no_file_of_that_name_is_touched(
     name: str, tmp_path: Path
 ) -> None:

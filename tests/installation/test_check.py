@@ -21,6 +21,7 @@ from rocksteady.kernels.machine_code.compilation import LIBRARY, runner
 from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
 from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
 from rocksteady.outcomes import Status
+from tests.every import every
 from tests.kernels.machine_code.in_memory.driver import DriverInMemory
 from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 from tests.strategies import PLAIN
@@ -100,7 +101,7 @@ def last_bit(kernel: Callable[..., Any]) -> Callable[..., Any]:
     return wrong
 
 
-@pytest.mark.parametrize(
+@every(
     ("entry", "where"),
     [("symmetry_breaking", "result"), ("fill_curves", "curves[0, 0]"), ("fill_clocks", "rest[0]")],
 )

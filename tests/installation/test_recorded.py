@@ -21,6 +21,7 @@ from rocksteady.installation._recorded import (
     replayed,
     save,
 )
+from tests.every import every
 
 Floats = NDArray[np.float64]
 QUIET, OTHER = (
@@ -102,7 +103,7 @@ def drawn_calls(rng: np.random.Generator) -> list[Call]:
     return calls
 
 
-@pytest.mark.parametrize("seed", range(5))
+@every("seed", range(5))
 def test_what_is_written_is_read_again(seed: int, tmp_path: Path) -> None:
     calls = drawn_calls(np.random.default_rng(seed))
     for compress in (False, True):
@@ -118,7 +119,7 @@ def test_what_is_written_is_read_again(seed: int, tmp_path: Path) -> None:
     assert gzip.decompress((tmp_path / "file").read_bytes()) == dumped(calls)
 
 
-@pytest.mark.parametrize("content", [b"", b"RSCALLS", b"\x1f\x8bjunk", dumped([a_call()])[:-8]])
+@every("content", [b"", b"RSCALLS", b"\x1f\x8bjunk", dumped([a_call()])[:-8]])
 def test_another_file_and_a_part_of_one_are_refused(content: bytes) -> None:
     with pytest.raises((ValueError, gzip.BadGzipFile, EOFError)):
         loaded(content)
@@ -130,7 +131,7 @@ def test_a_call_made_again_is_the_same_and_leaves_its_record_alone() -> None:
     assert differences(call, replayed(call, doubled)) == (14, 0, None)
 
 
-@pytest.mark.parametrize(
+@every(
     ("recorded_value", "computed", "differs"),
     [
         (1.0, 1.0, False),

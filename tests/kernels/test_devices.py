@@ -21,6 +21,7 @@ from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.machine_code.device import on_device
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.kernels.orbits.settle import MEMORY, PERIODIC
+from tests.every import every
 from tests.kernels.queued import CASES, CELLS, Workers, bits, of_fates, of_lanes, room_of
 
 # Empty lanes divide by zero, of which kernels warn where nothing compiles them.
@@ -36,8 +37,8 @@ def test_there_is_a_case_for_each_form() -> None:
     assert list(CASES) == list(FORMS)
 
 
-@pytest.mark.parametrize("workers", [1, 2])
-@pytest.mark.parametrize("name", FORMS)
+@every("workers", [1, 2])
+@every("name", FORMS)
 def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) -> None:
     kernel, make = CASES[name]
     form, device = FORMS[name], Workers(workers)
@@ -55,7 +56,7 @@ def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) 
         assert one[~left].tobytes() == other[~left].tobytes()
 
 
-@pytest.mark.parametrize("name", FORMS)
+@every("name", FORMS)
 def test_cells_that_are_not_in_the_queue_are_left_as_they_are(name: str) -> None:
     _, make = CASES[name]
     form, arguments = FORMS[name], make()
@@ -65,7 +66,7 @@ def test_cells_that_are_not_in_the_queue_are_left_as_they_are(name: str) -> None
     assert bits(form, arguments) == before
 
 
-@pytest.mark.parametrize("name", FORMS)
+@every("name", FORMS)
 def test_a_queued_kernel_takes_queue_room_and_shared_arrays_before_the_others(name: str) -> None:
     kernel, make = CASES[name]
     form = FORMS[name]
@@ -83,7 +84,7 @@ def test_a_queued_kernel_takes_queue_room_and_shared_arrays_before_the_others(na
     assert dimensions[1 : 1 + len(form.room)] == [1 + len(shape) for shape in form.room]
 
 
-@pytest.mark.parametrize("name", FORMS)
+@every("name", FORMS)
 def test_lengths_are_numbers_of_each_cell_and_none_takes_less_than_nothing(name: str) -> None:
     _, make = CASES[name]
     length = FORMS[name].length

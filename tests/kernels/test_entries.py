@@ -41,12 +41,14 @@ def test_no_other_kernel_has_the_name_of_an_entry() -> None:
         assert ENTRIES.get(kernel.py_func.__name__, kernel) is kernel
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not PLAIN and runner() != LIBRARY, reason="there is no library")
 def test_public_calls_run_no_kernel_as_python_where_there_is_a_library(tmp_path: Path) -> None:
     found = in_a_process("print_kernels_that_run_as_python", tmp_path, ROCKSTEADY_KERNELS="library")
     assert found == []
 
 
+@pytest.mark.slow
 def test_public_calls_import_no_numba_where_there_is_a_library(tmp_path: Path) -> None:
     if runner() != LIBRARY:
         pytest.skip("there is no library")

@@ -21,6 +21,7 @@ from rich.text import Text
 
 import rocksteady as rs
 from tests.cli.program import rocksteady
+from tests.every import every
 from tools.manual import commands as tool
 from tools.manual import commands_facts as facts
 
@@ -32,7 +33,7 @@ OPTION = re.compile(
     r"^````\{option\} ([^\n]+)\n:no-index-entry:\n\n(.*?)^````$", re.DOTALL | re.MULTILINE
 )
 
-each_command = pytest.mark.parametrize("command", LEAVES, ids=lambda command: command.slug)
+each_command = every("command", LEAVES)
 
 
 def flags_in(names: str) -> list[str]:

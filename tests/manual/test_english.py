@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.every import every
+
 ROOT = Path(__file__).parents[2]
 SOURCE = ROOT / "src" / "rocksteady"
 FORMULAE = ("kernels", "installation")
@@ -184,7 +186,7 @@ def texts() -> tuple[tuple[str, str], ...]:
     )
 
 
-@pytest.mark.parametrize("pattern", RULES)
+@every("pattern", RULES)
 def test_the_usual_words_are_used(pattern: str) -> None:
     spelling = "British" in RULES[pattern] or "-ise" in RULES[pattern]
     rule = re.compile(pattern)
@@ -197,7 +199,7 @@ def test_the_usual_words_are_used(pattern: str) -> None:
     assert not hits, f"write instead: {RULES[pattern]}\n" + "\n".join(hits)
 
 
-@pytest.mark.parametrize(
+@every(
     ("pattern", "sentence"),
     [
         (0, "The margin is said to be small."),

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.every import every
+
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "docs" / "evidence"
 PAGES = {page.stem: page.read_text(encoding="utf-8") for page in sorted(FOLDER.glob("*.md"))}
@@ -48,11 +50,12 @@ def test_each_page_is_in_the_list_and_in_the_table_of_claims() -> None:
     assert {name for name in others if any(f"]({name}.md" in line for line in table)} == others
 
 
-@pytest.mark.parametrize("page", LEAST)
+@every("page", LEAST)
 def test_a_page_asserts_what_it_claims(page: str) -> None:
     assert sum(map(assertions, cells(page))) >= LEAST[page]
 
 
+@pytest.mark.slow
 def test_a_row_of_published_numbers_fails_where_ours_is_off(tmp_path: Path) -> None:
     setup = cells("published")[0]
     good = run(f"{setup}\nprint(row('a', 1.0, 1.0 + 1e-12, 1e-9))", tmp_path)
@@ -62,6 +65,7 @@ def test_a_row_of_published_numbers_fails_where_ours_is_off(tmp_path: Path) -> N
     assert "AssertionError" in bad.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "page",
     [page if page in LIGHT else pytest.param(page, marks=pytest.mark.slow) for page in PAGES],

@@ -28,6 +28,7 @@ from rocksteady.risk.facades.spectrum_table import COLUMNS as SPECTRUM_COLUMNS
 from rocksteady.risk.observations import object_prior, prior, read_peaks, read_tests
 from rocksteady.show.export.ensemble_rows import HEAD as RUN_COLUMNS
 from tests.cli.program import rocksteady
+from tests.every import every
 
 FOLDER = Path(__file__).parents[2] / "docs" / "reference" / "files"
 PAGES = {page.stem: page.read_text(encoding="utf-8") for page in sorted(FOLDER.glob("*.md"))}
@@ -138,9 +139,7 @@ BESIDE = {"screens.csv", "objects.csv", "shock.csv", "pair.csv"}
 """Examples that are read with others, or by a command."""
 
 
-@pytest.mark.parametrize(
-    ("page", "name"), [(page, name) for page, texts in EXAMPLES.items() for name in texts]
-)
+@every(("page", "name"), [(page, name) for page, texts in EXAMPLES.items() for name in texts])
 def test_each_example_is_read_without_a_warning(
     page: str, name: str, written: Callable[[str], Path]
 ) -> None:
@@ -285,7 +284,7 @@ def place(values: Any, table: str) -> Any:
     return values[0] if isinstance(values, list) else values
 
 
-@pytest.mark.parametrize("page", list(READ_TOML))
+@every("page", list(READ_TOML))
 def test_a_file_without_a_mandatory_key_is_refused_and_without_another_read(
     page: str, written: Callable[[str], Path]
 ) -> None:
@@ -311,7 +310,7 @@ def test_a_file_without_a_mandatory_key_is_refused_and_without_another_read(
                 READ_TOML[page](file)
 
 
-@pytest.mark.parametrize("page", list(READ_TOML))
+@every("page", list(READ_TOML))
 def test_a_value_outside_its_range_is_refused_and_an_unknown_key_too(
     page: str, written: Callable[[str], Path]
 ) -> None:
@@ -400,7 +399,7 @@ def test_numbers_of_objects_and_priors_are_those_of_the_readers() -> None:
     assert [limits(row) for row in noise] == [("[", 0.0, 3.0, "]"), ("[", 0.0, 0.5, "]")]
 
 
-@pytest.mark.parametrize(
+@every(
     ("names", "rate"),
     [
         ("PGA [g], annual rate", 0.02),

@@ -16,6 +16,7 @@ from sphinx_gallery.gen_gallery import DEFAULT_GALLERY_CONF  # type: ignore[impo
 import rocksteady as rs
 from rocksteady.show.film.gif import save_gif
 from rocksteady.show.style import palette
+from tests.every import every
 from tools.manual import gallery
 
 DOCS = gallery.EXAMPLES.parent / "docs"
@@ -52,7 +53,7 @@ def test_there_are_thirty_scripts_or_more_and_not_too_many_in_a_folder() -> None
     assert {name.partition("/")[0] for name in SCRIPTS} == set(gallery.ORDER)
 
 
-@pytest.mark.parametrize("folder", ["", *gallery.ORDER])
+@every("folder", ["", *gallery.ORDER])
 def test_each_section_has_a_title_and_a_sentence(folder: str) -> None:
     header = (gallery.EXAMPLES / folder / "GALLERY_HEADER.rst").read_text(encoding="utf-8")
     title, line, empty, *text = header.splitlines()
@@ -62,7 +63,7 @@ def test_each_section_has_a_title_and_a_sentence(folder: str) -> None:
     assert "".join(text).endswith(".")
 
 
-@pytest.mark.parametrize("name", SCRIPTS)
+@every("name", SCRIPTS)
 def test_a_script_is_a_question_its_answer_and_at_most_thirty_lines(name: str) -> None:
     assert len(SCRIPTS[name].read_text(encoding="utf-8").splitlines()) <= LINES
     title, line, empty, *text = caption(name)
@@ -82,7 +83,7 @@ def test_no_two_scripts_have_one_title() -> None:
     assert len(set(titles)) == len(titles)
 
 
-@pytest.mark.parametrize("name", SCRIPTS)
+@every("name", SCRIPTS)
 def test_a_script_uses_public_names_numpy_and_matplotlib_alone(name: str) -> None:
     imports = [node for node in ast.walk(TREES[name]) if isinstance(node, ast.Import)]
     assert not [node for node in ast.walk(TREES[name]) if isinstance(node, ast.ImportFrom)]

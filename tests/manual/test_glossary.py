@@ -4,11 +4,10 @@ import re
 from itertools import pairwise
 from pathlib import Path
 
-import pytest
-
 from rocksteady import DimensionlessBlock, Harmonic, PointType, find_orbits, outcomes
 from rocksteady.cli.app import app
 from rocksteady.dynamics.continuation.chains.point_types import BIFURCATIONS
+from tests.every import every
 
 DOCS = Path(__file__).parents[2] / "docs"
 GLOSSARY = (DOCS / "glossary.md").read_text("utf-8")
@@ -59,7 +58,7 @@ def test_each_meaning_is_short_and_leads_somewhere_or_says_all() -> None:
         assert 2 <= len(meaning.split()) <= 70, term
 
 
-@pytest.mark.parametrize(
+@every(
     "label",
     sorted(
         {status.label for status in outcomes.Status}
@@ -110,7 +109,7 @@ def test_the_index_has_each_page_with_its_title_and_the_tree_has_them_in_this_or
     assert len(listed) >= 25
 
 
-@pytest.mark.parametrize("name", PAGES)
+@every("name", PAGES)
 def test_a_page_has_code_a_trap_and_places_to_read_on(name: str) -> None:
     text = PAGES[name]
     assert re.search(r"^```(sh|\{code-cell\} ipython3)$", text, re.MULTILINE)
@@ -122,7 +121,7 @@ def test_a_page_has_code_a_trap_and_places_to_read_on(name: str) -> None:
     assert 60 <= len(prose.split()) <= 270
 
 
-@pytest.mark.parametrize("name", ["index", "glossary", *PAGES])
+@every("name", ["index", "glossary", *PAGES])
 def test_links_of_a_page_lead_to_pages_and_headings(name: str) -> None:
     page = DOCS / "glossary.md" if name == "glossary" else HOW_TO / f"{name}.md"
     for target, anchor in LINK.findall(page.read_text("utf-8")):

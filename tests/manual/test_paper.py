@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-import pytest
 
 import rocksteady as rs
+from tests.every import every
 
 ROOT = Path(__file__).parents[2]
 PAPER = (ROOT / "paper" / "paper.md").read_text(encoding="utf-8")
@@ -82,7 +82,7 @@ def test_what_is_cited_is_what_the_bibliography_has() -> None:
     assert len(ENTRIES) == BIBLIOGRAPHY.count("\n@") + BIBLIOGRAPHY.startswith("@")
 
 
-@pytest.mark.parametrize("key", ENTRIES)
+@every("key", ENTRIES)
 def test_an_entry_is_complete(key: str) -> None:
     entry = ENTRIES[key]
     assert {"author", "title", "year"} <= set(entry)

@@ -14,6 +14,7 @@ import pytest
 from sphinx.application import Sphinx
 
 import rocksteady
+from tests.every import every
 from tools.manual import docstrings, reference
 from tools.manual.types_in_words import in_words, types_of
 
@@ -37,7 +38,7 @@ def test_every_public_name_is_on_exactly_one_page() -> None:
     assert set(count) == set(rocksteady.__all__)
 
 
-@pytest.mark.parametrize("name", PAGES)
+@every("name", PAGES)
 def test_a_page_begins_with_its_task_where_to_begin_and_what_explains_it(name: str) -> None:
     introduction, table, rest = PAGES[name].partition(TABLE)
     assert table
@@ -63,7 +64,7 @@ def test_the_entry_page_leads_to_every_page() -> None:
     assert {Path(link).stem for link in LINK.findall(text) if link.startswith("api/")} == set(PAGES)
 
 
-@pytest.mark.parametrize(
+@every(
     "page", [path for path in sorted(DOCS.rglob("*.md")) if ROLE.search(path.read_text("utf-8"))]
 )
 def test_a_page_names_public_things(page: Path) -> None:
@@ -135,14 +136,14 @@ def stale(text: str, inside: str, module: str) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("name", rocksteady.__all__)
+@every("name", rocksteady.__all__)
 def test_public_names_in_docstrings_are_there(name: str) -> None:
     for place, thing in documented(name):
         text = inspect.getdoc(thing) or ""
         assert stale(text, name, thing.__module__) == [], place
 
 
-@pytest.mark.parametrize("name", rocksteady.__all__)
+@every("name", rocksteady.__all__)
 def test_what_a_docstring_lists_is_a_parameter_or_field_with_a_type(name: str) -> None:
     for place, thing in documented(name):
         lines = (inspect.getdoc(thing) or "").splitlines()
@@ -161,7 +162,7 @@ def test_a_name_that_is_gone_would_be_noticed() -> None:
     assert stale(text, "Trajectory", module) == ["Nothing", "Trajectory.top"]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "inside", "target"),
     [
         ("State", None, "rocksteady.State"),
@@ -185,7 +186,7 @@ def test_a_name_between_backticks_links_to_what_is_public(
     assert docstrings.resolve(text, inside) == target
 
 
-@pytest.mark.parametrize(
+@every(
     ("annotation", "words"),
     [
         ("float | None", "float or None"),

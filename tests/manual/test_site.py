@@ -6,13 +6,14 @@ import pytest
 from sphinx.application import Sphinx
 
 from rocksteady import MissingKernelsError
+from tests.every import every
 from tests.strategies import PLAIN
 from tools.manual import mathematics, pages
 
 DOCS = Path("/site/docs")
 
 
-@pytest.mark.parametrize(
+@every(
     ("link", "shown"),
     [
         ("[the code](../src/a.py)", "the code"),

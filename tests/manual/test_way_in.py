@@ -8,6 +8,7 @@ import pytest
 from typer.main import get_command
 
 from rocksteady.cli.app import app
+from tests.every import every
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -109,7 +110,7 @@ def test_the_changelog_has_what_a_user_notices_in_short_lines() -> None:
 # -------------------------------------------------------------------------------- three clicks
 
 
-@pytest.mark.parametrize(
+@every(
     ("question", "page"),
     [
         (
@@ -152,6 +153,7 @@ def test_every_part_of_the_manual_is_one_click_away() -> None:
     assert clicks(DOCS / "theory" / "README.md") == 1
 
 
+@pytest.mark.slow
 def test_every_page_is_three_clicks_away_at_the_most() -> None:
     for folder in ("start", "tutorials", "how-to", "guides", "theory", "evidence", "reference"):
         for page in sorted((DOCS / folder).rglob("*.md")):
@@ -178,7 +180,7 @@ def test_the_list_of_guides_is_complete() -> None:
     assert rows == listed  # in one order, and each with its line
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+@every("page", PAGES)
 def test_every_link_leads_to_a_file(page: Path) -> None:
     lost = [target for target in targets(page) if not target.exists() and target not in GENERATED]
     assert not lost

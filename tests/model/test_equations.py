@@ -27,6 +27,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import chosen_model
+from tests.every import every
 
 BLOCK = Block.from_p(alpha=0.3, p=2.0, restitution=0.8)
 BARE = DimensionlessBlock(restitution=0.8)
@@ -41,7 +42,7 @@ ENDING = [
 ]
 
 
-@pytest.mark.parametrize("motion", ENDING, ids=lambda motion: type(motion).__name__)
+@every("motion", ENDING)
 def test_the_full_equations_are_the_default_of_a_block_under_what_ends(motion: object) -> None:
     start = State(angle=0.4, velocity=0.0)
     run = simulate(BLOCK, motion, start=start)  # type: ignore[arg-type]
@@ -90,7 +91,7 @@ def test_what_is_no_model_is_refused_with_what_to_give() -> None:
         chosen_model(Nonlinear(), BARE)
 
 
-@pytest.mark.parametrize("tolerance", [0.0, 1e-14, 0.1, float("nan"), "fine"])
+@every("tolerance", [0.0, 1e-14, 0.1, float("nan"), "fine"])
 def test_a_tolerance_has_limits(tolerance: float) -> None:
     with pytest.raises(InputError, match="tolerance"):
         Nonlinear(tolerance=tolerance)

@@ -225,6 +225,7 @@ def relatives(value: Any) -> list[Any]:
     return []
 
 
+@pytest.mark.slow
 def test_valid_numbers_of_every_type_are_taken() -> None:
     wrong = {}
     for label, call in calls().items():

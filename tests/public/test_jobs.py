@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 import rocksteady as rs
 from tests.cli.program import rocksteady
+from tests.every import every
 from tests.records import FOLDER
 
 ACROSS = FOLDER / "peer_at2" / "RSN77_SFERN_PUL164-hor1.AT2"
@@ -75,6 +76,7 @@ def test_c_a_steady_state_picked_from_basins_and_marched_on() -> None:
     assert rs.find_attractor(block, motion, start=picked).kind == label.kind
 
 
+@pytest.mark.slow
 def test_d_the_diagram_over_the_amplitude_with_its_cascade(tmp_path: Path) -> None:
     block = rs.DimensionlessBlock(restitution=0.8)
     motion = rs.Harmonic(amplitude=2.0, frequency_ratio=2.0)
@@ -127,7 +129,7 @@ def test_f_draws_of_uncertain_restitution() -> None:
     assert runs.sizes["block"] == 40
 
 
-@pytest.mark.parametrize("job", [name for name in dir() if re.match(r"test_[a-f]_", name)], ids=str)
+@every("job", [name for name in dir() if re.match(r"test_[a-f]_", name)])
 def test_each_job_is_one_screen(job: str) -> None:
     lines = Path(__file__).read_text(encoding="utf-8").split(f"def {job}")[1]
     body = lines.split("\n    assert")[0]

@@ -8,9 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import rocksteady as rs
+from tests.every import every
 
 INTERFACE = (Path(__file__).parents[2] / "docs" / "interface.md").read_text(encoding="utf-8")
 MOST_PARAMETERS = 8
@@ -76,13 +75,13 @@ def calls() -> Iterator[tuple[str, Any]]:
 CALLS = dict(calls())
 
 
-@pytest.mark.parametrize("name", CALLS)
+@every("name", CALLS)
 def test_no_function_has_more_than_eight_parameters(name: str) -> None:
     parameters = [p for p in inspect.signature(CALLS[name]).parameters if p not in ("self", "cls")]
     assert len(parameters) <= MOST_PARAMETERS, parameters
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
+@every("name", FUNCTIONS)
 def test_every_parameter_has_a_type_and_a_description(name: str) -> None:
     function = getattr(rs, name)
     documented = pydoc.getdoc(function)
@@ -130,7 +129,7 @@ def test_one_argument_has_one_unit_and_that_of_its_suffix() -> None:
             assert set(found) == {UNITS[suffix]}, name
 
 
-@pytest.mark.parametrize("name", [*FUNCTIONS, *CLASSES])
+@every("name", [*FUNCTIONS, *CLASSES])
 def test_every_name_is_documented_in_one_short_first_sentence(name: str) -> None:
     text = pydoc.getdoc(getattr(rs, name))
     sentence = re.split(r"[.:;](?:\s|$)", text, maxsplit=1)[0]
@@ -138,18 +137,18 @@ def test_every_name_is_documented_in_one_short_first_sentence(name: str) -> None
     assert len(sentence.split()) <= FIRST_SENTENCE, sentence
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
+@every("name", FUNCTIONS)
 def test_help_of_a_function_fits_a_screen(name: str) -> None:
     assert len(pydoc.getdoc(getattr(rs, name)).splitlines()) <= SCREEN
 
 
-@pytest.mark.parametrize("name", FUNCTIONS)
+@every("name", FUNCTIONS)
 def test_every_function_has_an_example(name: str) -> None:
     documented = inspect.getdoc(getattr(rs, name)) or ""
     assert ">>> " in documented or name.startswith("plot_")
 
 
-@pytest.mark.parametrize("pattern", PATTERNS)
+@every("pattern", PATTERNS)
 def test_public_docstrings_use_the_usual_words(pattern: str) -> None:
     found = {
         name: match[0]
@@ -168,7 +167,7 @@ def test_a_suffix_is_a_unit() -> None:
             assert parameter != "s", name
 
 
-@pytest.mark.parametrize("name", [name for name in FUNCTIONS if not name.startswith("plot_")])
+@every("name", [name for name in FUNCTIONS if not name.startswith("plot_")])
 def test_the_interface_lists_every_verb_and_formula(name: str) -> None:
     assert f"`{name}`" in INTERFACE
 

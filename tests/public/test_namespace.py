@@ -16,6 +16,7 @@ from typer.main import get_command
 
 import rocksteady
 from rocksteady.cli.app import app
+from tests.every import every
 
 HEAVY = ("h5py", "matplotlib", "numba", "numpy", "scipy", "typer", "xarray", "zarr")
 
@@ -50,7 +51,7 @@ def test_all_is_sorted_and_without_repetition() -> None:
     assert rocksteady.__all__ == sorted(set(rocksteady.__all__))
 
 
-@pytest.mark.parametrize("name", rocksteady.__all__)
+@every("name", rocksteady.__all__)
 def test_each_name_is_the_object_its_module_defines(name: str) -> None:
     module = importlib.import_module(DEFINED_IN[name])
     thing = getattr(module, name)

@@ -17,6 +17,7 @@ import rocksteady as rs
 from rocksteady.results import result as results
 from rocksteady.results.gridded import described, describers, kind_of
 from rocksteady.results.result import Result
+from tests.every import every
 from tests.public.things import things
 
 NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
@@ -52,7 +53,8 @@ def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     return made
 
 
-@pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.slow
+@every("name", NUMBERS)
 def test_a_column_has_the_numbers_of_the_result(name: str, made: dict[str, Any]) -> None:
     numbers, column = NUMBERS[name]
     result = made[name]
@@ -163,7 +165,8 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
     return drawable
 
 
-@pytest.mark.parametrize("kind", sorted(results._plots))
+@pytest.mark.slow
+@every("kind", sorted(results._plots))
 def test_every_result_of_which_there_is_a_picture_draws_it_without_an_argument(
     kind: str, drawable: dict[str, Any]
 ) -> None:

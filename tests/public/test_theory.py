@@ -7,9 +7,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import rocksteady
+from tests.every import every
 
 FOLDER = Path(__file__).parents[2] / "docs" / "theory"
 PAGES = {page.name: page.read_text(encoding="utf-8") for page in sorted(FOLDER.glob("*.md"))}
@@ -70,7 +69,7 @@ def test_each_equation_of_ours_has_a_letter_of_its_own() -> None:
     assert set(letters.values()) == {1}
 
 
-@pytest.mark.parametrize("page", PAGES)
+@every("page", PAGES)
 def test_each_link_leads_to_a_place_that_there_is(page: str) -> None:
     for link in LINK.findall(PAGES[page]):
         if link.startswith("https://"):

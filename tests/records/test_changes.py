@@ -81,6 +81,7 @@ def run(tmp_path: Path, count: int, seed: int) -> None:
     assert min(outcomes.values()) > count // 20
 
 
+@pytest.mark.slow
 def test_three_hundred_changes(tmp_path: Path) -> None:
     run(tmp_path, 300, seed=1971)
 

@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import InputError, Recording, read_recordings
+from tests.every import every
 from tests.records import FOLDER
 from tests.records.mutations import KINDS, Mutation, mutation
 from tests.records.writers import (
@@ -118,7 +119,7 @@ def test_two_thousand_files(tmp_path: Path) -> None:
     run(tmp_path, 2000, seed=1989)
 
 
-@pytest.mark.parametrize("name", sorted(WRITTEN))
+@every("name", sorted(WRITTEN))
 def test_no_prefix_of_a_file_is_taken_for_the_whole(tmp_path: Path, name: str) -> None:
     if name in {"columns", "csv"}:
         pytest.skip("a table does not state how many rows it has")

@@ -7,13 +7,14 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import InputError, correct_baseline, read_record, resample
+from tests.every import every
 from tests.records import recording
 from tests.records.writers import at2, samples
 
 Floats = NDArray[np.float64]
 
 
-@pytest.mark.parametrize(
+@every(
     ("baseline", "order"), [("mean", 0), ("linear", 1), ("polynomial:2", 2), ("polynomial:5", 5)]
 )
 def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
@@ -43,7 +44,7 @@ def test_read_record_leaves_the_baseline_as_it_is_unless_asked(tmp_path: Path) -
     assert abs(read_record(path, baseline="mean").acceleration_m_s2.mean()) < 1e-12
 
 
-@pytest.mark.parametrize("divisor", [1, 2, 3, 7])
+@every("divisor", [1, 2, 3, 7])
 def test_a_finer_interval_leaves_the_motion_as_it_is(divisor: int) -> None:
     one = recording(samples(300))
     finer = resample(one, 0.01 / divisor)
@@ -56,7 +57,7 @@ def test_a_finer_interval_leaves_the_motion_as_it_is(divisor: int) -> None:
         assert finer.processing == (f"resampled from 0.01 s to {0.01 / divisor:g} s (linear)",)
 
 
-@pytest.mark.parametrize("dt", [0.005, 0.02, 0.025])
+@every("dt", [0.005, 0.02, 0.025])
 def test_what_the_new_interval_cannot_show_is_filtered(dt: float) -> None:
     time = 0.01 * np.arange(4000)
     window = np.sin(np.pi * time / time[-1]) ** 2
@@ -69,7 +70,7 @@ def test_what_the_new_interval_cannot_show_is_filtered(dt: float) -> None:
         np.testing.assert_allclose(found[::2], slow + fast, atol=5e-3)
 
 
-@pytest.mark.parametrize("dt", [0.0, -1.0, float("nan"), 1e-9, 10.0])
+@every("dt", [0.0, -1.0, float("nan"), 1e-9, 10.0])
 def test_intervals_that_leave_no_record(dt: float) -> None:
     with pytest.raises(InputError, match="dt_s"):
         resample(recording(samples(100)), dt)

@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady import InputError, RecordFileError, read_record, read_recordings
 from rocksteady.records.read import FORMATS
+from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc
 
 CM = samples(403, peak=150.0)
@@ -21,7 +22,7 @@ FILES = {
 }
 
 
-@pytest.mark.parametrize("name", FILES)
+@every("name", FILES)
 def test_the_format_is_found_from_what_stands_in_the_file(tmp_path: Path, name: str) -> None:
     for wrong_name in ("record.csv", "record.sac", "record", "record.AT2"):
         path = tmp_path / wrong_name
@@ -65,7 +66,7 @@ def test_what_is_no_file(tmp_path: Path) -> None:
             read_recordings(named)
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "name"),
     [({"units": "furlong"}, "units"), ({"units": 3}, "units"), ({"dt_s": 0.0}, "dt_s")],
 )

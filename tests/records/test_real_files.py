@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import pair_records, read_recordings
+from tests.every import every
 from tests.records import FOLDER
 
 Floats = NDArray[np.float64]
@@ -38,6 +39,7 @@ def plainly(path: Path, skipped: int, width: int, unit: float) -> Floats:
     return unit * np.array([float(cell) for cell in cells])
 
 
+@pytest.mark.slow
 def test_every_file_of_the_suite() -> None:
     paths = sorted(real("suite_at2").glob("*.AT2"))
     assert len(paths) == SUITE
@@ -53,7 +55,7 @@ def test_every_file_of_the_suite() -> None:
         assert found.azimuth_deg is not None
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "peak_g", "count", "dt"),
     [
         # Peaks as PEER's flatfile has them, to the digits given there.
@@ -75,7 +77,8 @@ def test_known_records(name: str, peak_g: float, count: int, dt: float) -> None:
     assert found.warnings == ()
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("name", "format_name", "layout", "dt"),
     [
         ("HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", "esm-ascii", (64, 12), 0.005),
@@ -96,7 +99,7 @@ def test_files_in_cm_s2(name: str, format_name: str, layout: tuple[int, int], dt
     assert found.stated_peak_m_s2 == pytest.approx(np.abs(expected).max(), rel=5e-5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "format_name", "peak_gal", "counts_per_gal"),
     [
         ("AOM0011801241951.EW", "knet", 4.078, 6182761 / 3920),

@@ -10,17 +10,19 @@ from hypothesis import strategies as st
 from rocksteady.results.cells import read_cell, written_cell
 from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
 from rocksteady.show.export.files import save_csv
+from tests.every import every
 
 FORMULAS = ("=1+1", "+1+1", "-1+2", "@SUM(A1)", " =1", "\t=1", "\r=1", '=HYPERLINK("http://x")')
 PLAIN = ("-1.5", "+2e3", "-inf", "-", "+", "a", "'a", "", "0.5", "tests = 3")
 
 
+@pytest.mark.slow
 @given(st.text(alphabet="'=+-@\t\r a1.") | st.text())
 def test_every_text_comes_back(text: str) -> None:
     assert read_cell(written_cell(text)) == text
 
 
-@pytest.mark.parametrize("text", FORMULAS)
+@every("text", FORMULAS)
 def test_a_formula_is_a_text_to_a_spreadsheet(text: str) -> None:
     assert written_cell(text) == f"'{text}"
 

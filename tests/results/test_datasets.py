@@ -12,6 +12,7 @@ import xarray as xr
 import rocksteady as rs
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.results.datasets import ColumnWords, padded, variables_of
+from tests.every import every
 
 BLOCK = rs.Block.rectangle(width=0.4, height=2.0, restitution=0.8)
 MOTION = rs.Harmonic(amplitude=2.0, frequency_ratio=2.0)
@@ -38,7 +39,7 @@ def results() -> dict[str, Any]:
     return found | {"sweep": whole.sweeps[1], "cascade": whole.cascade}
 
 
-@pytest.mark.parametrize("name", ["diagram", "branch", "sweep", "cascade"])
+@every("name", ["diagram", "branch", "sweep", "cascade"])
 def test_a_dataset_comes_back_from_a_file_as_it_was(name: str, tmp_path: Path) -> None:
     data = results()[name].to_dataset()
     data.to_netcdf(tmp_path / "a.nc")
@@ -56,7 +57,7 @@ def rs_parameters() -> set[str]:
     return {"amplitude", "frequency_ratio", "restitution"}
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "along"),
     [
         ("diagram", "point"),

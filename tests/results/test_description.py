@@ -9,6 +9,7 @@ from rocksteady.errors import ModelError
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.rendering import as_html, as_text
 from rocksteady.results.result import Result
+from tests.every import every
 
 ROWS = [{"order": n, "peak": n / 7.0, "stable": n % 2 == 0, "hidden": "<b>"} for n in range(40)]
 WHOLE = Description(
@@ -161,7 +162,7 @@ def test_what_does_not_describe_itself_is_no_result() -> None:
         Mute()  # type: ignore[abstract]
 
 
-@pytest.mark.parametrize(
+@every(
     ("value", "words"),
     [
         (None, "—"),

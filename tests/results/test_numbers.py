@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
+from tests.every import every
 
 NUMBERS = st.floats(min_value=-1e300, max_value=1e300)
 
@@ -30,7 +31,7 @@ def test_what_is_no_number_is_a_dash_or_a_word() -> None:
     assert [number(x) for x in (math.nan, math.inf, -math.inf)] == ["—", "infinite", "-infinite"]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "wanted"),
     [
         (quantity(0.8224892168, "alpha"), "0.822 alpha"),

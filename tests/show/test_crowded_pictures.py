@@ -40,6 +40,7 @@ from rocksteady.show.plots.branches._sweeps import SWEEPS
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.insets import crowd_of
 from rocksteady.show.style.page import Page
+from tests.every import every
 from tests.show.drawn_figures import resting, rocking, shock
 from tests.show.plots.branches.test_bifurcations import MARKS, diagram_of, over_frequency, sweeps
 
@@ -77,6 +78,7 @@ def crowded() -> Axes:
     return plot_bifurcations(branches, ax=figure.add_subplot())
 
 
+@pytest.mark.slow
 def test_bifurcations_that_crowd_are_drawn_again_and_apart() -> None:
     axes = crowded()
     inset: Axes = axes.child_axes[0]  # type: ignore[assignment]
@@ -118,6 +120,7 @@ def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
     assert axes.get_xscale() == "log"
 
 
+@pytest.mark.slow
 def test_a_sweep_is_a_thin_rim_and_its_bars_have_a_name() -> None:
     assert max(size for _, _, size, _ in SWEEPS.values()) < 4.5
     diagram = replace(diagram_of(over_frequency(), "frequency_ratio"), sweeps=sweeps())
@@ -176,7 +179,7 @@ def test_a_block_that_never_moves_says_so_in_its_phase_plane() -> None:
     assert axes.get_xlim() == (-1.0, 1.0)
 
 
-@pytest.mark.parametrize("amplitude", [2.5, 4.0, 8.0])
+@every("amplitude", [2.5, 4.0, 8.0])
 def test_the_key_of_a_film_is_clear_of_the_block_at_every_moment(amplitude: float) -> None:
     run = simulate(BARE, Harmonic(amplitude=amplitude, frequency_ratio=1.5), cycles=6)
     film = film_of(run)
@@ -208,7 +211,8 @@ def test_more_curves_than_colours_differ_by_marks() -> None:
     assert len(looks) == 14
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
+@every("name", NAMES)
 def test_a_name_from_outside_is_shown_as_it_is(name: str) -> None:
     spectra = [compute_response_spectrum(shock(each), [0.1, 0.3, 1.0]) for each in (name, "other")]
     axes = plot_response_spectra(spectra, Figure().add_subplot())

@@ -62,6 +62,7 @@ print(names["unlike"](), names["mpl"].is_interactive())
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("first", rest_slow(["ours-first", "film-first"], 1))
 def test_every_figure_of_a_notebook_is_shown(first: str, tmp_path: Path) -> None:
     cells = ORDERS[first]

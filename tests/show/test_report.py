@@ -23,6 +23,7 @@ from rocksteady.show.report import (
     svg_data_uri,
 )
 from rocksteady.show.style import palette
+from tests.every import every
 
 PAGE = """{% extends "house/base.html.j2" %}
 {% block title %}{{ title }}{% endblock %}
@@ -177,7 +178,7 @@ def test_a_picture_does_not_depend_on_the_users_settings() -> None:
         assert dict(mpl.rcParams) == before
 
 
-@pytest.mark.parametrize(
+@every(
     ("plain", "printed"),
     [
         ("1e-06 to 0.01", "10⁻⁶ to 0.01"),

@@ -345,6 +345,7 @@ def test_figures_can_be_saved(
     assert len(data) > 5_000
 
 
+@pytest.mark.slow
 @figures
 def test_every_panel_of_a_figure_has_labels(make: Callable[[], Figure]) -> None:
     figure = make()

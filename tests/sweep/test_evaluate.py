@@ -21,6 +21,7 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
+from tests.every import every
 
 Floats = NDArray[np.float64]
 Found = dict[str, NDArray[Any]]
@@ -120,7 +121,7 @@ def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -
         failing(**cells)
 
 
-@pytest.mark.parametrize(
+@every(
     ("answer", "valid"),
     [
         ({"other": 1.0}, "mapping with the output 'sum'"),
@@ -136,7 +137,7 @@ def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> N
         evaluate(lambda **_: answer, GRID, OUTPUTS[:1], run=Run(executor="serial"))
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "valid"),
     [
         ({"run": "threads"}, "run = 'threads' is not valid"),

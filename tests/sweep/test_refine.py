@@ -16,6 +16,7 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.refine import refined
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -47,8 +48,8 @@ def grid_of(*points: int) -> Grid:
     return Grid(axes=tuple(axes))
 
 
-@pytest.mark.parametrize("points", [(200,), (90, 131), (33, 40, 37)])
-@pytest.mark.parametrize("coarse", [1, 2, 4])
+@every("points", [(200,), (90, 131), (33, 40, 37)])
+@every("coarse", [1, 2, 4])
 def test_a_smooth_border_is_found_whatever_the_number_of_axes(
     points: tuple[int, ...], coarse: int
 ) -> None:
@@ -124,13 +125,13 @@ def test_a_map_differs_from_the_full_one_in_few_cells() -> None:
     assert 1.0 - same.mean() < 0.004
 
 
-@pytest.mark.parametrize("coarse", [0, 3, 2048, 2.0, math.nan, None])
+@every("coarse", [0, 3, 2048, 2.0, math.nan, None])
 def test_the_spacing_is_a_power_of_two(coarse: Any) -> None:
     with pytest.raises(InputError, match="refine"):
         refined(lands, grid_of(9, 9), OUTPUTS, classes=("kind",), coarse=coarse)
 
 
-@pytest.mark.parametrize("classes", [(), ("height",), ("nothing",)])
+@every("classes", [(), ("height",), ("nothing",)])
 def test_a_class_is_made_of_integers(classes: Any) -> None:
     with pytest.raises(InputError, match="kind, half, count"):
         refined(lands, grid_of(9, 9), OUTPUTS, classes=classes, coarse=4)

@@ -8,9 +8,10 @@ import pytest
 from rocksteady.errors import InputError, ModelError
 from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
+from tests.every import every
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "valid"),
     [
         ({"executor": "cloud"}, "one of threads, gpu, dask, serial"),

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from matplotlib.transforms import Bbox
 from PIL import Image
 
+from tests.every import every
 from tools.architecture import (
     NAMESPACE,
     PAGE,
@@ -57,6 +58,7 @@ def test_the_table_of_the_page_is_that_of_the_tree_as_it_is(tree: Tree) -> None:
     assert "(images/architecture.png)" in page
 
 
+@pytest.mark.slow
 def test_every_folder_of_the_package_has_a_row_and_a_sentence(tree: Tree) -> None:
     listed = folders(tree)
     there = {file.parent.relative_to(SOURCE).as_posix() for file in SOURCE.rglob("__init__.py")}
@@ -92,6 +94,7 @@ def parsed_imports() -> set[tuple[str, str]]:
     return {(user, used) for user, used in found if used in FILES}
 
 
+@pytest.mark.slow
 def test_the_edges_are_those_that_the_syntax_of_the_files_gives() -> None:
     def place(module: str) -> str:
         folder = FILES[module].parent.relative_to(SOURCE)
@@ -172,7 +175,7 @@ def test_a_circle_is_refused() -> None:
         levels("ab", frozenset({("a", "b"), ("b", "a")}))
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "sentence"),
     [
         ("Reads a file.  Then\nit stops.", "Reads a file."),

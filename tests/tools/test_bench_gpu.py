@@ -62,6 +62,7 @@ def test_without_a_gpu_it_says_so_and_exits_with_2(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("emulation")
 def test_all_of_it_runs_by_the_emulation_and_finds_the_same_bits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -126,6 +127,7 @@ class TimingDriver(DriverInMemory):
         return CUresult.CUDA_SUCCESS, 2.0
 
 
+@pytest.mark.slow
 def test_all_of_it_runs_on_a_gpu_in_memory_and_writes_its_page(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -152,6 +154,7 @@ def test_all_of_it_runs_on_a_gpu_in_memory_and_writes_its_page(
     assert "**Atlas of coexisting motions**" in page
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("emulation")
 def test_time_that_is_up_ends_it_with_what_there_is(tmp_path: Path) -> None:
     assert script.main(["--emulated", "--out", str(tmp_path), "--seconds", "0"]) == 0

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.every import every
 from tools.floor import HELD, canonical, floor, lines
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +42,7 @@ def test_each_dependency_is_held_at_its_bound_and_the_rest_at_or_below_its_pin()
     ]
 
 
-@pytest.mark.parametrize(
+@every(
     "requirement",
     ["numpy", "numpy == 2.0", "numpy < 3", "numpy >= 2.0; python_version < '3.12'"],
 )

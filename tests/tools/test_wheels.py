@@ -19,6 +19,7 @@ from packaging.tags import sys_tags
 from rocksteady.explorer import _program as program
 from rocksteady.explorer.module import BEGINS, NAME
 from rocksteady.kernels.machine_code.sources import sources_hash
+from tests.every import every
 from tools.wheels import building
 from tools.wheels.building import INSIDE, ROOT, build
 from tools.wheels.first_start import sizes, wheel_of_this_machine
@@ -88,7 +89,8 @@ def described(wheel: Path, name: str) -> bytes:
 # ---------------------------------------------------------------------------- what is in a wheel
 
 
-@pytest.mark.parametrize("platform", PLATFORMS, ids=lambda platform: platform.tag)
+@pytest.mark.slow
+@every("platform", PLATFORMS)
 def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_package(
     platform: Platform, libraries: Path, wheels: dict[Platform, Path]
 ) -> None:
@@ -103,6 +105,7 @@ def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_p
     assert differ == (set() if platform == PURE else {"RECORD", "WHEEL"})
 
 
+@pytest.mark.slow
 def test_a_wheel_holds_the_sources_and_nothing_else(wheels: dict[Platform, Path]) -> None:
     found = {
         name: what
@@ -121,7 +124,7 @@ def test_a_wheel_holds_the_sources_and_nothing_else(wheels: dict[Platform, Path]
     assert len(tracked) > 100
 
 
-@pytest.mark.parametrize("platform", PLATFORMS, ids=lambda platform: platform.tag)
+@every("platform", PLATFORMS)
 def test_name_and_record_of_a_wheel_are_those_of_its_content(
     platform: Platform, wheels: dict[Platform, Path]
 ) -> None:
@@ -181,7 +184,7 @@ def test_no_wheel_is_built_without_a_library_of_its_platform(
     assert list(tmp_path.glob("*.whl")) == []
 
 
-@pytest.mark.parametrize(
+@every(
     ("damage", "reason"),
     [
         (None, "cannot be read"),
@@ -258,8 +261,8 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
 # ------------------------------------------------------------------- what a library may need
 
 
-@pytest.mark.parametrize("tag", TRIPLES)
-@pytest.mark.parametrize("made_for", TRIPLES)
+@every("tag", TRIPLES)
+@every("made_for", TRIPLES)
 def test_a_library_fits_its_own_platform_alone(tag: str, made_for: str, tmp_path: Path) -> None:
     found = faults(library(tmp_path / "library", TRIPLES[made_for]), tag)
     assert (found == []) == (tag == made_for)
@@ -313,7 +316,7 @@ def test_a_macos_newer_than_the_tag_is_found(tmp_path: Path) -> None:
     assert faults(file, "macosx_13_0_arm64") == []
 
 
-@pytest.mark.parametrize("tag", TRIPLES)
+@every("tag", TRIPLES)
 def test_a_file_that_is_no_library_is_refused(tag: str, tmp_path: Path) -> None:
     file = tmp_path / "library"
     file.write_text(SQUARE, encoding="utf-8")

@@ -16,6 +16,7 @@ from rocksteady import (
     simulate,
 )
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 POINT = "attractor -A 2 -W 1.9 -r 0.8 --start steady --side -"
 CHAOS = "attractor -A 6 -W 6 -r 0.25"
@@ -59,7 +60,7 @@ def test_the_json_of_an_orbit_keeps_the_contract() -> None:
     assert "peaks_rad" not in values
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "kind", "period", "peaks"),
     [
         (POINT, "unsymmetric", 1, (0.90035, -0.44427)),  # TW7
@@ -92,7 +93,7 @@ def test_the_doubled_orbit_at_1_78_is_an_attractor() -> None:
     assert values["peaks"] == pytest.approx(stable["peaks"], abs=1e-9)
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "kind"),
     [
         ("attractor -A 1 -W 4 -r 0.8", "rest"),
@@ -148,7 +149,7 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
     assert (rest["peaks_rad"], rest["period_s"]) == ([0.0, 0.0], None)
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         (POINT, ["unsymmetric", "1 forcing period", "0.9 alpha", "±", "mirror image"]),
@@ -168,7 +169,7 @@ def test_the_text_says_what_it_is_in_80_columns(command: str, words: list[str]) 
 # ------------------------------------------------------------------------------- bad input
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("--start foo", "--start = 'foo'"),
@@ -213,7 +214,7 @@ def test_the_csv_holds_the_orbit_s_impacts_to_the_last_digit(tmp_path: Path) -> 
         assert float(row["speed_rad_s"]) == pytest.approx(0.2 * 2.0 * math.pi * state["speed"])
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "some"),
     [(CHAOS, True), ("attractor -A 1 -W 4 -r 0.8", False), ("attractor -A 9 -W 1 -r 0.8", False)],
 )
@@ -231,7 +232,8 @@ def test_without_an_orbit_the_csv_holds_the_cloud_or_nothing(
         assert float(row["speed_per_pivot_time"]) >= 0.0
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "command",
     [
         POINT,

@@ -19,6 +19,7 @@ from rocksteady import (
     symmetry_breaking_frequency,
 )
 from tests.cli.program import ran_once, refused, rocksteady
+from tests.every import every
 from tests.strategies import rest_slow
 
 ALONG_W = "bifurcate -A 2 -W 1.6:2.4:41 -r 0.8"
@@ -127,6 +128,7 @@ def test_the_symmetry_breaks_where_the_closed_form_says() -> None:  # TW6
     assert (third["period"], values["max_period"]) == (3, 12)
 
 
+@pytest.mark.slow
 def test_along_the_amplitude_folds_and_breakings_are_the_boundaries() -> None:
     values = values_of(ALONG_A)
     (fold,) = of_type(values, "fold", impacts=2)
@@ -141,6 +143,7 @@ def test_along_the_amplitude_folds_and_breakings_are_the_boundaries() -> None:
     assert ends == [fold["amplitude"], breaking["amplitude"]]
 
 
+@pytest.mark.slow
 def test_the_tiny_windows_of_six_impacts_begin_and_end_at_bifurcations() -> None:
     values = values_of(ALONG_A)
     window = next(b for b in values["branches"] if b["impacts"] == 6 and b["symmetric"])
@@ -183,6 +186,7 @@ def test_a_sweep_says_what_it_met() -> None:
     assert down["runs"][1]["kind"] == "unsymmetric"
 
 
+@pytest.mark.slow
 def test_sweeps_show_hysteresis() -> None:
     up, down = values_of("bifurcate -A 0.1:1.9:19 -W 2 -r 0.8")["sweeps"]
     fold = float(region_boundaries(2.0, 0.8).existence)
@@ -289,6 +293,7 @@ def test_the_search_finds_branches_that_hang_together_with_no_other() -> None:
     assert all(branch["period"] <= 2 and branch["impacts"] <= 4 for branch in many)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "command",
     ["bifurcate -A 1.2 -W 0.3:3:5 -r 0.5", "bifurcate -A 0.5:5:5 -W 2 -r 1"],
@@ -301,6 +306,7 @@ def test_grazes_at_a_dip_that_begins_at_an_impact_are_located(command: str) -> N
     } - {"end-of-range", "symmetry-breaking", "period-doubling", "grazing"}
 
 
+@pytest.mark.slow
 def test_too_many_branches_are_incomplete() -> None:
     ran = rocksteady(f"{ALONG_A} --max-branches 2 --json")
     assert ran.code == 3
@@ -336,7 +342,8 @@ def test_where_nothing_moves_the_lists_are_empty(tmp_path: Path) -> None:
 # ------------------------------------------------------------------------- text and files
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "command",
     [
         f"{ALONG_W} --cascade",
@@ -371,12 +378,14 @@ def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
         assert words in out, words
 
 
+@pytest.mark.slow
 def test_a_stable_window_too_narrow_for_its_digits_has_its_width() -> None:
     out = ran_once(ALONG_A).out
     assert "1.081072 + 4e-07" in out
     assert "0.94952 to 0.96361" in out
 
 
+@pytest.mark.slow
 def test_a_real_block_is_in_g_and_hz_and_radians() -> None:
     values = values_of(REAL_A)
     assert values["accel_g"] is None
@@ -435,10 +444,11 @@ def test_points_of_the_csv_are_what_settles(tmp_path: Path) -> None:
     assert math.isfinite(float(row["arclength"]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "command", rest_slow([ALONG_R, f"{ALONG_W} --top 0.1", ALONG_A, f"{ALONG_A} --top 0.1"], 2)
 )
-@pytest.mark.parametrize(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
+@every(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
 def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
     file = tmp_path / f"diagram.{ending}"
     assert rocksteady(f"{command} --plot", file).code == 0
@@ -449,7 +459,7 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
 # ----------------------------------------------------- the nonlinear model, sides that differ
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("-A 2 -W 2 -r 0.8", "none of -A, -W and -r is an axis"),

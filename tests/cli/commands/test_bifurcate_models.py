@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import Block, Harmonic, Nonlinear, find_orbits, follow_branch
 from tests.cli.program import ran_once, refused, rocksteady
+from tests.every import every
 
 
 def values_of(command: str) -> dict[str, Any]:
@@ -15,6 +16,7 @@ def values_of(command: str) -> dict[str, Any]:
     return ran.json
 
 
+@pytest.mark.slow
 def test_the_nonlinear_model_has_its_own_bifurcations() -> None:
     command = "bifurcate --alpha-rad 0.3 --radius-m 1 -r 0.8 -A 2 -W 1.5:2.4:4 --no-sweeps"
     straight, full = values_of(command), values_of(f"{command} --model nonlinear --cascade")
@@ -46,7 +48,7 @@ def test_a_block_with_sides_that_differ_has_branches() -> None:
     assert found["block"]["negative"]["alpha_rad"] != found["block"]["alpha_rad"]
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("-A 2 -W 1:2:5 -r 0.8 --model nonlinear", "--model = 'nonlinear'"),
@@ -59,6 +61,7 @@ def test_what_has_no_branches_is_one_line(flags: str, needle: str, tmp_path: Pat
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_harmonics_have_their_own_bifurcations() -> None:
     command = "bifurcate -r 0.8 -A 2 -W 1.7:2.4:4 --no-sweeps"
     plain = values_of(command)

@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady import region_boundaries, symmetry_breaking_amplitude
 from tests.cli.program import ran_once, refused, rocksteady
+from tests.every import every
 
 AROUND = "curves -W 4.4:5.4:2 -A 2.5:4:2 -r 0.87 -n 3 --max-impacts 4"
 SIMPLE = "curves -A 0.2:4:2 -W 1.5:3:2 -r 0.8 --max-impacts 2 --max-period 1"
@@ -19,6 +20,7 @@ def values_of(command: str) -> dict[str, Any]:
     return ran.json
 
 
+@pytest.mark.slow
 def test_the_json_keeps_the_contract() -> None:
     values = values_of(AROUND)
     assert next(iter(values)) == "schema"
@@ -34,6 +36,7 @@ def test_the_json_keeps_the_contract() -> None:
     assert all(each["stable"] for each in values["regions"])
 
 
+@pytest.mark.slow
 def test_the_text_says_what_was_found() -> None:
     ran = ran_once(AROUND)
     assert ran.code == 0
@@ -42,6 +45,7 @@ def test_the_text_says_what_was_found() -> None:
     assert "points of codimension two" in ran.out
 
 
+@pytest.mark.slow
 def test_the_csv_has_every_point_on_its_closed_form(tmp_path: Path) -> None:
     file = tmp_path / "curves.csv"
     assert rocksteady(f"{SIMPLE} --csv", file).code == 0
@@ -65,6 +69,7 @@ def test_the_csv_has_every_point_on_its_closed_form(tmp_path: Path) -> None:
 NARROW = "curves -W 5.05:5.15:2 -A 2.9:3.85:2 -n 3 --max-impacts 2 --max-period 3 --max-branches 3"
 
 
+@pytest.mark.slow
 def test_the_nonlinear_model_is_said_with_the_slenderness_that_it_knows() -> None:
     block = "--alpha-rad 0.1 --p-rad-s 3 -r 0.87"
     values = values_of(f"{NARROW} {block} --model nonlinear")
@@ -76,6 +81,7 @@ def test_the_nonlinear_model_is_said_with_the_slenderness_that_it_knows() -> Non
     assert "slenderness" in refused(f"{NARROW} -r 0.87 --model nonlinear")
 
 
+@pytest.mark.slow
 def test_a_block_whose_sides_differ_has_curves_of_unsymmetric_motions() -> None:
     sides = "--left-m 0.15 --right-m 0.2 --height-m 1.2 -r 0.85,0.8"
     values = values_of(f"curves {sides} -A 1.6:3:2 -W 1.5:2.6:2 --max-impacts 2 --max-period 1")
@@ -84,13 +90,14 @@ def test_a_block_whose_sides_differ_has_curves_of_unsymmetric_motions() -> None:
     assert values["block"]["negative"]["restitution"] == 0.8
 
 
+@pytest.mark.slow
 def test_a_budget_that_ends_the_work_is_said(tmp_path: Path) -> None:
     ran = rocksteady(f"{SIMPLE} --max-curves 1 --plot", tmp_path / "curves.png")
     assert ran.code == 3
     assert "raise --max-curves" in ran.err
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "needle"),
     [
         ("-A 2 -W 4 -r 0.8", "none of -A, -W and -r is an axis"),

@@ -26,6 +26,7 @@ from rocksteady import (
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 from tests.kernels.machine_code.in_memory.driver import DriverInMemory
 from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 from tests.sweep.executors.callers import tree
@@ -86,7 +87,8 @@ GROUND = {"acceleration_m_s2": 0.4 * 9.80665, "frequency_hz": 2.0}
 SHAKEN = Harmonic.from_si(RECTANGLE, **GROUND)
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("flags", "block", "shaking", "arguments"),
     [
         (
@@ -217,7 +219,8 @@ def drawn_flags(number: int) -> dict[str, str]:
     }
 
 
-@pytest.mark.parametrize("number", range(24))
+@pytest.mark.slow
+@every("number", range(24))
 def test_a_cell_of_any_size_is_what_the_command_attractor_says(number: int, tmp_path: Path) -> None:
     given = drawn_flags(number)
     start = ["--start", ("rest", "0.2,-0.1")[number % 2], "--cycles", "100"]
@@ -262,7 +265,7 @@ def test_the_direction_of_an_axis_does_not_matter(shaking: str, tmp_path: Path) 
         assert up.attrs.get(name) == down.attrs.get(name)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "none", "kept"),
     [
         ("--width-m 0.3:0.6:2 -A 2 -W 3", {"accel_g", "freq_hz"}, {"amplitude", "frequency_ratio"}),
@@ -324,7 +327,7 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
     assert sum(values["counts"].values()) == 3600
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "said"),
     [
         (f"{MAP} --refine 3", "--refine = 3 is not valid: it must be a power of two"),
@@ -418,6 +421,7 @@ main()
 """The program, which does not end of its own accord when it has written some chunks."""
 
 
+@pytest.mark.slow
 def test_an_interrupted_map_says_how_it_goes_on_and_does(tmp_path: Path) -> None:
     """Ctrl-C while it computes; the command that it prints finishes it."""
     path = tmp_path / "a map.zarr"
@@ -449,7 +453,7 @@ def test_an_interrupted_map_says_how_it_goes_on_and_does(tmp_path: Path) -> None
     assert "Traceback" not in err
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "why"),
     [
         ("--by period", "without --plot it has no meaning"),

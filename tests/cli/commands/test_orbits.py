@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_orbits
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 POINT = "orbits -A 2 -W 1.9 -r 0.8"
 KEYS = {
@@ -124,6 +125,7 @@ def test_the_text_is_a_row_an_orbit_in_80_columns() -> None:
         assert word in ran.out
 
 
+@pytest.mark.slow
 def test_where_nothing_moves_the_list_is_empty(tmp_path: Path) -> None:
     command = "orbits -A 0.1 -W 4 -r 0.8"
     assert rocksteady(f"{command} --json").json["orbits"] == []
@@ -135,7 +137,7 @@ def test_where_nothing_moves_the_list_is_empty(tmp_path: Path) -> None:
     assert figure.read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("--max-period 0", "--max-period = 0"),
@@ -188,11 +190,12 @@ def test_the_csv_holds_every_orbit_to_the_last_digit(tmp_path: Path) -> None:
         assert row["residual"] == ("nan" if orbit["residual"] is None else row["residual"])
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "command",
     [POINT, "orbits -A 2 -W 4 -r 1", "orbits -A 1.2 -W 0.7 -r 0.8", "orbits -A 0 -W 4 -r 0.8"],
 )
-@pytest.mark.parametrize(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
+@every(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
 def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
     file = tmp_path / f"orbits.{ending}"
     assert rocksteady(f"{command} --plot", file).code == 0

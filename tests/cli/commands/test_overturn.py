@@ -18,6 +18,7 @@ from rocksteady import (
 )
 from rocksteady.cli.commands import overturn
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 POINT = "overturn --pulse one-sine -W 2:6:3 -r 0.9"
 
@@ -94,6 +95,7 @@ def test_the_table_has_a_row_a_window() -> None:
     assert "narrower windows are left out" in many.out
 
 
+@pytest.mark.slow
 def test_the_files_hold_the_same(tmp_path: Path) -> None:
     names = ("w.csv", "w.nc", "w.png", "w.zarr")
     table, data, picture, store = (tmp_path / name for name in names)
@@ -115,7 +117,7 @@ def test_the_files_hold_the_same(tmp_path: Path) -> None:
     assert "exists" in refused(command)
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         ("overturn -W 2 -r 0.9", "--pulse"),
@@ -148,6 +150,7 @@ def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
     assert words in refused(command)
 
 
+@pytest.mark.slow
 def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     examples = re.findall(r"^rocksteady (.*)$", overturn.EXAMPLES, flags=re.MULTILINE)
@@ -204,7 +207,7 @@ def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:
     assert picture.stat().st_size > 5000
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "word"),
     [
         ("--scales 1:2 --pulse one-sine -W 2 -r 0.9", "--scales"),
@@ -219,7 +222,7 @@ def test_flags_of_another_search_are_refused(flags: str, word: str) -> None:
     assert word.split("--")[1][:5] in ran.err or "-W" in ran.err
 
 
-@pytest.mark.parametrize("text", ["-1", "0:1e9:3", "nan"])
+@every("text", ["-1", "0:1e9:3", "nan"])
 def test_a_moment_of_no_record_is_refused_as_it_was_given(text: str) -> None:
     ran = rocksteady(f"overturn --kick {BODY} --at-s {text}")
     assert ran.code == 2

@@ -21,6 +21,7 @@ from rocksteady import (
 from rocksteady.cli.commands import record as command
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 from tests.records import recording
 
 
@@ -139,6 +140,7 @@ def test_the_title_of_a_figure_fits_and_tells_of_a_changed_sign() -> None:
     assert command.title_of([one, one]) == "2 records"
 
 
+@pytest.mark.slow
 def test_pictures_of_one_and_of_several(file: Path, tmp_path: Path) -> None:
     for name, files in (("one.png", [file]), ("several.png", [file, file])):
         ran = rocksteady("record --json --plot", tmp_path / name, *files)
@@ -160,6 +162,7 @@ def test_a_drift_is_said_and_a_line_taken_off_removes_it(tmp_path: Path) -> None
     assert again.json["pgd_m"] < 0.5 * ran.json["pgd_m"]
 
 
+@pytest.mark.slow
 def test_the_examples_in_the_help_run(
     file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -226,7 +229,7 @@ def test_what_is_refused(
     assert sorted(file.parent.iterdir()) == before
 
 
-@pytest.mark.parametrize(
+@every(
     ("pattern", "npts", "dt_s"),
     [
         ("RSN6_*ELC180*", 5372, 0.01),

@@ -20,6 +20,7 @@ from rocksteady import (
     simulate,
 )
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 SHAKEN = "simulate -A 2 -W 4 -r 0.8"
 BARE = DimensionlessBlock(restitution=0.8)
@@ -96,7 +97,7 @@ def test_a_pulse_on_a_real_block_has_neighbours_uplift_and_friction() -> None:
 # ---------------------------------------------------------------------------------- starts
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "start", "phase"),
     [
         ("--start rest", State(angle=0.0, velocity=0.0), 0.0),
@@ -132,7 +133,7 @@ def test_the_side_decides_the_fate_of_an_unstable_start() -> None:  # E6
     assert rocksteady(command[: -len(" --side")]).json["status"] == "overturned", "+ is the default"
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("--start foo", "'foo'"),
@@ -180,7 +181,7 @@ def test_a_steady_start_that_is_none_says_what_was_typed_and_what_to_do() -> Non
     assert "floor" in line
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needle"),
     [
         ("", "'rest'"),
@@ -213,7 +214,7 @@ def test_a_run_that_cannot_be_decided_ends_with_3(monkeypatch: pytest.MonkeyPatc
 # ------------------------------------------------------------------------------------ text
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         (SHAKEN, ["rocking", "impacts", "0.36 alpha", "linear model"]),
@@ -259,7 +260,8 @@ def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
     assert len(rows) > 50
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     "command",
     [
         SHAKEN,
@@ -285,6 +287,7 @@ def test_every_kind_of_run_can_be_drawn(command: str, tmp_path: Path) -> None:
 FALL = "simulate --block tso-wong-1989 -A 4 -W 1.5"
 
 
+@pytest.mark.slow
 def test_a_film_is_written_beside_the_other_outputs(tmp_path: Path) -> None:
     film, table = tmp_path / "fall.gif", tmp_path / "fall.csv"
     ran = rocksteady(f"{FALL} --json --csv", table, "--animate", film)
@@ -297,6 +300,7 @@ def test_a_film_is_written_beside_the_other_outputs(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["fall.csv", "fall.gif"]
 
 
+@pytest.mark.slow
 def test_the_speed_of_a_film_changes_its_length(tmp_path: Path) -> None:
     lengths = []
     for speed in ("1", "0.5"):
@@ -312,7 +316,7 @@ def test_the_speed_of_a_film_changes_its_length(tmp_path: Path) -> None:
     assert lengths[1] - 1000 == pytest.approx(2 * (lengths[0] - 1000), abs=81)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "needles"),
     [
         ("--animate run.mp4", ["--animate", "'run.mp4'", ".gif"]),
@@ -347,7 +351,7 @@ def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
     assert file.read_bytes().startswith(b"GIF89a")
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "hint"),
     [
         (f"{SHAKEN} --cycles 60", "--cycles"),
@@ -390,7 +394,7 @@ def test_a_disk_that_fills_leaves_no_film(tmp_path: Path, monkeypatch: pytest.Mo
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("--left-m 1e308 --right-m 0.3 --height-m 2 -A 2 -W 4", ["--left-m = 1e+308"]),

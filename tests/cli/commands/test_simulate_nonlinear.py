@@ -36,6 +36,7 @@ def test_its_json_is_that_of_the_library() -> None:
     )
 
 
+@pytest.mark.slow
 def test_it_is_drawn_filmed_and_written(tmp_path: Path) -> None:
     plot, film, table = (tmp_path / name for name in ("run.png", "run.gif", "run.csv"))
     ran = rocksteady(f"{SHAKEN} --plot {plot} --animate {film} --csv {table}")

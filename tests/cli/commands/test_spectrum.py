@@ -21,6 +21,7 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.numbers import number
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 from tests.records import peer
 from tests.seismic.grounds import ground, lifting
 
@@ -140,6 +141,7 @@ def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:
     assert all(len(line) <= 80 for line in ran.out.splitlines())
 
 
+@pytest.mark.slow
 def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
     names = ("s.csv", "s.nc", "s.png", "s.zarr")
     table, data, picture, store = (tmp_path / name for name in names)
@@ -160,7 +162,7 @@ def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
     assert again["values"] == ran.json["values"]
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("--periods-s 1", "--alpha-rad is not given:"),

@@ -20,6 +20,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.steady.regions import REGIONS
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 POINT = "steady -A 2 -W 4 -r 0.8"
 SOLUTION_KEYS = {
@@ -115,7 +116,7 @@ def test_the_json_of_a_point_keeps_the_contract() -> None:
     assert first["phase"] == pytest.approx(2.8465425429, abs=5.1e-11)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "region"),
     [
         ("-A 1 -W 4 -r 0.8", 1),
@@ -176,7 +177,7 @@ def test_long_and_short_flags_are_the_same() -> None:
 # ---------------------------------------------------------------------------------- blocks
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "block"),
     [
         ("--width-m 0.4 --height-m 1.2", Block.rectangle(width=0.4, height=1.2)),
@@ -241,7 +242,7 @@ def test_axes_include_both_ends_and_go_amplitude_first() -> None:
     assert values["points"][8] == {k: v for k, v in alone.items() if k not in of_all}
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "reason"),
     [
         ("1:2", "start:stop:count"),
@@ -308,7 +309,8 @@ def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
 PNG = b"\x89PNG\r\n"
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("command", "ending", "magic"),
     [
         (POINT, "png", PNG),

@@ -12,6 +12,7 @@ from rocksteady import durable
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 SIMULATE = "simulate -A 2 -W 4 -r 0.8 --cycles 3 --csv"
 FLAGS = {
@@ -33,7 +34,8 @@ def test_with_a_library_nothing_compiles_and_nothing_is_said(
     assert "compiling" not in ran.err
 
 
-@pytest.mark.parametrize("flag", FLAGS)
+@pytest.mark.slow
+@every("flag", FLAGS)
 def test_a_link_that_leads_nowhere_counts_as_a_file(flag: str, tmp_path: Path) -> None:
     command, name = FLAGS[flag]
     link, target = tmp_path / name, tmp_path / "target"
@@ -47,8 +49,8 @@ def test_a_link_that_leads_nowhere_counts_as_a_file(flag: str, tmp_path: Path) -
     assert target.stat().st_size > 0
 
 
-@pytest.mark.parametrize("flag", FLAGS)
-@pytest.mark.parametrize("force", ["", "--force"])
+@every("flag", FLAGS)
+@every("force", ["", "--force"])
 def test_no_device_pipe_or_folder_is_replaced(flag: str, force: str, tmp_path: Path) -> None:
     command, name = FLAGS[flag]
     (tmp_path / "folder").mkdir()
@@ -91,7 +93,8 @@ def test_names_that_no_file_can_have_are_refused_in_one_line(tmp_path: Path) -> 
     refused(SIMULATE, tmp_path / "a" / "b.csv")
 
 
-@pytest.mark.parametrize("flag", FLAGS)
+@pytest.mark.slow
+@every("flag", FLAGS)
 def test_what_another_program_writes_meanwhile_is_kept(
     flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,6 +8,7 @@ from itertools import pairwise
 import pytest
 
 from rocksteady.cli.console.progress import Meter, clock_text, progress, sweeping
+from tests.every import every
 
 
 def said(steps: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> str:
@@ -29,7 +30,7 @@ def test_a_line_is_due_after_each_tenth_and_at_the_end(
     assert lines[-1] == "computing: 100 of 100 (100 %), step 100"
 
 
-@pytest.mark.parametrize("steps", [1, 2, 3, 7, 9, 11, 23, 101, 999])
+@every("steps", [1, 2, 3, 7, 9, 11, 23, 101, 999])
 def test_the_end_is_said_once_and_percents_rise(
     steps: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -138,7 +139,7 @@ def test_the_rate_is_that_of_the_last_half_minute(monkeypatch: pytest.MonkeyPatc
     assert meter.rate == pytest.approx(10.0)
 
 
-@pytest.mark.parametrize(
+@every(
     ("seconds", "text"),
     [(0.4, "0:00"), (7.0, "0:07"), (61.0, "1:01"), (3599.6, "1:00:00"), (40_000.0, "11:06:40")],
 )

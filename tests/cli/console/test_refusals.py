@@ -7,6 +7,7 @@ import pytest
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.errors import ModelError
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 EMPTY = {
     "paper --out": "--out",
@@ -25,7 +26,7 @@ EMPTY = {
 """Command lines up to a path, and what the path is called in errors."""
 
 
-@pytest.mark.parametrize(("command", "flag"), EMPTY.items())
+@every(("command", "flag"), EMPTY.items())
 def test_an_empty_path_does_not_mean_this_folder(
     command: str, flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -37,8 +38,8 @@ def test_an_empty_path_does_not_mean_this_folder(
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize(("command", "flag"), EMPTY.items())
-@pytest.mark.parametrize("name", ["a" * 300 + ".png", "é" * 128, "a" * 256 + "/a.png"])
+@every(("command", "flag"), EMPTY.items())
+@every("name", ["a" * 300 + ".png", "é" * 128, "a" * 256 + "/a.png"])
 def test_a_name_that_no_system_takes_is_refused_by_its_flag(
     command: str, flag: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -16,6 +16,7 @@ from rocksteady.cli.console import terminal
 from rocksteady.results.rendering import printable
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 PROGRAM = (sys.executable, "-m", "rocksteady")
 ODD_NAMES = (
@@ -56,13 +57,15 @@ def test_messages_do_not_take_the_place_of_results_where_standard_error_is_close
     assert json.loads(done.stdout)["schema"] == "rocksteady/steady/1"
 
 
-@pytest.mark.parametrize("closed", ["2>/dev/full", "0<&-", "0<&- 2>&-"])
+@pytest.mark.slow
+@every("closed", ["2>/dev/full", "0<&-", "0<&- 2>&-"])
 def test_streams_that_take_nothing_change_no_result(closed: str) -> None:
     done = shell(f"P steady -A 2 -W 4 -r 0.8 --json {closed}")
     assert (done.returncode, done.stdout) == (0, rocksteady("steady -A 2 -W 4 -r 0.8 --json").out)
     assert shell(f"P steady -A 2 -W 4 -r 8 {closed}").returncode == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["steady -A 2 -W 4 -r 0.8", "steady -A 2 -W 4 -r 0.8 --json"])
 def test_a_result_that_cannot_be_written_is_no_success(command: str) -> None:
     done = shell(f"P {command} >/dev/full")
@@ -73,7 +76,8 @@ def test_a_result_that_cannot_be_written_is_no_success(command: str) -> None:
     assert (done.returncode, done.stderr) == (2, line.format("it is closed"))
 
 
-@pytest.mark.parametrize("encoding", ["cp1252", "ascii", "latin-1"])
+@pytest.mark.slow
+@every("encoding", ["cp1252", "ascii", "latin-1"])
 def test_no_encoding_of_the_terminal_ends_a_command(encoding: str) -> None:
     command = "bifurcate -A 2 -W 1.9:2:3 -r 0.8 --no-sweeps"
     done = shell(f"P {command}", PYTHONIOENCODING=encoding)
@@ -89,7 +93,7 @@ def test_no_encoding_of_the_terminal_ends_a_command(encoding: str) -> None:
 # --------------------------------------------------------------------------------- environment
 
 
-@pytest.mark.parametrize("columns", ["0", "1", "garbage", "-3", "²", "9" * 5000])
+@every("columns", ["0", "1", "garbage", "-3", "²", "9" * 5000])
 def test_no_width_of_the_terminal_takes_output_away(
     columns: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -108,6 +112,7 @@ def test_no_width_of_the_terminal_takes_output_away(
     assert max(map(len, ran.out.splitlines())) <= terminal.WIDEST
 
 
+@pytest.mark.slow
 def test_settings_of_matplotlib_do_not_end_a_command(tmp_path: Path) -> None:
     (tmp_path / "matplotlibrc").write_text("text.usetex: true\nbackend: none-such\nnonsense: 1\n")
     (tmp_path / "file").touch()
@@ -134,6 +139,7 @@ def odd(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:Glyph")
 def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
     plot, csv, film = tmp_path / "a.png", tmp_path / "a.csv", tmp_path / "a.gif"
@@ -168,8 +174,9 @@ def test_no_name_of_a_file_makes_two_lines(tmp_path: Path) -> None:
 # ------------------------------------------------------------------------------------- signals
 
 
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
-@pytest.mark.parametrize("command", ["map", "spectrum"])
+@pytest.mark.slow
+@every("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+@every("command", ["map", "spectrum"])
 def test_a_sweep_that_a_signal_ends_says_how_it_goes_on(
     name: str, command: str, tmp_path: Path
 ) -> None:
@@ -217,7 +224,7 @@ def test_a_signal_that_is_ignored_stays_so() -> None:
 # ------------------------------------------------------------------------- errors of others
 
 
-@pytest.mark.parametrize(
+@every(
     ("error", "words"),
     [
         (MemoryError("Unable to allocate 7 TiB"), "more memory is needed"),

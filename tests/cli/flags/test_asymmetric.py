@@ -17,6 +17,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 FLAGS = "--left-m 0.15 --right-m 0.25 --height-m 1.2"
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -126,7 +127,7 @@ def test_maps_and_basins_of_it(tmp_path: Path) -> None:
     assert erosion["heteroclinic_amplitude"] == expected
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         (f"steady {FLAGS} -A 2 -W 4", "rocksteady orbits"),

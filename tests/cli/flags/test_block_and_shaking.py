@@ -24,6 +24,7 @@ from rocksteady.cli.flags.block_and_shaking import (
 )
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS
 from rocksteady.model.equations import Linear, Nonlinear
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2)
@@ -31,7 +32,7 @@ AGAINST_WALL = DimensionlessBlock(restitution=0.0, one_sided=True)
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "block"),
     [
         ({"restitution": "0.8"}, BARE),
@@ -85,7 +86,7 @@ def test_flags_describe_the_block_of_the_constructors(
     assert BlockFlags(**flags).described() == block
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ({}, "--restitution/-r is not given"),
@@ -134,7 +135,7 @@ def test_shaking_in_si_is_what_the_block_feels(block: Block) -> None:
     assert mixed == Harmonic(amplitude=2.0, frequency_ratio=ratio, phase=0.5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "block", "words"),
     [
         ({"accel_g": "0.4", "frequency_ratio": "2"}, BARE, "g and Hz need a block"),
@@ -236,7 +237,7 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
         assert square == pytest.approx((0.5**2 + 1.8**2) / 12.0)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ({"width_m": "0.5", "height_m": "1.8", "offset_m": 0.25}, "--offset-m"),

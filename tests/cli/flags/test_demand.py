@@ -7,6 +7,7 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, SpectrumFlags, probability, sized_block
 from rocksteady.cli.flags.record_files import ReadingFlags
+from tests.every import every
 
 
 def test_a_block_needs_a_size() -> None:
@@ -27,7 +28,7 @@ def test_peaks_alone_make_a_demand_without_a_spectrum() -> None:
     assert (demand.pga_g, demand.pgv_m_s, demand.spectrum) == (0.3, None, None)
 
 
-@pytest.mark.parametrize("value", [0.0, 1.0, -0.1, float("nan")])
+@every("value", [0.0, 1.0, -0.1, float("nan")])
 def test_a_target_is_a_probability_that_decides_something(value: float) -> None:
     with pytest.raises(InputError, match="--target"):
         probability("--target", value)

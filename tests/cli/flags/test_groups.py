@@ -12,6 +12,7 @@ from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import InputError, OutputError
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 COMMANDS = (
     "simulate -A 2 -W 4 -r 0.8 --cycles 5",
@@ -29,7 +30,8 @@ COMMANDS = (
 )
 
 
-@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.slow
+@every("command", COMMANDS)
 def test_every_command_that_draws_has_a_width_and_a_legend(command: str, tmp_path: Path) -> None:
     file = tmp_path / "figure.png"
     ran = rocksteady(command, "--plot", file, "--width", "84mm", "--legend", "below")
@@ -38,6 +40,7 @@ def test_every_command_that_draws_has_a_width_and_a_legend(command: str, tmp_pat
         assert picture.width == pytest.approx(200.0 * 84.0 / 25.4, abs=1.0)
 
 
+@pytest.mark.slow
 def test_the_units_of_a_width_agree(tmp_path: Path) -> None:
     seen = []
     for number, width in enumerate(("101.6mm", "10.16cm", "4in", "4 in")):
@@ -48,7 +51,7 @@ def test_the_units_of_a_width_agree(tmp_path: Path) -> None:
     assert len(set(seen)) == 1
 
 
-@pytest.mark.parametrize("width", ["84", "-5mm", "1e9mm", "abc", "nanmm", "84pt", "", "10mm"])
+@every("width", ["84", "-5mm", "1e9mm", "abc", "nanmm", "84pt", "", "10mm"])
 def test_a_width_that_is_none_is_refused_before_anything_is_written(
     width: str, tmp_path: Path
 ) -> None:
@@ -73,7 +76,8 @@ def test_without_a_picture_they_have_no_meaning(flags: str) -> None:
     assert "--plot" in line
 
 
-@pytest.mark.parametrize("name", [r"$\frac{$.csv", "_a%b.csv", "two $a$ names.csv"])
+@pytest.mark.slow
+@every("name", [r"$\frac{$.csv", "_a%b.csv", "two $a$ names.csv"])
 def test_the_name_of_a_record_is_no_mathematics(name: str, tmp_path: Path) -> None:
     record = tmp_path / name
     rows = "\n".join(f"{0.01 * k:.2f},{0.3 * (-1) ** (k // 20)}" for k in range(200))
@@ -123,7 +127,7 @@ def test_what_a_command_reads_is_not_written_over(tmp_path: Path) -> None:
         OutputFlags(csv=read, force=True).check([read])
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ({"speed": 2.0}, "without --animate it has no meaning"),

@@ -9,6 +9,7 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.map_axes import MapStartFlags, map_case
 from rocksteady.dynamics.parameters import AXES
+from tests.every import every
 
 BARE = BlockFlags(restitution="0.8")
 
@@ -69,7 +70,7 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_where_the_frequency_stays() -> N
     assert upright.fixed["velocity"] == 0.0, "no velocity is none in any unit"
 
 
-@pytest.mark.parametrize(
+@every(
     ("shaking", "block", "start", "words"),
     [
         (shaken(), BARE, {}, "none of -A, -W, -r and the other flags of the case is an axis"),

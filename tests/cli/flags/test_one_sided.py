@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State, Still, find_attractor, simulate
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 FLAGS = "--width-m 0.3 --height-m 3 --one-sided"
 FACADE = Block.rectangle(width=0.3, height=3.0).against_wall()
@@ -25,7 +26,7 @@ def test_simulate_echoes_the_wall() -> None:
     assert "negative_restitution" not in values
 
 
-@pytest.mark.parametrize("ratio", ["0", "0.7", "1", "housner", "housner*0.9"])
+@every("ratio", ["0", "0.7", "1", "housner", "housner*0.9"])
 def test_the_restitution_is_that_of_the_wall(ratio: str) -> None:
     form = {"housner": "housner", "housner*0.9": ("housner", 0.9)}
     block = FACADE.against_wall(form.get(ratio) or float(ratio))  # type: ignore[arg-type]
@@ -53,6 +54,7 @@ def test_an_attractor_of_a_block_against_a_wall() -> None:
     assert values["one_sided"] is True
 
 
+@pytest.mark.slow
 def test_tables_pictures_and_films_are_written(tmp_path: Path) -> None:
     files = {flag: tmp_path / f"run.{flag}" for flag in ("csv", "png", "gif")}
     shown = rocksteady(
@@ -70,7 +72,7 @@ def test_tables_pictures_and_films_are_written(tmp_path: Path) -> None:
     assert min(angles) > -1e-12
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         (f"simulate {FLAGS} --start=-0.3,0", "--start = '-0.3,0' is not accepted: a block against"),

@@ -19,6 +19,7 @@ from rocksteady.cli.flags.parsing import (
     single,
 )
 from tests.cli.program import refused
+from tests.every import every
 
 ends = st.floats(-1e6, 1e6)
 positive_ends = st.floats(1e-6, 1e6)
@@ -52,7 +53,7 @@ def test_the_longest_axis_is_a_million_and_zeros_before_a_count_do_not_matter() 
     assert axis("-A", f"0:1:{'0' * 20}3") == [0.0, 0.5, 1.0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         ("two", "it must be a number;"),
@@ -104,7 +105,7 @@ def test_a_restitution_is_a_number_a_pair_or_housners() -> None:
         assert restitution_from(text, default="housner") == ("housner", 0.965)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         (None, "--restitution/-r is not given: without a block it is needed"),
@@ -132,7 +133,7 @@ def test_a_single_value_is_no_axis() -> None:
         single("--scale", [1.0, 2.0, 3.0])
 
 
-@pytest.mark.parametrize(
+@every(
     ("flag", "unit"),
     [
         ("--width-m", "metres"),

@@ -10,13 +10,14 @@ from PIL import Image
 from rocksteady import DimensionlessBlock, Pulse, named_block, simulate
 from rocksteady.model.motions.pulses import PULSES
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.9)
 CABINET = "simulate --block zhang-makris-2001"
 ONE_SINE = "simulate -A 2 -W 5 -r 0.9 --pulse one-sine"
 
 
-@pytest.mark.parametrize("name", [*PULSES, "type-c4"])
+@every("name", [*PULSES, "type-c4"])
 def test_the_json_of_every_pulse(name: str) -> None:
     ran = rocksteady(f"simulate -A 3 -W 4 -r 0.9 --pulse {name} --json")
     assert (ran.code, ran.err) == (0, "")
@@ -74,6 +75,7 @@ def test_a_start_before_a_pulse() -> None:
     assert at_rest["peak"] != let_go["peak"]
 
 
+@pytest.mark.slow
 def test_the_text_and_the_files(tmp_path: Path) -> None:
     plot, table, film = (tmp_path / name for name in ("run.png", "run.csv", "run.gif"))
     command = "simulate -A 2 -W 5 -r 0.5 --pulse one-sine --speed 3"
@@ -99,7 +101,7 @@ def test_the_help_names_every_pulse() -> None:
         assert name in text or name.replace("-", "- ") in text, name
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("-A 2 -W 5 -r 0.9 --pulse onesine", ["--pulse = 'onesine'", *PULSES]),

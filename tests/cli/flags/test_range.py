@@ -6,6 +6,7 @@ from rocksteady import Block, InputError
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.range import Range, range_of
+from tests.every import every
 
 BARE = BlockFlags(restitution="0.8")
 SIZED = BlockFlags(width_m="0.4", height_m="1.2")
@@ -15,7 +16,7 @@ def shaken(amplitude: str, ratio: str) -> ShakingFlags:
     return ShakingFlags(amplitude=amplitude, frequency_ratio=ratio)
 
 
-@pytest.mark.parametrize(
+@every(
     ("shaking", "block", "parameter", "fixed"),
     [
         (shaken("1:3:5", "2"), BARE, "amplitude", {"frequency_ratio": 2.0, "restitution": 0.8}),
@@ -54,7 +55,7 @@ def test_an_axis_in_g_or_hertz_is_one_too() -> None:
         assert (in_g, moved.frequency_hz(block_there)) == pytest.approx((accel, 2.0))
 
 
-@pytest.mark.parametrize(
+@every(
     ("shaking", "block", "words"),
     [
         (shaken("1", "2"), BARE, "none of -A, -W and -r is an axis"),

@@ -14,6 +14,7 @@ from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
@@ -178,6 +179,7 @@ def test_a_base_that_falls_away_ends_the_run(files: tuple[Path, Path], tmp_path:
     assert rocksteady(command, files[0], "--vertical", falling).json["status"] == "lost-contact"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["linear", "nonlinear"])
 def test_plot_film_and_table(files: tuple[Path, Path], tmp_path: Path, model: str) -> None:
     across, up = files
@@ -212,7 +214,7 @@ def test_plot_film_and_table(files: tuple[Path, Path], tmp_path: Path, model: st
 # --------------------------------------------------------------------- numbers of others
 
 
-@pytest.mark.parametrize(("name", "p", "alpha", "expected"), PEAKS)
+@every(("name", "p", "alpha", "expected"), PEAKS)
 def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expected: float) -> None:
     block = f"--alpha-rad {alpha!r} --p-rad-s {p!r} --model nonlinear"
     values = rocksteady(f"simulate {block} --json --record", real(f"*{name}*")).json
@@ -220,7 +222,7 @@ def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expecte
     assert values["peak_rad"] == pytest.approx(expected, rel=1e-5)
 
 
-@pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
+@every(("degrees", "period", "falls"), AT_PACOIMA_DAM)
 def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool) -> None:
     alpha, p = math.radians(degrees), 2.0 * math.pi / period
     block = f"--alpha-rad {alpha!r} --p-rad-s {p!r} --model nonlinear"

@@ -7,6 +7,7 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking, state_from
 from rocksteady.errors import ModelError
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 LEFT = "simulate -A 2 -W 1.7 -r 0.8 --start steady --cycles 40 --json"
 
@@ -20,8 +21,8 @@ def overturned_at(*more: str) -> float:
     return values["overturn_time_tau"]
 
 
-@pytest.mark.parametrize("side", ["+", "-"])
-@pytest.mark.parametrize("kick", ["1e-3", "0.01", "1e-9"])
+@every("side", ["+", "-"])
+@every("kick", ["1e-3", "0.01", "1e-9"])
 def test_the_flag_is_the_librarys_argument(kick: str, side: str) -> None:
     run = simulate(
         DimensionlessBlock(restitution=0.8),
@@ -44,14 +45,14 @@ def test_the_other_branch_takes_it_too() -> None:
     assert fates == {"+": "rocking", "-": "at-rest"}
 
 
-@pytest.mark.parametrize("kick", ["0", "-1e-6", "0.2", "nan", "inf"])
+@every("kick", ["0", "-1e-6", "0.2", "nan", "inf"])
 def test_a_kick_out_of_range_is_refused(kick: str) -> None:
     line = refused("simulate -A 2 -W 1.7 -r 0.8 --start steady --kick", kick)
     assert "--kick = " in line
     assert "0.1" in line
 
 
-@pytest.mark.parametrize("start", ["rest", "0.1,0", "0,0.2"])
+@every("start", ["rest", "0.1,0", "0,0.2"])
 def test_a_kick_without_a_steady_state_is_refused(start: str) -> None:
     line = refused(f"simulate -A 2 -W 1.7 -r 0.8 --kick 1e-4 --start {start}")
     assert "--kick = 0.0001" in line
@@ -71,7 +72,7 @@ def test_the_help_names_the_default() -> None:
 # --------------------------------------------------------------------------- texts of --start
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "start"),
     [
         (StartFlags(), Rest()),
@@ -93,7 +94,7 @@ def test_the_velocity_by_tau_needs_a_frequency_and_that_by_pivot_time_none() -> 
         StartFlags(start="0.4,tau=0.1").of(None)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         ("stand", "it is no known start"),
@@ -115,7 +116,7 @@ def test_what_is_no_start_is_refused_with_all_that_are(text: str, words: str) ->
     assert "write rest, steady, steady:2" in str(refused.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "shaken", "words"),
     [
         (StartFlags(side="left"), True, "it must be [+] or -"),

@@ -19,6 +19,7 @@ from rocksteady import (
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.cli.flags.sweep import SweepFlags, resuming
+from tests.every import every
 
 
 def filled(path: Path) -> Path:
@@ -61,7 +62,7 @@ def test_a_store_is_new_or_continued_or_begun_anew(tmp_path: Path) -> None:
         SweepFlags(out=there, resume=True).run(force=True)
 
 
-@pytest.mark.parametrize(
+@every(
     ("sweep", "output", "words"),
     [
         ({"netcdf": "a.nc"}, {"csv": "a.nc"}, "--csv writes the same file"),

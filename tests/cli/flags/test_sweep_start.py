@@ -9,6 +9,7 @@ from rocksteady import DimensionlessBlock, Linear, ModelError, Rest, State, Stea
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.sweep_start import SweepStart
+from tests.every import every
 
 SPAN = Range(
     parameter="amplitude",
@@ -19,7 +20,7 @@ SPAN = Range(
 )
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "expected"),
     [
         ({}, Steady()),
@@ -52,7 +53,7 @@ def test_the_start_of_each_sweep_is_written_as_it_was_typed() -> None:
     assert typed == {"sweeps": [{"start": "steady:1", "values": 3}]}
 
 
-@pytest.mark.parametrize("flags", [{"start": "rest"}, {"phase": 0.0}, {"kick": 1e-3}])
+@every("flags", [{"start": "rest"}, {"phase": 0.0}, {"kick": 1e-3}])
 def test_without_sweeps_what_only_they_have_is_refused(flags: dict[str, Any]) -> None:
     with pytest.raises(FlagError, match="without sweeps, it has no meaning; leave it out"):
         SweepStart(**flags).refuse("without sweeps")

@@ -21,6 +21,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.basins.erosion import MEASURES
 from tests.descriptions import as_json, fits
+from tests.every import every
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 BARE = DimensionlessBlock(restitution=0.8)
@@ -56,8 +57,8 @@ def test_the_fractions_count_every_state_once(block: Block | DimensionlessBlock)
     assert ("block" in values) == ("negative_restitution" in values) == (block is LEANING)
 
 
-@pytest.mark.parametrize("block", [BARE, LEANING])
-@pytest.mark.parametrize("seed", [None, 3])
+@every("block", [BARE, LEANING])
+@every("seed", [None, 3])
 def test_the_summary_has_a_row_a_basin(block: Block | DimensionlessBlock, seed: int | None) -> None:
     found = basins_of(block, seed=seed)
     text = found.summary()

@@ -25,6 +25,7 @@ from rocksteady import (
     find_attractor,
 )
 from tests.dynamics.kicks import apart
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -63,8 +64,8 @@ def same_orbit(one: Orbit | None, other: Orbit | None) -> bool:
     return one.period == other.period and len(one.states) == len(other.states) and nearest < 1e-6
 
 
-@pytest.mark.parametrize("point", POINTS)
-@pytest.mark.parametrize("seed", [None, 5])
+@every("point", POINTS)
+@every("seed", [None, 5])
 def test_each_state_goes_where_it_goes_alone(
     point: tuple[float, float, float], seed: int | None
 ) -> None:
@@ -88,8 +89,8 @@ def mirrored(one: BasinAttractor, among: tuple[BasinAttractor, ...]) -> int:
     return next(other.label for other in among if same_orbit(image, other.orbit))
 
 
-@pytest.mark.parametrize("point", POINTS)
-@pytest.mark.parametrize("phase", [0.0, 0.3, 2.0, 4.5])
+@every("point", POINTS)
+@every("phase", [0.0, 0.3, 2.0, 4.5])
 def test_the_mirrored_window_half_a_period_later_has_the_mirrored_basins(
     point: tuple[float, float, float], phase: float
 ) -> None:
@@ -254,7 +255,7 @@ def test_a_notebook_sees_a_table() -> None:
     assert text.count("unsymmetric-1") == 2
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "valid"),
     [
         ({"angles": [1.0]}, "evenly spaced"),

@@ -23,6 +23,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -34,11 +35,10 @@ VELOCITIES = np.linspace(-1.2, 1.2, 13)
 WINDOW: dict[str, Any] = {"angles": ANGLES, "velocities": VELOCITIES}
 
 
-@pytest.mark.parametrize("seed", [None, 3])
-@pytest.mark.parametrize(
+@every("seed", [None, 3])
+@every(
     ("block", "model"),
     [(WALL, Linear()), (FACADE, Linear()), (FACADE, Nonlinear())],
-    ids=["bare", "facade", "nonlinear"],
 )
 def test_each_state_goes_where_it_goes_alone(block: Any, model: Model, seed: int | None) -> None:
     found = compute_basins(block, SHAKING, model=model, seed=seed, **WINDOW)
@@ -83,7 +83,8 @@ def test_by_default_the_window_begins_at_the_wall() -> None:
     assert "negative_restitution" not in data.attrs
 
 
-@pytest.mark.parametrize("e", [0.0, 0.5, 0.8])
+@pytest.mark.slow
+@every("e", [0.0, 0.5, 0.8])
 def test_the_safe_basin_of_a_still_base_is_known(e: float) -> None:
     block = DimensionlessBlock(restitution=e, one_sided=True)
     motion = Harmonic(amplitude=1.0, frequency_ratio=3.0)
@@ -136,7 +137,7 @@ def test_executors_agree_to_the_bit() -> None:
     assert basins(Run(executor="serial")).identical(basins(Run(workers=2)))
 
 
-@pytest.mark.parametrize(
+@every(
     "given",
     [
         {"angles": np.linspace(-1.0, 1.0, 5)},

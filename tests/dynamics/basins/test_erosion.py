@@ -23,6 +23,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.basins._safe import measured
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ def test_integrity_is_1_at_most_where_shaking_moves_more_safe_states_into_the_wi
     assert above > 0
 
 
-@pytest.mark.parametrize("restitution", [0.5, 0.8, 0.95])
+@every("restitution", [0.5, 0.8, 0.95])
 def test_the_safe_basin_of_a_still_base_is_known(restitution: float) -> None:
     found = eroded(restitution, 3.0, [0.0, 0.1])
     u, v = np.meshgrid(found.angle, found.velocity)
@@ -101,7 +102,8 @@ def test_measures_by_brute_force() -> None:
         assert radius == pytest.approx(max(nearest), rel=1e-12)
 
 
-@pytest.mark.parametrize(("restitution", "frequency"), [(0.9, 2.0), (0.8, 2.0), (0.9, 4.0)])
+@pytest.mark.slow
+@every(("restitution", "frequency"), [(0.9, 2.0), (0.8, 2.0), (0.9, 4.0)])
 def test_the_core_is_whole_up_to_the_heteroclinic_curve_and_erodes_beyond(
     restitution: float, frequency: float
 ) -> None:
@@ -175,7 +177,7 @@ def test_a_dataset_and_a_table_hold_it() -> None:
     assert "Erosion" in found._repr_html_()
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitudes", "more", "valid"),
     [
         ([1.0, 0.5], {}, "must ascend"),
@@ -198,7 +200,7 @@ def test_a_window_without_a_safe_state_measures_nothing() -> None:
         eroded(0.9, 2.0, [0.1], angles=[3.0, 4.0], velocities=[1.0, 2.0])
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "valid"),
     [
         ({"measure": "area"}, "one of integrity_factor, global_integrity"),

@@ -193,6 +193,7 @@ def test_a_later_moment_is_a_window_on_the_rest_of_the_motion() -> None:
     assert gone.global_integrity == gone.integrity_factor == 1.0
 
 
+@pytest.mark.slow
 def test_integrity_is_1_on_a_still_base_and_falls_with_the_scale() -> None:
     still = compute_fate_basins(BARE, Still())
     assert still.angle[-1] == pytest.approx(1.5, abs=0.01)

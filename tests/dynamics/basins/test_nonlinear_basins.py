@@ -21,6 +21,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Linear, Nonlinear
 from tests.dynamics.kicks import apart
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +50,8 @@ def at(block: Block, a: float, w: float, count: int = 12, **more: int) -> Basins
     )
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("block", "a", "w"),
     [
         (STOCKY, 2.0, 4.0),
@@ -58,7 +60,7 @@ def at(block: Block, a: float, w: float, count: int = 12, **more: int) -> Basins
         (ASYMMETRY, 2.0, 4.0),
     ],
 )
-@pytest.mark.parametrize("seed", [None, 5])
+@every("seed", [None, 5])
 def test_each_state_goes_where_it_goes_alone(
     block: Block, a: float, w: float, seed: int | None
 ) -> None:

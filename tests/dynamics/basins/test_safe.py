@@ -7,11 +7,12 @@ from rocksteady import Block, DimensionlessBlock, Harmonic, Run, State, Status, 
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from tests.every import every
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 
 
-@pytest.mark.parametrize(
+@every(
     ("block", "model"),
     [
         (DimensionlessBlock(restitution=0.8), Linear()),
@@ -49,7 +50,7 @@ def test_a_state_is_safe_where_its_time_history_does_not_overturn(
     assert not safe.all()
 
 
-@pytest.mark.parametrize("seed", range(8))
+@every("seed", range(8))
 def test_the_largest_circle_is_that_of_brute_force(seed: int) -> None:
     rng = np.random.default_rng(seed)
     angles, velocities = np.linspace(-1.0, 1.0, 13), np.linspace(-0.4, 0.4, 9)

@@ -35,6 +35,7 @@ from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.core.tables import ROW_SIDE
 from rocksteady.kernels.machine_code.compilation import PYTHON, runner
+from tests.every import every
 
 BLOCK = Block.rectangle(width=0.6, height=3.0, restitution=0.9)
 ASYMMETRIC = Block.asymmetric(left=0.3, right=0.4, height=3.0, restitution=0.85)
@@ -66,7 +67,7 @@ CASES: tuple[tuple[Any, Any, Any], ...] = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("case", range(len(CASES)))
+@every("case", range(len(CASES)))
 def test_the_fate_is_how_a_time_history_ends(case: int) -> None:
     block, motion, model = CASES[case]
     table, sides = finite_table(motion, block, model), sides_of(block, model)
@@ -94,7 +95,7 @@ def test_a_base_that_falls_away_ends_as_lost_contact() -> None:
     assert found.side == 0
 
 
-@pytest.mark.parametrize("moment", [0.7, 1.0, 2.3, 3.0])
+@every("moment", [0.7, 1.0, 2.3, 3.0])
 def test_a_state_on_the_way_has_the_fate_of_the_whole_run(moment: float) -> None:
     block = DimensionlessBlock(restitution=0.8)
     table = finite_table(STRUCK, block, Linear(), time_pt=moment)

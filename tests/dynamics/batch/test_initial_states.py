@@ -4,7 +4,6 @@ import math
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, ModelError, Steady
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
@@ -12,8 +11,9 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import random_cells
+from tests.every import every
 
-models = pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+models = every("model", [Linear(), Nonlinear()])
 
 
 @models
@@ -40,9 +40,7 @@ def test_a_phase_is_half_periods_and_a_rest_below_pi() -> None:
 
 
 @models
-@pytest.mark.parametrize(
-    "start", [Steady(), Steady(branch=2, side=-1), Steady(branch=1, order=3, side=-1)]
-)
+@every("start", [Steady(), Steady(branch=2, side=-1), Steady(branch=1, order=3, side=-1)])
 def test_states_on_orbits_are_those_of_single_motions(model: Model, start: Steady) -> None:
     rng = np.random.default_rng(11)
     count = 60

@@ -32,6 +32,7 @@ from tests.dynamics.continuation.branches import (
     values_of,
 )
 from tests.dynamics.kicks import keeps, loses
+from tests.every import every
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +43,8 @@ def leaning() -> list[BranchPoint]:
 # ------------------------------------------------------------------------------------ closed forms
 
 
-@pytest.mark.parametrize("order", [1, 3, 5])
+@pytest.mark.slow
+@every("order", [1, 3, 5])
 def test_folds_are_the_existence_boundary(order: int) -> None:
     rng = np.random.default_rng(order)
     for _ in range(6):
@@ -64,9 +66,7 @@ def test_folds_are_the_existence_boundary(order: int) -> None:
             assert other.amplitude == pytest.approx(float(found.existence), rel=1e-11)
 
 
-@pytest.mark.parametrize(
-    ("frequency", "order", "printed"), [(4.0, 1, None), (6.0, 3, 1.61999), (8.0, 3, None)]
-)
+@every(("frequency", "order", "printed"), [(4.0, 1, None), (6.0, 3, 1.61999), (8.0, 3, None)])
 def test_a_branch_turns_from_branch_1_into_branch_2(
     frequency: float, order: int, printed: float | None
 ) -> None:
@@ -88,7 +88,7 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
         assert point.stable is bool(states.stable[which])
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "order", "printed"),
     [
         (1.0, 1, 1.448324), (2.0, 1, 1.948378), (3.0, 1, 2.345723), (4.0, 1, 2.690687),
@@ -107,7 +107,8 @@ def test_symmetry_breaks_where_it_is_printed(amplitude: float, order: int, print
     assert np.abs(exact - breaking.frequency_ratio).min() <= 1e-12 * printed
 
 
-@pytest.mark.parametrize("parameter", PARAMETERS)
+@pytest.mark.slow
+@every("parameter", PARAMETERS)
 def test_symmetry_breaks_on_the_closed_curve_in_any_parameter(parameter: str) -> None:
     rng, found = np.random.default_rng(3), 0
     for _ in range(20):
@@ -133,6 +134,7 @@ def test_symmetry_breaks_on_the_closed_curve_in_any_parameter(parameter: str) ->
     assert found >= 8
 
 
+@pytest.mark.slow
 def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None:
     rng, found = np.random.default_rng(4), 0
     for _ in range(40):
@@ -170,7 +172,7 @@ def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None
 # ------------------------------------------------------------------------- by the return map alone
 
 
-@pytest.mark.parametrize("seed", range(12))
+@every("seed", range(12))
 def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     start = random_start(rng)
@@ -208,7 +210,7 @@ def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> Non
         assert min(point.peaks) == pytest.approx(orbit.lowest, abs=1e-10 * size)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@every("seed", range(12))
 def test_bifurcations_of_random_branches_are_where_the_map_has_them(seed: int) -> None:
     rng = np.random.default_rng(200 + seed)
     start = random_start(rng)
@@ -303,7 +305,8 @@ def steps_disagree(seed: int) -> str:
     return f"{seed} {parameter} {start.motion} {direction}: {long} or {short}"
 
 
-@pytest.mark.parametrize("seed", range(16))
+@pytest.mark.slow
+@every("seed", range(16))
 def test_no_event_depends_on_the_size_of_the_steps(seed: int) -> None:
     assert not steps_disagree(seed)
 

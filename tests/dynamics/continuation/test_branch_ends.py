@@ -34,6 +34,7 @@ from tests.dynamics.continuation.branches import (
     unsymmetric_branch,
     values_of,
 )
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 PLANE = ("amplitude", "frequency_ratio")
@@ -167,7 +168,7 @@ def test_what_a_point_says_of_itself() -> None:
 # ------------------------------------------------------------------------------------- refusals
 
 
-@pytest.mark.parametrize(
+@every(
     ("change", "said"),
     [
         ({"parameter": "amp"}, "parameter = 'amp'"),
@@ -238,8 +239,9 @@ def doublings() -> tuple[BranchPoint, ...]:
     return find_cascade(orbit, "frequency_ratio", within, direction=-1, doublings=2).points
 
 
-@pytest.mark.parametrize("lowest", [0.2, 0.3])
-@pytest.mark.parametrize("which", [0, 1])
+@pytest.mark.slow
+@every("lowest", [0.2, 0.3])
+@every("which", [0, 1])
 def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
     doublings: tuple[BranchPoint, ...], which: int, lowest: float
 ) -> None:

@@ -21,6 +21,7 @@ from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.parameters import PARAMETERS
 from tests.dynamics.continuation.branches import setting, special, symmetric_start, values_of
+from tests.every import every
 
 WITHIN = (1.6, 4.5)
 
@@ -59,6 +60,7 @@ def chains_at(branch: Branch, value: float) -> list[Chain]:
     return found
 
 
+@pytest.mark.slow
 def test_no_branch_is_followed_twice(branches: tuple[Branch, ...]) -> None:
     assert len(branches) > 8
     for value in (1.72, 1.9, 2.4, 2.7):
@@ -77,7 +79,8 @@ def test_every_start_lies_on_a_branch(branches: tuple[Branch, ...], starts: list
             assert sum(chain.repeats(each, 1e-7, mirrors=True) for each in chains) == 1
 
 
-@pytest.mark.parametrize("frequency", [1.85, 2.05, 2.6, 3.3])
+@pytest.mark.slow
+@every("frequency", [1.85, 2.05, 2.6, 3.3])
 def test_stable_orbits_elsewhere_lie_on_a_branch(
     branches: tuple[Branch, ...], frequency: float
 ) -> None:
@@ -181,7 +184,7 @@ def test_limits_and_order() -> None:
     assert len(from_a_point) >= 1
 
 
-@pytest.mark.parametrize("parameter", PARAMETERS)
+@every("parameter", PARAMETERS)
 def test_any_parameter(parameter: str) -> None:
     within = {"amplitude": (1.0, 3.0), "frequency_ratio": (1.7, 3.0), "restitution": (0.6, 0.95)}
     start = symmetric_start(2.0, 2.0, 0.8)
@@ -190,7 +193,7 @@ def test_any_parameter(parameter: str) -> None:
     assert {branch.parameter for branch in found} == {parameter}
 
 
-@pytest.mark.parametrize(
+@every(
     ("change", "said"),
     [
         ({"max_period": 0}, "max_period = 0"),

@@ -16,6 +16,7 @@ from rocksteady import (
     symmetry_breaking_amplitude,
 )
 from tests.dynamics.continuation.branches import first, located, setting, special, symmetric_start
+from tests.every import every
 
 FEIGENBAUM = 4.669201609102990
 
@@ -120,7 +121,7 @@ def test_where_there_is_no_doubling_that_is_said() -> None:
     assert "\n" not in str(raised.value)
 
 
-@pytest.mark.parametrize("doublings", [0, 11, 2.5, True, None])
+@every("doublings", [0, 11, 2.5, True, None])
 def test_the_number_of_doublings_is_validated(doublings: object) -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     with pytest.raises(InputError, match="doublings"):

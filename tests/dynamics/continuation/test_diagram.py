@@ -19,6 +19,7 @@ from rocksteady import (
     find_bifurcations,
     symmetry_breaking_frequency,
 )
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
@@ -40,7 +41,7 @@ def width(text: str) -> int:
     return max(len(line) for line in text.splitlines())
 
 
-@pytest.mark.parametrize("parameter", ["amplitude", "frequency_ratio", "restitution"])
+@every("parameter", ["amplitude", "frequency_ratio", "restitution"])
 def test_the_parameter_that_moves_has_no_one_value(parameter: str) -> None:
     values = diagram_of(SIZED, parameter).to_dict()
     assert values["parameter"] == parameter
@@ -120,8 +121,8 @@ def test_there_is_a_row_a_point(block: Block | DimensionlessBlock) -> None:
     assert (inside == frame["stable"].to_numpy())[regular].all()
 
 
-@pytest.mark.parametrize("parameter", ["frequency_ratio", "amplitude", "restitution"])
-@pytest.mark.parametrize("block", [BARE, SIZED])
+@every("parameter", ["frequency_ratio", "amplitude", "restitution"])
+@every("block", [BARE, SIZED])
 def test_the_summary_has_a_row_a_bifurcation_in_the_units_of_the_block(
     block: Block | DimensionlessBlock, parameter: str
 ) -> None:
@@ -212,7 +213,7 @@ def test_a_diagram_becomes_json() -> None:
     assert json.loads(json.dumps(values, default=plain))["within"] == [1.95, 2.05]
 
 
-@pytest.mark.parametrize(
+@every(
     ("change", "message"),
     [
         ({"parameter": "phase"}, "parameter = 'phase'"),

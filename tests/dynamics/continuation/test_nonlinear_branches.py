@@ -26,6 +26,7 @@ from rocksteady import (
 )
 from tests.dynamics.continuation.branches import first
 from tests.dynamics.shooting import solved
+from tests.every import every
 
 MULTIPLIERS = {"fold": 1.0, "symmetry-breaking": -1.0, "period-doubling": -1.0, "grazing": None}
 MERGED = 1e-9
@@ -224,7 +225,7 @@ def test_a_cascade_tends_to_feigenbaums_ratio() -> None:
     )
 
 
-@pytest.mark.parametrize("kind", ["fold", "symmetry-breaking", "grazing"])
+@every("kind", ["fold", "symmetry-breaking", "grazing"])
 def test_curves_in_two_parameters_are_those_of_shooting(
     leaning: tuple[Branch, ...], kind: str
 ) -> None:

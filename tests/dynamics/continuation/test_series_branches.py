@@ -26,6 +26,7 @@ from rocksteady import (
 )
 from rocksteady.model.motions.harmonics import Harmonics
 from tests.dynamics.shooting import solved
+from tests.every import every
 
 MULTIPLIERS = {"fold": 1.0, "symmetry-breaking": -1.0, "period-doubling": -1.0, "grazing": None}
 MERGED = 1e-9
@@ -62,9 +63,10 @@ def events(branches: tuple[Branch, ...], parameter: str) -> list[tuple[str, floa
     ]
 
 
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("parameter", ["amplitude", "frequency_ratio", "restitution"])
-@pytest.mark.parametrize("order", [1, 3])
+@pytest.mark.slow
+@every("model", MODELS)
+@every("parameter", ["amplitude", "frequency_ratio", "restitution"])
+@every("order", [1, 3])
 def test_a_sinusoid_as_a_series_has_its_branches(
     model: Linear | Nonlinear, parameter: str, order: int
 ) -> None:
@@ -99,6 +101,7 @@ def test_a_sinusoid_as_a_series_has_its_branches(
         assert value == pytest.approx(scale * again, abs=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("harmonics", [UNEVEN, ODD])
 @pytest.mark.parametrize(
@@ -169,6 +172,7 @@ def test_orbits_of_a_branch_repeat_in_simulation(model: Linear | Nonlinear) -> N
     assert abs(np.diff(there.velocity)) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_cascades_and_curves(model: Linear | Nonlinear) -> None:
     (start,) = starts(model, series(UNEVEN))[:1]
@@ -189,6 +193,7 @@ def test_cascades_and_curves(model: Linear | Nonlinear) -> None:
     assert point.frequency_ratio == pytest.approx(there, abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_a_diagram_under_a_series(model: Linear | Nonlinear) -> None:
     diagram = find_bifurcations(

@@ -56,6 +56,7 @@ def test_bifurcations_are_those_of_shooting() -> None:
                 assert determinant == pytest.approx(exact, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_exchanged_sides_give_the_mirror_image(model: Linear | Nonlinear) -> None:
     block, image = block_of(0.15, 0.2, (0.85, 0.8)), block_of(0.2, 0.15, (0.8, 0.85))

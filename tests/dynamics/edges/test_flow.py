@@ -17,6 +17,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.model.equations import Model
+from tests.every import every
 
 TURN = 2.0 * math.pi
 
@@ -29,7 +30,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("block", "model"), CASES)
+@every(("block", "model"), CASES)
 def test_backward_undoes_forward(block: Block | DimensionlessBlock, model: Model) -> None:
     motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     forward = Flow(block, motion, model)

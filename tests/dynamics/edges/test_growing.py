@@ -34,6 +34,7 @@ from rocksteady.dynamics.edges._leaving import FromHilltop, FromOrbit
 from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.model.equations import Model
+from tests.every import every
 
 Floats = NDArray[np.float64]
 TURN = 2.0 * math.pi
@@ -68,8 +69,9 @@ SADDLES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("saddle", "slack"), SADDLES)
-@pytest.mark.parametrize("kind", ["stable", "unstable"])
+@pytest.mark.slow
+@every(("saddle", "slack"), SADDLES)
+@every("kind", ["stable", "unstable"])
 def test_the_map_takes_the_curve_along_itself(
     saddle: Orbit | HilltopSaddle, slack: float, kind: str
 ) -> None:
@@ -146,7 +148,8 @@ def test_states_on_the_stable_manifold_come_to_the_saddle_at_the_rate_of_its_mul
     assert ratios[-1] == pytest.approx(saddle.multipliers[1].real, rel=0.02)
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("amplitude", "ratio", "restitution", "phase"),
     [(0.2, 2.0, 0.9, 0.0), (0.4, 2.6, 0.87, 2.0), (0.15, 1.1, 0.83, 4.4)],
 )
@@ -233,7 +236,8 @@ def gap(block: DimensionlessBlock, amplitude: float, ratio: float, leaves: int) 
     return float(found.fun)
 
 
-@pytest.mark.parametrize(("ratio", "restitution"), [(2.0, 0.9), (1.0, 0.85), (4.0, 0.95)])
+@pytest.mark.slow
+@every(("ratio", "restitution"), [(2.0, 0.9), (1.0, 0.85), (4.0, 0.95)])
 def test_manifolds_of_both_hilltops_touch_at_the_heteroclinic_amplitude(
     ratio: float, restitution: float
 ) -> None:
@@ -251,6 +255,7 @@ def test_they_touch_of_a_block_with_different_sides_too() -> None:
     assert min(map(abs, gaps)) == pytest.approx(0.0, abs=1e-8)
 
 
+@pytest.mark.slow
 def test_manifolds_of_an_orbit_over_impacts_begin_at_its_states() -> None:
     saddle = saddle_orbit()
     found = compute_manifold(saddle, "unstable", over="impacts", length=1.0)

@@ -24,12 +24,13 @@ from rocksteady import (
 from rocksteady.model.equations import Linear
 from tests.dynamics.asymmetric import ASYMMETRY, BLOCK, HARD, random_block
 from tests.dynamics.integrator import integrate_sides
+from tests.every import every
 from tests.strategies import sample_size
 
 # ------------------------------------------------------------------ an integrator
 
 
-@pytest.mark.parametrize("seed", range(sample_size(6, 1)))
+@every("seed", range(sample_size(6, 1)))
 def test_impacts_are_those_of_an_integrator(seed: int) -> None:
     rng = np.random.default_rng(seed)
     block = random_block(rng)
@@ -153,8 +154,8 @@ def reversed_motion(motion: Harmonic | Piecewise | Impulses | Still, alpha: floa
     return motion
 
 
-@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: type(motion).__name__)
-@pytest.mark.parametrize("restitution", [(0.85, 0.75), (0.6, 0.95)])
+@every("motion", MOTIONS)
+@every("restitution", [(0.85, 0.75), (0.6, 0.95)])
 def test_the_mirrored_block_on_the_reversed_ground_moves_mirrored(
     motion: Harmonic | Piecewise | Impulses | Still, restitution: tuple[float, float]
 ) -> None:
@@ -201,7 +202,7 @@ def test_the_mirror_image_under_harmonic_shaking_is_exact_too() -> None:
     assert image.side_peaks == run.side_peaks[::-1]
 
 
-@pytest.mark.parametrize("motion", MOTIONS, ids=lambda motion: type(motion).__name__)
+@every("motion", MOTIONS)
 def test_with_equal_sides_it_is_the_symmetric_block_to_the_last_bit(
     motion: Harmonic | Piecewise | Impulses | Still,
 ) -> None:

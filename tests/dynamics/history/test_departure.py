@@ -19,6 +19,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.history.departure import unstable_direction
 from rocksteady.dynamics.history.start import KICK
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 
@@ -30,7 +31,7 @@ UNSTABLE = [
 ]  # fmt: skip
 
 
-unstable = pytest.mark.parametrize(("a", "w", "n", "branch"), UNSTABLE)
+unstable = every(("a", "w", "n", "branch"), UNSTABLE)
 
 
 def started(
@@ -55,7 +56,7 @@ def shift(run: Trajectory, a: float, w: float, n: int, branch: int) -> tuple[flo
 
 
 @unstable
-@pytest.mark.parametrize("kick", [1e-4, 1e-2, 0.1])
+@every("kick", [1e-4, 1e-2, 0.1])
 def test_a_run_starts_as_far_from_the_orbit_as_the_kick_says(
     a: float, w: float, n: int, branch: int, kick: float
 ) -> None:

@@ -22,12 +22,13 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 MODELS: tuple[Model, ...] = (Linear(), Nonlinear())
 
 
-@pytest.mark.parametrize("duration", [190.0, 210.0, 1e3, 1e5, 1e6])
+@every("duration", [190.0, 210.0, 1e3, 1e5, 1e6])
 def test_a_long_quiet_segment_is_free_rocking(duration: float) -> None:
     start = State(angle=0.5, velocity=0.0)
     free = simulate(BLOCK, Still(), start=start)
@@ -39,7 +40,7 @@ def test_a_long_quiet_segment_is_free_rocking(duration: float) -> None:
     assert long.rest_time_pt == pytest.approx(free.rest_time_pt, rel=1e-13)
 
 
-@pytest.mark.parametrize("ratio", [0.01, 0.015, 0.02, 0.022])
+@every("ratio", [0.01, 0.015, 0.02, 0.022])
 def test_slow_shaking_is_followed_as_closely_as_fast(ratio: float) -> None:
     # Slow shaking cut into short pieces is the same shaking.
     rng = np.random.default_rng(int(1e4 * ratio))
@@ -64,7 +65,7 @@ def test_slow_shaking_is_followed_as_closely_as_fast(ratio: float) -> None:
         assert whole.peak <= 1.0 or whole.status is Status.OVERTURNED
 
 
-@pytest.mark.parametrize("restitution", [0.5, 0.8, 0.9, 0.99, 0.999])
+@every("restitution", [0.5, 0.8, 0.9, 0.99, 0.999])
 def test_rest_comes_after_the_whole_series_of_bounces(restitution: float) -> None:
     # Half of the energy left to the upright position shrinks by r^2 an impact; a half swing of
     # height phi lasts 2 atanh(sqrt(1 - (1 - phi)^2)), of which the first is only half.
@@ -94,7 +95,7 @@ def test_hardly_any_loss_still_ends_at_rest_and_none_at_all_goes_on_rocking() ->
     np.testing.assert_allclose(np.diff(none.impacts.pt), 2.0 * none.impacts.pt[0], rtol=1e-9)
 
 
-@pytest.mark.parametrize("velocity", [1e-300, 1e-30, 1e-22, 1e-14])
+@every("velocity", [1e-300, 1e-30, 1e-22, 1e-14])
 def test_what_moves_off_the_balance_by_less_than_rounding_falls_or_comes_back(
     velocity: float,
 ) -> None:
@@ -132,6 +133,7 @@ def never_backwards(restitution: float, exponents: Iterable[int]) -> None:
             assert np.isfinite(run(run.times(5)).angle).all()
 
 
+@pytest.mark.slow
 def test_time_never_runs_backwards() -> None:
     never_backwards(0.6, range(-300, -10, 7))
     never_backwards(1.0, (-300, -104, -13))
@@ -153,7 +155,7 @@ def test_a_start_that_is_zero_but_for_rounding_lifts_to_where_the_base_pushes() 
     assert run.flights.side[0] == 1
 
 
-@pytest.mark.parametrize("start", ["steady", (0.5, 0.0), Steady, 3])
+@every("start", ["steady", (0.5, 0.0), Steady, 3])
 def test_what_is_no_start_is_refused(start: Any) -> None:
     with pytest.raises(InputError, match="start"):
         simulate(BLOCK, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=start)
@@ -172,7 +174,7 @@ def test_what_is_no_block_or_no_motion_is_refused() -> None:
         simulate(BLOCK, nothing, start=Rest())
 
 
-@pytest.mark.parametrize("phase", [1e17, -1e19, 1.1e6])
+@every("phase", [1e17, -1e19, 1.1e6])
 def test_a_phase_without_digits_is_refused(phase: float) -> None:
     with pytest.raises(InputError, match="phase"):
         Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=phase)
@@ -180,7 +182,7 @@ def test_a_phase_without_digits_is_refused(phase: float) -> None:
         Segment(duration=1.0, amplitude=2.0, frequency=4.0, phase=phase)
 
 
-@pytest.mark.parametrize("pieces", [None, Segment(duration=1.0), ((1.0, 2.0),)])
+@every("pieces", [None, Segment(duration=1.0), ((1.0, 2.0),)])
 def test_what_is_no_list_of_segments_is_refused(pieces: Any) -> None:
     with pytest.raises(InputError, match="Segments"):
         Piecewise(pieces=pieces)

@@ -33,6 +33,7 @@ from tests.dynamics.full_integrator import (
     impacts_by_integrator,
     same_impacts,
 )
+from tests.every import every
 from tests.records import synthetic
 
 BLOCK = Block.asymmetric(left=0.3, right=0.5, height=1.6, restitution=(0.8, 0.9))
@@ -58,14 +59,14 @@ def drawn(seed: int) -> tuple[Block, State, float, np.random.Generator]:
 # ------------------------------------------------------------------- an adaptive integrator
 
 
-@pytest.mark.parametrize("seed", range(10))
+@every("seed", range(10))
 def test_impacts_of_harmonic_shaking(seed: int) -> None:
     block, state, least, rng = drawn(seed)
     a, w, phase = least * rng.uniform(0.6, 1.3), rng.uniform(4.0, 9.0), rng.uniform(0.0, 6.0)
     agree_on_harmonic(block, state, Harmonic(amplitude=a, frequency_ratio=w, phase=phase))
 
 
-@pytest.mark.parametrize("seed", range(4))
+@every("seed", range(4))
 def test_impacts_of_records_with_vertical_motion(seed: int) -> None:
     block, state, least, rng = drawn(20 + seed)
     dt, n = 0.02, 100
@@ -74,13 +75,13 @@ def test_impacts_of_records_with_vertical_motion(seed: int) -> None:
     agree_on_samples(block, state, flat, up, dt)
 
 
-@pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
+@every("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
 def test_impacts_of_pulses(shape: str) -> None:
     block, state, least, _ = drawn(60 + len(shape))
     agree_on_pulse(block, state, Pulse(shape=shape, amplitude=1.2 * least, frequency_ratio=5.0))
 
 
-@pytest.mark.parametrize("seed", range(6))
+@every("seed", range(6))
 def test_impacts_after_impulses_of_the_base(seed: int) -> None:
     block, state, least, rng = drawn(40 + seed)
     speeds = (least * rng.uniform(-0.2, 0.2, 3)).tolist()

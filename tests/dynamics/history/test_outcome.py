@@ -36,6 +36,7 @@ from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
 from tests.cli.motion_files import samples
 from tests.descriptions import as_json, fits
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 ASYMMETRY = DimensionlessBlock(restitution=0.8, alpha_ratio=1.4, p_ratio=0.9)
@@ -65,7 +66,7 @@ def states(motions: Samples) -> np.ndarray:
     return np.array([motions.angle, motions.velocity])
 
 
-@pytest.mark.parametrize("name", MOTIONS)
+@every("name", MOTIONS)
 def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
     block, motion, model = MOTIONS[name]
     start, h = (0.1, 0.2), 1e-8
@@ -127,9 +128,9 @@ GROUND = Record(acceleration_m_s2=9.80665 * samples(), dt_s=0.02, name="hut")
 LIFT = Record(acceleration_m_s2=2.0 * samples(9), dt_s=0.02, name="up")
 
 
-@pytest.mark.parametrize("slope", [1.0 / 6.0, 0.3, 0.1])
-@pytest.mark.parametrize("above", [1.3, 2.1])
-@pytest.mark.parametrize("sign", [1.0, -1.0])
+@every("slope", [1.0 / 6.0, 0.3, 0.1])
+@every("above", [1.3, 2.1])
+@every("sign", [1.0, -1.0])
 def test_friction_at_uplift_of_a_rectangle(slope: float, above: float, sign: float) -> None:
     """Shenton, J. Eng. Mech. 122, 690-693 (1996): of a rectangle that begins to rock."""
     block = Block.from_radius(alpha=math.atan(slope), radius=1.0)
@@ -214,7 +215,7 @@ def test_what_has_no_size_or_no_end_has_no_uplift() -> None:
         assert not {"uplift_g", "pga_g", "friction_needed"} & set(run.to_dict())
 
 
-@pytest.mark.parametrize("shape", ["one-sine", "ricker", "half-sine"])
+@every("shape", ["one-sine", "ricker", "half-sine"])
 def test_peak_of_a_pulse_is_that_of_its_samples(shape: str) -> None:
     run = simulate(STOCKY, Pulse(shape=shape, amplitude=1.5, frequency_ratio=3.0))
     assert isinstance(run.motion, Pulse)
@@ -337,7 +338,7 @@ RUNS: dict[
     # 1.4 of the slenderness of the other side, and less than 1 of its own.
     "free right": (LEANING, Still(), {"start": State(angle=-1.4, velocity=0.0)}),
 }
-runs = pytest.mark.parametrize("name", RUNS)
+runs = every("name", RUNS)
 
 
 def run_of(name: str) -> Trajectory:
@@ -447,8 +448,8 @@ def test_every_row_has_the_columns_of_the_table(name: str) -> None:
 # ------------------------------------------------------------------------ states as starts
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("periods", [0.37, 2.0, 5.81])
+@every("model", [Linear(), Nonlinear()])
+@every("periods", [0.37, 2.0, 5.81])
 def test_a_run_from_a_state_goes_on_as_the_run_itself(model: Model, periods: float) -> None:
     run = simulate(STOCKY, SHAKEN, cycles=12, model=model)
     at = periods * 2.0 * math.pi / 4.0

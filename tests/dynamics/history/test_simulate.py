@@ -25,11 +25,12 @@ from rocksteady import (
 )
 from tests.dynamics.integrator import integrate
 from tests.dynamics.runs import BARE, half_sine, pulse, rocked
+from tests.every import every
 
 # ------------------------------------------------------------------- against an integrator
 
 
-@pytest.mark.parametrize(
+@every(
     ("a", "w", "r", "angle", "velocity", "phase"),
     [
         (2.0, 4.0, 0.8, 0.0, 0.3, 0.0),
@@ -125,8 +126,8 @@ def test_a_swing_beyond_alpha_that_comes_back_does_not_overturn() -> None:  # TW
 # -------------------------------------------------------------------- starts and boundaries
 
 
-@pytest.mark.parametrize("a", [0.0, 0.3, 0.999, 1.0])
-@pytest.mark.parametrize("w", [0.05, 3.0, 400.0])
+@every("a", [0.0, 0.3, 0.999, 1.0])
+@every("w", [0.05, 3.0, 400.0])
 def test_a_block_at_rest_stays_below_uplift(a: float, w: float) -> None:
     run = simulate(BARE, Harmonic(amplitude=a, frequency_ratio=w, phase=0.4), cycles=30)
     assert run.status is Status.AT_REST
@@ -195,7 +196,7 @@ def test_a_block_balanced_on_its_edge_neither_falls_nor_returns(side: float) -> 
     assert held.status is Status.AT_REST
 
 
-@pytest.mark.parametrize("velocity", [1.0 + 1e-12, 2.0, 1e8, 1e20])
+@every("velocity", [1.0 + 1e-12, 2.0, 1e8, 1e20])
 def test_a_fast_start_overturns_however_fast(velocity: float) -> None:
     run = simulate(BARE, Still(), start=State(angle=0.0, velocity=velocity))
     assert run.status is Status.OVERTURNED
@@ -230,8 +231,8 @@ def test_a_rested_block_is_lifted_again_and_again_by_the_next_cycles() -> None:
 # ------------------------------------------------------------------------------- symmetries
 
 
-@pytest.mark.parametrize("start", [(0.0, 0.3), (0.4, -0.2), (-0.6, 0.0), (0.0, -1e-9)])
-@pytest.mark.parametrize("a", [0.5, 2.0, 5.0])
+@every("start", [(0.0, 0.3), (0.4, -0.2), (-0.6, 0.0), (0.0, -1e-9)])
+@every("a", [0.5, 2.0, 5.0])
 def test_a_mirrored_start_under_mirrored_shaking_gives_the_mirrored_motion(
     start: tuple[float, float], a: float
 ) -> None:
@@ -293,6 +294,7 @@ def test_the_same_motion_as_one_segment_or_several() -> None:
 # ------------------------------------------------------------------------------- long runs
 
 
+@pytest.mark.slow
 def test_a_million_cycles_do_not_drift() -> None:
     states = find_steady_states(2.0, 4.0, 0.8)
     run = simulate(
@@ -335,7 +337,7 @@ def test_a_run_that_is_repeated_is_the_same_to_the_last_bit() -> None:
 # ---------------------------------------------------------------------------- bad arguments
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value"),
     [
         ("cycles", 0.0),
@@ -353,13 +355,13 @@ def test_a_bad_number_is_refused(name: str, value: Any) -> None:
         simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), **{name: value})
 
 
-@pytest.mark.parametrize("value", [0, 2, "+", 1.5])
+@every("value", [0, 2, "+", 1.5])
 def test_a_steady_start_is_left_on_one_of_two_sides(value: Any) -> None:
     with pytest.raises(InputError, match=r"^side = "):
         Steady(side=value)
 
 
-@pytest.mark.parametrize("value", [math.nan, math.inf, 1e60, "0", None, True])
+@every("value", [math.nan, math.inf, 1e60, "0", None, True])
 def test_a_bad_state_is_refused(value: Any) -> None:
     with pytest.raises(InputError, match=r"^angle = "):
         State(angle=value, velocity=0.0)
@@ -375,7 +377,7 @@ def test_a_state_per_tau_is_the_papers() -> None:
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "name"),
     [({"branch": 3}, "branch"), ({"branch": 0}, "branch"), ({"order": 2}, "order")],
 )

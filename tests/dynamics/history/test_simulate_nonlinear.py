@@ -32,6 +32,7 @@ from tests.dynamics.full_integrator import (
     agree_on_samples,
     full,
 )
+from tests.every import every
 from tests.records import synthetic
 
 G = 9.80665
@@ -49,21 +50,21 @@ def drawn(seed: int) -> tuple[Block, State, np.random.Generator]:
 # ------------------------------------------------------------------- an adaptive integrator
 
 
-@pytest.mark.parametrize("seed", range(7))
+@every("seed", range(7))
 def test_impacts_of_harmonic_shaking(seed: int) -> None:
     block, state, rng = drawn(seed)
     a, w, phase = rng.uniform(0.5, 3.0), rng.uniform(2.0, 10.0), rng.uniform(0.0, 6.0)
     agree_on_harmonic(block, state, Harmonic(amplitude=a, frequency_ratio=w, phase=phase))
 
 
-@pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
+@every("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
 def test_impacts_of_pulses(shape: str) -> None:
     block, state, _ = drawn(len(shape))
     agree_on_pulse(block, state, Pulse(shape=shape, amplitude=1.4, frequency_ratio=4.0))
 
 
-@pytest.mark.parametrize("lifted", [False, True])
-@pytest.mark.parametrize("seed", range(5))
+@every("lifted", [False, True])
+@every("seed", range(5))
 def test_impacts_of_records(seed: int, lifted: bool) -> None:
     block, state, rng = drawn(50 + seed)
     dt, n = 0.02, 100
@@ -75,7 +76,7 @@ def test_impacts_of_records(seed: int, lifted: bool) -> None:
 # ------------------------------------------------------------------------ energy, symmetry
 
 
-@pytest.mark.parametrize("alpha", [0.05, 0.3, 0.7])
+@every("alpha", [0.05, 0.3, 0.7])
 def test_energy_is_constant_over_a_thousand_impacts_without_loss(alpha: float) -> None:
     block = Block.from_p(alpha=alpha, p=2.0, restitution=1.0)
     run = full(block, Still(), start=State(angle=0.7, velocity=0.0), max_flights=1002)
@@ -246,7 +247,7 @@ def test_what_is_refused_says_why() -> None:
 Floats = NDArray[np.float64]
 
 
-@pytest.mark.parametrize(
+@every(
     ("alpha", "amplitude", "ratio", "angle"),
     [
         (0.1, 3.0, 3.0, 0.3),

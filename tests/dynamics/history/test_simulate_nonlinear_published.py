@@ -20,6 +20,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
+from tests.every import every
 from tests.records import peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
 
@@ -40,9 +41,7 @@ def border(falls: Callable[[float], bool], low: float, high: float) -> float:
     return high
 
 
-@pytest.mark.parametrize(
-    ("angle", "expected"), [(0.1, 0.172705182), (0.5, 0.486089732), (0.9, 1.103837474)]
-)
+@every(("angle", "expected"), [(0.1, 0.172705182), (0.5, 0.486089732), (0.9, 1.103837474)])
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
     block = Block.from_radius(alpha=0.2, radius=1.0, gravity=G)
     run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model=Nonlinear())
@@ -50,7 +49,7 @@ def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> Non
     assert run.status is Status.AT_REST
 
 
-@pytest.mark.parametrize(
+@every(
     ("width", "height", "restitution", "shape", "hertz", "expected"),
     [
         (0.4, 1.2, "housner", "half-sine", 1.0, 0.574725),  # H7
@@ -86,7 +85,7 @@ def test_m3_one_cosine_with_housners_restitution() -> None:
     assert border(falls, 0.31, 0.32) == pytest.approx(0.3150340189, abs=1e-9)
 
 
-@pytest.mark.parametrize(
+@every(
     ("low", "high", "expected"),
     # Printed are 3.03238, 6.74283 and 7.49301, from which ours are up to 3e-5 of themselves away.
     # DOP853 at 1e-12 confirms all three of ours (docs/evidence/published.md bisects with it).
@@ -117,9 +116,7 @@ def test_i1_toppling_impulse() -> None:
     assert found == pytest.approx(0.827110, abs=5.1e-7)
 
 
-@pytest.mark.parametrize(
-    ("alpha", "peak"), [(0.05, 0.185377), (0.1, 0.185012), (0.2, 0.183552), (0.3, 0.181107)]
-)
+@every(("alpha", "peak"), [(0.05, 0.185377), (0.1, 0.185012), (0.2, 0.183552), (0.3, 0.181107)])
 def test_tw9_peaks_of_the_steady_state(alpha: float, peak: float) -> None:
     run = simulate(
         Block.from_p(alpha=alpha, p=1.0, restitution=0.8),
@@ -133,7 +130,7 @@ def test_tw9_peaks_of_the_steady_state(alpha: float, peak: float) -> None:
     np.testing.assert_allclose(np.abs(run.impacts.velocity_after), run(0.0).velocity, rtol=1e-12)
 
 
-@pytest.mark.parametrize(("alpha", "angle"), [(0.2, 0.8), (0.5, 0.6), (0.9, 0.3)])
+@every(("alpha", "angle"), [(0.2, 0.8), (0.5, 0.6), (0.9, 0.3)])
 def test_h3_amplitudes_of_free_rocking_by_energy(alpha: float, angle: float) -> None:
     # H3 of the full equations: an impact keeps r = delta^2 of cos(alpha - theta) - cos(alpha).
     delta = 0.85
@@ -151,7 +148,7 @@ def test_h3_amplitudes_of_free_rocking_by_energy(alpha: float, angle: float) -> 
 # ------------------------------------------------------------------------- recorded motions
 
 
-@pytest.mark.parametrize(("name", "p", "alpha", "expected"), PEAKS)
+@every(("name", "p", "alpha", "expected"), PEAKS)
 def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expected: float) -> None:
     block = Block.from_p(alpha=alpha, p=p)
     run = simulate(block, peer(name), model=Nonlinear())
@@ -159,7 +156,7 @@ def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expecte
     assert run.peak * alpha == pytest.approx(expected, rel=1e-5)
 
 
-@pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
+@every(("degrees", "period", "falls"), AT_PACOIMA_DAM)
 def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool) -> None:
     block = Block.from_p(alpha=math.radians(degrees), p=2.0 * math.pi / period)
     assert topples(block, peer("PUL164")) is falls

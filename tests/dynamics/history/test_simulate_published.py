@@ -29,13 +29,12 @@ from tests.dynamics.runs import (
     triangle,
     versed_sine,
 )
+from tests.every import every
 
 # ---------------------------------------------------------------------- published numbers
 
 
-@pytest.mark.parametrize(
-    ("angle", "expected"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)]
-)
+@every(("angle", "expected"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)])
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
     run = simulate(HOUSNER, Still(), start=State(angle=angle, velocity=0.0), model=Linear())
     assert run.impacts.pt[0] / HOUSNER.p == pytest.approx(expected, abs=5.1e-11)
@@ -89,16 +88,14 @@ def critical(a: float, digits: int) -> tuple[float, float]:
     return a - 0.6 * 10.0**-digits, a + 0.6 * 10.0**-digits
 
 
-@pytest.mark.parametrize(
-    ("a", "duration"), [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651)]
-)
+@every(("a", "duration"), [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651)])
 def test_h4_rectangular_pulse(a: float, duration: float) -> None:
     low, high = critical(duration, 7)
     assert fate(rectangle(a, low)) is Status.AT_REST
     assert fate(rectangle(a, high)) is Status.OVERTURNED
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "a"),
     [*enumerate((1.322397, 1.800724, 2.293872, 2.790798, 3.289147, 3.788155), start=1)],
 )
@@ -108,7 +105,7 @@ def test_h7_half_sine(w: float, a: float) -> None:
     assert fate(half_sine(high, w)) is Status.OVERTURNED
 
 
-@pytest.mark.parametrize("w", [1.0, 2.0, 4.0, 6.0])
+@every("w", [1.0, 2.0, 4.0, 6.0])
 def test_h5_housners_half_sine_is_on_the_unsafe_side(w: float) -> None:
     # By his A^2 = 1 + w^2 it would stand at 0.96 of that; by H7 it does not.
     assert fate(half_sine(0.96 * math.hypot(1.0, w), w)) is Status.OVERTURNED
@@ -122,7 +119,7 @@ def test_h7_half_sine_on_a_block_in_metres_and_g() -> None:
         assert simulate(block, half_sine(a, math.pi / duration), model=Linear()).status is expected
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "duration", "a", "digits"),
     [
         (lambda a, d: half_sine(a, math.pi / d), 1.0, 2.36409069, 8),
@@ -142,7 +139,7 @@ def test_g1_single_pulses(shape: Any, duration: float, a: float, digits: int) ->
     assert len(run.impacts) == 0
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "a"),
     [*enumerate((1.418315, 2.349903, 3.631150, 5.238964, 7.168129, 9.416966), start=1)],
 )
@@ -167,7 +164,7 @@ def test_z2_one_sine_with_impacts() -> None:
         assert fate(one_sine(a, 5.0), 0.9) is expected, a
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "low", "high"),
     [
         (2.0, 1.225179, 2.314403),

@@ -29,6 +29,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Linear
 from rocksteady.model.motions.pulses import PULSES
+from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE, GAMMA, NU, centred
 
 Floats = NDArray[np.float64]
@@ -55,9 +56,7 @@ def first_to_topple(falls: Callable[[float], bool], near: float) -> float:
 # ---------------------------------------------------------------------- published numbers
 
 
-@pytest.mark.parametrize(
-    ("a", "duration"), [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651)]
-)
+@every(("a", "duration"), [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651)])
 def test_h4_the_shortest_rectangle_that_topples(a: float, duration: float) -> None:
     block = DimensionlessBlock(restitution=0.9)
     found = first_to_topple(
@@ -67,7 +66,7 @@ def test_h4_the_shortest_rectangle_that_topples(a: float, duration: float) -> No
     assert found == pytest.approx(math.log(a / (a - 1.0)), rel=1e-11)
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "a"),
     [*enumerate((1.322397, 1.800724, 2.293872, 2.790798, 3.289147, 3.788155), start=1)],
 )
@@ -79,7 +78,7 @@ def test_h7_the_smallest_half_sine_that_topples(w: float, a: float) -> None:
     assert found == pytest.approx(a, abs=5.1e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "duration", "a", "digits"),
     [
         ("half-sine", 1.0, 2.36409069, 8),
@@ -101,7 +100,7 @@ def test_g1_the_smallest_single_pulse_that_topples(
     assert found == pytest.approx(a, abs=0.51 * 10.0**-digits)
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "block", "hertz", "accel_g", "digits"),
     [
         pytest.param(
@@ -150,7 +149,7 @@ def one_sine(a: float, w: float) -> Trajectory:
     return simulate(DimensionlessBlock(restitution=0.9), pulse)
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "a"),
     [*enumerate((1.418315, 2.349903, 3.631150, 5.238964, 7.168129, 9.416966), start=1)],
 )
@@ -161,7 +160,7 @@ def test_z1_the_smallest_one_sine_that_topples_without_an_impact(w: float, a: fl
     assert one_sine(found, w).status is Status.OVERTURNED
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "edge", "falls"),
     [
         (5.0, 3.018600, True),  # Z2
@@ -272,7 +271,7 @@ SIZES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", SIZES)
+@every("name", SIZES)
 def test_a_run_is_what_an_integrator_finds(name: str) -> None:
     a, w = SIZES[name]
     block = DimensionlessBlock(restitution=0.85)
@@ -335,8 +334,9 @@ def mirrored(run: Trajectory, image: Trajectory, *, exact: bool) -> None:
     assert run.peak == image.peak if exact else run.peak == pytest.approx(image.peak, rel=1e-12)
 
 
-@pytest.mark.parametrize("name", PULSES)
-@pytest.mark.parametrize("a", [1.5, 3.0, 8.0])
+@pytest.mark.slow
+@every("name", PULSES)
+@every("a", [1.5, 3.0, 8.0])
 def test_a_pulse_turned_round_gives_the_mirrored_run(name: str, a: float) -> None:
     block = DimensionlessBlock(restitution=0.9)
     pulse = Pulse(shape=name, amplitude=a, frequency_ratio=5.0)
@@ -373,7 +373,8 @@ def test_a_delayed_pulse_does_the_same_later() -> None:
     np.testing.assert_array_equal(later.impacts.velocity_after, run.impacts.velocity_after)
 
 
-@pytest.mark.parametrize("name", PULSES)
+@pytest.mark.slow
+@every("name", PULSES)
 def test_a_run_goes_on_to_rest_or_to_a_proof(name: str) -> None:
     for a in (0.5, 1.1, 3.0, 30.0):
         pulse = Pulse(shape=name, amplitude=a, frequency_ratio=4.0)

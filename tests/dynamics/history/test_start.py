@@ -29,6 +29,7 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.kernels.core.tables import March
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 ASYMMETRY = DimensionlessBlock(restitution=0.8, alpha_ratio=1.3, p_ratio=0.9)
@@ -88,7 +89,7 @@ def test_a_stable_steady_state_decides_on_the_phase() -> None:
     assert state.side == 1
 
 
-@pytest.mark.parametrize(
+@every(
     ("start", "block", "motion", "words"),
     [
         (Steady(), BLOCK, Still(), "a steady state needs harmonic shaking"),
@@ -110,13 +111,13 @@ def test_where_there_is_none_the_least_amplitude_is_named() -> None:
     begun(Steady(), BLOCK, Harmonic(amplitude=1.01 * least, frequency_ratio=4.0))
 
 
-@pytest.mark.parametrize("start", ["rest", 0.0, (0.1, 0.2), Rest])
+@every("start", ["rest", 0.0, (0.1, 0.2), Rest])
 def test_anything_else_is_no_start(start: object) -> None:
     with pytest.raises(InputError, match="must be a Rest, a State, a Steady, an ImpactState, or"):
         start_of(start)
 
 
-@pytest.mark.parametrize(
+@every(
     "value",
     [0.0, -1e-6, 0.1000001, 1.0, math.nan, math.inf, "1e-6", None, True],
 )
@@ -126,7 +127,7 @@ def test_a_bad_kick_is_refused_with_its_range(value: Any) -> None:
     assert "1e-6" in str(caught.value)
 
 
-@pytest.mark.parametrize("value", [5e-324, 1e-300, 1e-6, LARGEST_KICK, 0.1, np.float64(0.01)])
+@every("value", [5e-324, 1e-300, 1e-6, LARGEST_KICK, 0.1, np.float64(0.01)])
 def test_every_kick_in_the_range_is_a_number(value: float) -> None:
     assert Steady(kick=value).kick == value
     assert type(Steady(kick=value).kick) is float

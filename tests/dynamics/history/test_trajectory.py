@@ -26,6 +26,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Linear
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 ELASTIC = DimensionlessBlock(restitution=1.0)
@@ -60,7 +61,7 @@ KINDS: dict[str, Callable[[], Trajectory]] = {
     "free": free,
     "pieces": shaken_in_pieces,
 }
-kinds = pytest.mark.parametrize("run", [make() for make in KINDS.values()], ids=list(KINDS))
+kinds = every("run", [make() for make in KINDS.values()])
 
 
 def inside_flights(run: Trajectory) -> NDArray[np.float64]:
@@ -280,7 +281,7 @@ def test_a_trajectory_can_be_asked_at_its_two_ends(run: Trajectory) -> None:
 
 
 @kinds
-@pytest.mark.parametrize("outside", [-1e-9, math.nan, math.inf, -math.inf])
+@every("outside", [-1e-9, math.nan, math.inf, -math.inf])
 def test_times_outside_are_refused_with_the_range(run: Trajectory, outside: float) -> None:
     with pytest.raises(InputError, match="reaches from 0 to"):
         run(outside)
@@ -310,7 +311,7 @@ def test_a_fall_is_followed_until_twice_alpha() -> None:
 
 
 @kinds
-@pytest.mark.parametrize("per_unit", [1, 7, 100])
+@every("per_unit", [1, 7, 100])
 def test_drawing_times_ascend_and_hold_every_impact(run: Trajectory, per_unit: int) -> None:
     times = run.times(per_unit)
     assert (np.diff(times) > 0.0).all()
@@ -330,7 +331,7 @@ def test_a_run_that_came_to_rest_is_drawn_a_little_into_its_rest() -> None:
     assert run.end_time_pt > 1000.0
 
 
-@pytest.mark.parametrize("per_unit", [0, -1, 1.5, "100"])
+@every("per_unit", [0, -1, 1.5, "100"])
 def test_bad_numbers_of_samples_are_refused(per_unit: Any) -> None:
     with pytest.raises(InputError, match=r"^per_unit = "):
         rocking().times(per_unit)

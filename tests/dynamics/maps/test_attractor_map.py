@@ -25,6 +25,7 @@ from rocksteady import (
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.parameters import AXES as PARAMETERS_OF_MAPS
 from tests.dynamics.maps.drawn import drawn_case, same_as_alone
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 AMPLITUDES = np.linspace(0.4, 6.0, 12)
@@ -37,7 +38,7 @@ CASES = 120
 """Maps of random axes."""
 
 
-@pytest.mark.parametrize(
+@every(
     ("start", "phase"),
     [
         (Rest(), 0.0),
@@ -149,7 +150,7 @@ def test_a_harmonic_keeps_its_ratios_where_sizes_move(widths: list[float]) -> No
             same_as_alone(cell, there, SHAKING, start=None, cycles=100)
 
 
-@pytest.mark.parametrize("number", range(CASES))
+@every("number", range(CASES))
 def test_every_cell_of_any_map_is_the_attractor_of_its_block_shaking_and_start(
     number: int,
 ) -> None:
@@ -179,7 +180,7 @@ def test_the_drawn_maps_hold_every_axis_every_start_and_one_to_four_dimensions()
     assert {type(case.block) for case in cases} == {Block, DimensionlessBlock}
 
 
-@pytest.mark.parametrize(
+@every(
     ("axes", "more", "valid"),
     [
         ({"amplitude": [2.0, -1.0]}, {}, "amplitude = -1.0 is not valid"),
@@ -233,7 +234,7 @@ def test_bad_values_are_refused(axes: Any, more: dict[str, Any], valid: str) -> 
         map_attractors(axes=axes, **given)
 
 
-@pytest.mark.parametrize(
+@every(
     ("axes", "more", "valid"),
     [
         (("amplitude", "acceleration_m_s2"), {"block": RECTANGLE}, "one thing in two ways"),

@@ -17,6 +17,7 @@ from rocksteady.dynamics.maps.cell_classes import (
 )
 from rocksteady.errors import InputError
 from rocksteady.show.plots.map_classes import LOOKS, share_text
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 CLASS_OF = MEANINGS | {
@@ -33,8 +34,8 @@ def unfinished(found: xr.Dataset, name: str) -> xr.Dataset:
     return part
 
 
-@pytest.mark.parametrize("fates", [False, True], ids=["attractors", "fates"])
-@pytest.mark.parametrize("whole", [True, False], ids=["whole", "unfinished"])
+@every("fates", [False, True])
+@every("whole", [True, False])
 def test_legend_table_and_json_have_the_same_shares(fates: bool, whole: bool) -> None:
     found = map_fates(BLOCK, axes=AXES) if fates else map_attractors(BLOCK, axes=AXES)
     shown = found if whole else unfinished(found, "fate" if fates else "kind")

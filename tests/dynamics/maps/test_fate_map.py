@@ -24,6 +24,7 @@ from rocksteady import (
 )
 from rocksteady.outcomes import NO_START
 from tests.dynamics.maps.drawn import drawn_case
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 AXES = {"amplitude": np.linspace(0.4, 6.0, 23), "frequency_ratio": np.linspace(0.6, 8.0, 19)}
@@ -33,7 +34,7 @@ CASES = 120
 CYCLES = 30
 
 
-@pytest.mark.parametrize("number", range(CASES))
+@every("number", range(CASES))
 def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
     case = drawn_case(number)
     found = map_fates(
@@ -130,7 +131,7 @@ def test_a_refined_map_has_the_fates_near_their_borders() -> None:
         map_fates(BLOCK, axes=axes, refine=4, run=Run(store="a.zarr"))
 
 
-@pytest.mark.parametrize(
+@every(
     ("axes", "more", "valid"),
     [
         ({"amplitude": [2.0, -1.0]}, {}, "amplitude = -1.0 is not valid"),

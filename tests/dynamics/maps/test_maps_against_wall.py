@@ -31,6 +31,7 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.maps.drawn import same_as_alone
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.5, one_sided=True)
 FACADE = Block.rectangle(width=0.3, height=3.0).against_wall()
@@ -58,12 +59,12 @@ def moved(
     return block, Harmonic(**given)
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("block", "model"),
     [(BARE, Linear()), (FACADE, Linear()), (FACADE, Nonlinear())],
-    ids=["bare", "facade", "nonlinear"],
 )
-@pytest.mark.parametrize("start", [Rest(), State(angle=0.3, velocity=-0.2)], ids=["rest", "state"])
+@every("start", [Rest(), State(angle=0.3, velocity=-0.2)])
 def test_every_cell_is_the_fate_and_the_attractor_at_that_point(
     block: Block | DimensionlessBlock, model: Model, start: Rest | State
 ) -> None:
@@ -117,8 +118,8 @@ def test_sizes_move_and_the_restitution_is_that_of_the_wall_of_each() -> None:
     same_as_alone(cell, block, motion, start=None, cycles=200)
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
-@pytest.mark.parametrize("restitution", [None, 1.0, 0.7])
+@every("model", [Linear(), Nonlinear()])
+@every("restitution", [None, 1.0, 0.7])
 def test_many_cells_are_to_the_last_bit_the_blocks_of_each(
     model: Model, restitution: float | None
 ) -> None:
@@ -134,7 +135,7 @@ def test_many_cells_are_to_the_last_bit_the_blocks_of_each(
         assert (cells.sides[k] == sides_of(block, model)).all()
 
 
-@pytest.mark.parametrize("sizes", [{"alpha": [0.1, 0.3]}, {"p": [1.5, 3.0]}, {"radius": [1.0]}])
+@every("sizes", [{"alpha": [0.1, 0.3]}, {"p": [1.5, 3.0]}, {"radius": [1.0]}])
 def test_other_sizes_keep_what_they_keep_of_a_block_with_two_sides(sizes: Any) -> None:
     free = Block.rectangle(width=0.3, height=3.0, restitution=0.5)
     name, values = next(iter(sizes.items()))
@@ -163,6 +164,7 @@ def test_a_state_is_an_axis_from_the_wall_on() -> None:
     assert upright.sizes == {"velocity": 2}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
 def test_executors_workers_and_stores_agree_to_the_bit(model: Model, tmp_path: Path) -> None:
     def mapped(run: Run | None) -> Any:
@@ -194,7 +196,7 @@ def test_executors_workers_and_stores_agree_to_the_bit(model: Model, tmp_path: P
     assert found.load().identical(one)
 
 
-@pytest.mark.parametrize(
+@every(
     ("axes", "start", "words"),
     [
         ({"angle": [-0.2, 0.5]}, None, "angle -0.2.*positive side alone"),

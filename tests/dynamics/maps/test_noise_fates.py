@@ -31,6 +31,7 @@ from rocksteady import (
     scale_motion,
     simulate,
 )
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.9)
 BLOCK = Block.rectangle(width=0.8, height=3.0, restitution=0.9)
@@ -42,7 +43,7 @@ UP = Record(acceleration_m_s2=2.0 * np.sin(17.0 * T), dt_s=0.05)
 LEVELS = [0.0, 0.4, 1.0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("block", "motion", "model"),
     [
         (BARE, PULSE, Linear()),
@@ -51,7 +52,6 @@ LEVELS = [0.0, 0.4, 1.0]
         (BLOCK, RECORD, Linear()),
         (BLOCK, BaseMotion(RECORD, UP), Nonlinear()),
     ],
-    ids=["pulse", "harmonic", "impulses", "record", "two components"],
 )
 def test_every_run_is_that_of_simulate(block: Any, motion: Any, model: Any) -> None:
     start = State(angle=0.1, velocity=-0.1)

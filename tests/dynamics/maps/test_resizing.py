@@ -13,6 +13,7 @@ from rocksteady.dynamics.maps._resizing import (
     resized,
     sizes_with,
 )
+from tests.every import every
 
 BASE = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -26,8 +27,8 @@ RANGES = {
 }
 
 
-@pytest.mark.parametrize("sizes", [("width", "height"), ("alpha", "radius"), ("alpha", "p")])
-@pytest.mark.parametrize("housner", [1.0, 0.965, None])
+@every("sizes", [("width", "height"), ("alpha", "radius"), ("alpha", "p")])
+@every("housner", [1.0, 0.965, None])
 def test_measures_of_many_are_those_of_each_block(
     sizes: tuple[str, str], housner: float | None
 ) -> None:
@@ -69,7 +70,7 @@ def test_the_ratios_of_a_bare_block_are_moved_with_its_restitution() -> None:
     assert block_of(bare, (), {}, 0.6) == bare.with_restitution(0.6)
 
 
-@pytest.mark.parametrize(
+@every(
     ("block", "names", "words"),
     [
         (BASE, ["alpha_ratio"], "the sides of a block with a size follow from its shape"),

@@ -17,6 +17,7 @@ from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.parameters import AXES, SIZES
 from rocksteady.errors import ModelError
 from tests.dynamics.maps.drawn import Case, drawn_case
+from tests.every import every
 
 CASES = [drawn_case(number) for number in range(200)]
 
@@ -37,7 +38,7 @@ def coordinates(case: Case) -> dict[str, Any]:
     return dict(zip(case.axes, cells.T.copy(), strict=True))
 
 
-@pytest.mark.parametrize("case", CASES)
+@every("case", CASES)
 def test_a_cell_is_what_the_constructors_make_of_its_values(case: Case) -> None:
     for values in product(*case.axes.values()):
         cell = dict(zip(case.axes, values, strict=True))
@@ -52,7 +53,8 @@ def test_a_cell_is_what_the_constructors_make_of_its_values(case: Case) -> None:
             assert shaking.phase == expected[1].phase
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.slow
+@every("case", CASES)
 def test_arrays_of_cells_are_the_nouns_to_the_last_bit(case: Case) -> None:
     cells = scenario(case).cells(coordinates(case))
     for place, values in enumerate(product(*case.axes.values())):
@@ -71,7 +73,7 @@ def test_arrays_of_cells_are_the_nouns_to_the_last_bit(case: Case) -> None:
             assert getattr(cells.begin, name)[place] == getattr(begin, name)
 
 
-@pytest.mark.parametrize("case", CASES[:40])
+@every("case", CASES[:40])
 def test_a_scenario_holds_nouns_numbers_and_names_only(case: Case) -> None:
     def plain(thing: object) -> None:
         if is_dataclass(thing):
@@ -176,7 +178,7 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
         assert whole.attributes["restitution"] == words
 
 
-@pytest.mark.parametrize(
+@every(
     ("start", "axes", "said"),
     [
         (Rest(), ("phase",), {"start": "rest"}),

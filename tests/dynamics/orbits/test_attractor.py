@@ -25,6 +25,7 @@ from rocksteady.kernels.orbits.settle import UNSETTLED
 from tests.dynamics.kicks import apart
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
+from tests.every import every
 
 Floats = NDArray[np.float64]
 # --------------------------------------------------------------------------------- brute force
@@ -88,8 +89,8 @@ def test_it_agrees_with_a_comparison_of_periods_at_many_points() -> None:
 # ------------------------------------------------------------------------------ printed numbers
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize(
+@every("side", [1, -1])
+@every(
     ("frequency", "order", "peaks", "digits"),
     [
         (1.9, 1, (0.90035, 0.44427), 5),
@@ -221,8 +222,8 @@ def test_the_sides_on_which_an_unstable_orbit_is_left_are_mirror_images_where_sy
     assert min(apart(image, state) for state in other.orbit.states) < 1e-9
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize(
+@every("side", [1, -1])
+@every(
     ("point", "branch"),
     [((1.0, 2.0, 1), 2), ((1.0, 8.0, 1), 2), ((2.0, 5.0, 3), 2), ((4.0, 6.0, 3), 1)],
 )
@@ -253,8 +254,8 @@ def test_a_stable_start_is_returned() -> None:
 # -------------------------------------------------------------------------- weakly attracting
 
 
-@pytest.mark.parametrize("frequency", [2.0, 3.0, 6.0])
-@pytest.mark.parametrize("below", [1e-2, 1e-3, 1e-4, -1e-4, -1e-3])
+@every("frequency", [2.0, 3.0, 6.0])
+@every("below", [1e-2, 1e-3, 1e-4, -1e-4, -1e-3])
 def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, below: float) -> None:
     # Multipliers of .91 to .9999: before it the symmetric orbit attracts, after it two others.
     amplitude = symmetry_breaking(frequency, 0.8, 1) * (1.0 - below)
@@ -269,7 +270,7 @@ def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, bel
         assert found.peaks[0] == pytest.approx(float(np.asarray(states.peak)[0]), rel=1e-9)
 
 
-@pytest.mark.parametrize("above", [1e-2, 1e-4, 1e-6, 1e-8])
+@every("above", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
     amplitude = float(find_steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
     states = find_steady_states(amplitude, 4.0, 0.8)
@@ -282,7 +283,7 @@ def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
     )
 
 
-@pytest.mark.parametrize("restitution", [0.99, 0.999, 0.9999])
+@every("restitution", [0.99, 0.999, 0.9999])
 def test_a_block_that_loses_next_to_nothing_settles_where_it_starts(restitution: float) -> None:
     found = settled(0.5, 4.0, restitution, start=Steady())
     assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, 1)
@@ -366,11 +367,11 @@ def test_growth_is_what_a_small_difference_becomes_on_the_way() -> None:
     assert seen < 1e3 * found.growth
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "order"),
     [((0.8, 0.05, 0.6), 9), ((0.95, 0.0218, 0.175), 3), ((0.75, 0.03, 0.9967), 9)],
 )
-@pytest.mark.parametrize("branch", [1, 2])
+@every("branch", [1, 2])
 def test_a_steady_start_with_long_half_cycles_is_left_or_refused(
     point: tuple[float, float, float], order: int, branch: int
 ) -> None:

@@ -28,11 +28,12 @@ from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
+from tests.every import every
 
 # ------------------------------------------------------------------------------------------ rest
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "restitution"),
     [(1.01, 2.0, 0.8), (1.05, 1.0, 0.3), (1.0001, 4.0, 0.9), (1.0001, 0.3, 0.5)],
 )
@@ -58,7 +59,7 @@ def test_an_orbit_with_rest_is_the_same_from_different_starts(
             assert state.side * amplitude * math.sin(state.phase) == pytest.approx(1.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("amplitude", [0.0, 0.3, 1.0])
+@every("amplitude", [0.0, 0.3, 1.0])
 def test_where_the_base_never_lifts_it_a_block_at_rest_stays(amplitude: float) -> None:
     found = settled(amplitude, 4.0, 0.8)
     assert found.kind is AttractorKind.REST
@@ -80,7 +81,7 @@ def test_below_uplift_a_moving_block_may_rock_on() -> None:
     assert (rocking.kind, rocking.period) == (AttractorKind.SYMMETRIC, 1)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "kind"),
     [
         ((20.0, 0.05, 0.8), AttractorKind.OVERTURNED),
@@ -110,7 +111,7 @@ def test_without_loss_nothing_settles_and_the_reason_is_given() -> None:
     assert still.kind is AttractorKind.UNDECIDED
 
 
-@pytest.mark.parametrize("cycles", [1, 3, 5])
+@every("cycles", [1, 3, 5])
 def test_too_few_cycles_are_a_reason_to_be_undecided(cycles: int) -> None:
     found = settled(2.0, 4.0, 0.8, max_cycles=cycles)
     assert found.kind is AttractorKind.UNDECIDED
@@ -131,7 +132,7 @@ def test_an_attractor_has_a_table_for_notebooks() -> None:
     assert "no repetition" in settled(2.0, 4.0, 0.8, max_cycles=5)._repr_html_()
 
 
-@pytest.mark.parametrize(
+@every(
     ("values", "message"),
     [
         ({"max_cycles": 0}, r"^max_cycles = 0 "),
@@ -166,7 +167,7 @@ def test_without_loss_no_steady_start_is_an_attractor() -> None:
                 assert found.orbit is None, (amplitude, frequency)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "cycles"), [((4.76, 10.88, 0.64), 12), ((2.15, 2.04, 0.48), 12), ((2.0, 4.0, 0.8), 3)]
 )
 def test_a_short_run_is_never_called_aperiodic(
@@ -203,8 +204,8 @@ ACCUMULATED = {0.5: 1.147608, 0.7: 1.104328, 0.8: 1.077888, 0.87: 1.056216, 0.9:
 """Amplitude at which the bounces of fast shaking accumulate at the next uplift, by restitution."""
 
 
-@pytest.mark.parametrize("restitution", ACCUMULATED)
-@pytest.mark.parametrize("beyond", [4e-4, 1e-3, 3e-3])
+@every("restitution", ACCUMULATED)
+@every("beyond", [4e-4, 1e-3, 3e-3])
 def test_where_chatter_just_fails_to_end_before_uplift_motions_repeat_from_rest_to_rest(
     restitution: float, beyond: float
 ) -> None:
@@ -224,7 +225,7 @@ def test_where_chatter_just_fails_to_end_before_uplift_motions_repeat_from_rest_
             assert amplitude * abs(math.sin(begin.phase)) == pytest.approx(1.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("restitution", ACCUMULATED)
+@every("restitution", ACCUMULATED)
 def test_no_orbit_with_rests_depends_on_the_last_digit_of_the_amplitude(
     restitution: float,
 ) -> None:
@@ -304,7 +305,7 @@ def test_more_cycles_than_an_integer_holds_are_refused() -> None:
         settled(2.0, 4.0, 0.8, max_cycles=10**20)
 
 
-@pytest.mark.parametrize(
+@every(
     "point",
     [
         (1.136807753871025, 12.779994015403771, 0.5560594737629436),  # period 20

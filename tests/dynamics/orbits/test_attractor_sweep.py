@@ -25,6 +25,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.orbits.attractor_sweep import SHOWN_FLIGHTS, flight_peaks
 from tests.dynamics.settling import is_an_orbit_that_attracts
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=2.0)
@@ -164,7 +165,7 @@ def test_of_an_orbit_with_rests_the_first_bounces_stand_for_all() -> None:
     assert find_orbits(block, shaking, seeds=4)
 
 
-@pytest.mark.parametrize(
+@every(
     ("change", "said"),
     [
         ({"parameter": "phase"}, "parameter = 'phase'"),

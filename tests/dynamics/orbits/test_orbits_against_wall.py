@@ -28,6 +28,7 @@ from rocksteady import (
     simulate,
     sweep_attractor,
 )
+from tests.every import every
 
 FACADE = Block.rectangle(width=0.3, height=3.0).against_wall(0.05)
 
@@ -86,7 +87,7 @@ CASES = [
 ]
 
 
-@pytest.mark.parametrize(("a", "w", "e"), CASES)
+@every(("a", "w", "e"), CASES)
 def test_orbits_with_one_impact_are_the_closed_forms(a: float, w: float, e: float) -> None:
     found = [
         orbit
@@ -114,7 +115,7 @@ def test_orbits_with_one_impact_are_the_closed_forms(a: float, w: float, e: floa
         assert complex(orbit.multipliers.sum()) == pytest.approx(one.trace, rel=1e-9)
 
 
-@pytest.mark.parametrize(("a", "w", "e"), [(2.0, 7.0, 0.7), (1.2, 5.0, 0.9), (3.0, 8.0, 0.5)])
+@every(("a", "w", "e"), [(2.0, 7.0, 0.7), (1.2, 5.0, 0.9), (3.0, 8.0, 0.5)])
 def test_the_multipliers_of_n_impacts_have_the_product_e_to_the_2n(
     a: float, w: float, e: float
 ) -> None:
@@ -257,7 +258,7 @@ MOTION = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 WALL = against_wall(0.5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("refused", "instead"),
     [
         (lambda: find_attractor(WALL, MOTION, start=Steady()), "find_orbits"),

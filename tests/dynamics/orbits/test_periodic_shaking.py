@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 import rocksteady as rs
+from tests.every import every
 from tests.strategies import sample_size
 
 LINEAR, NONLINEAR = rs.Linear(), rs.Nonlinear()
@@ -146,8 +147,8 @@ def test_sides_that_differ_see_the_series_each_in_its_own_way() -> None:
         assert one.impacts.pt[:count] == pytest.approx(other.impacts.pt[:count] / rate, rel=1e-10)
 
 
-@pytest.mark.parametrize(("block", "model"), CASES)
-@pytest.mark.parametrize("order", [1, 3])
+@every(("block", "model"), CASES)
+@every("order", [1, 3])
 def test_a_single_order_is_harmonic_shaking(block: Any, model: Any, order: int) -> None:
     series = rs.FourierSeries(
         amplitude=2.0, frequency_ratio=4.0 / order, harmonics=((order, 1.0, 0.3),), phase=0.2
@@ -170,8 +171,8 @@ def test_a_single_order_is_harmonic_shaking(block: Any, model: Any, order: int) 
         assert here.orbit.multipliers == pytest.approx(there.orbit.multipliers, rel=1e-7)
 
 
-@pytest.mark.parametrize(("block", "model"), CASES)
-@pytest.mark.parametrize("side", [1, -1])
+@every(("block", "model"), CASES)
+@every("side", [1, -1])
 def test_the_derivative_of_a_passage_is_that_of_differences(
     block: Any, model: Any, side: int
 ) -> None:

@@ -23,6 +23,7 @@ from rocksteady import (
     simulate,
 )
 from tests.dynamics.kicks import apart
+from tests.every import every
 from tests.strategies import logarithmic
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -38,8 +39,8 @@ def returns(amplitude: float, frequency: float, restitution: float = 0.8) -> Ret
 # ------------------------------------------------------------------------------ against the march
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize(
+@every("side", [1, -1])
+@every(
     ("amplitude", "frequency", "restitution", "phase", "speed"),
     [(2.0, 4.0, 0.8, 2.5, 0.6), (1.2, 3.0, 0.6, 2.0, 0.3), (3.0, 9.0, 0.95, 2.8, 0.2)],
 )
@@ -220,7 +221,7 @@ def test_the_phase_of_a_state_is_taken_modulo_a_period(phase: float, side: int) 
     assert state.mirrored.side == -side
 
 
-@pytest.mark.parametrize(
+@every(
     ("values", "message"),
     [
         ({"side": 0}, r"^side = 0 .*1 or -1"),
@@ -238,7 +239,7 @@ def test_what_is_no_state_is_refused(values: dict[str, float], message: str) -> 
         ImpactState(**{"side": 1, "phase": 0.0, "speed": 1.0, **values})  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("steps", [0, -1, 1.5, math.nan])
+@every("steps", [0, -1, 1.5, math.nan])
 def test_steps_are_a_whole_number(steps: int) -> None:
     with pytest.raises(InputError, match=r"^steps = "):
         returns(2.0, 4.0)(ImpactState(side=1, phase=1.0, speed=1.0), steps)
@@ -251,8 +252,8 @@ def test_what_is_no_block_and_what_is_not_harmonic_is_refused() -> None:
         ReturnMap(BARE, Still())  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize("phase", [0.0, 3.3, 6.0])
+@every("side", [1, -1])
+@every("phase", [0.0, 3.3, 6.0])
 def test_a_state_at_rest_waits_for_the_base_to_lift_it(side: int, phase: float) -> None:
     # 2 sin(phase) is between -1 and 1: the block stands until the next uplift.
     resting = returns(2.0, 2.0)(ImpactState(side=side, phase=phase, speed=0.0))

@@ -23,6 +23,7 @@ from rocksteady import (
     find_steady_states,
 )
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
+from tests.every import every
 
 HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)
 
@@ -56,7 +57,7 @@ POINTS = [
 # ------------------------------------------------------------------ each is one, by the map alone
 
 
-@pytest.mark.parametrize("point", POINTS)
+@every("point", POINTS)
 def test_each_orbit_closes_with_the_multipliers_of_its_map(
     point: tuple[float, float, float],
 ) -> None:
@@ -88,7 +89,7 @@ def test_each_orbit_closes_with_the_multipliers_of_its_map(
             assert abs(np.trace(total) - (first + second).real) <= 1e-7 * max(size, 1.0)
 
 
-@pytest.mark.parametrize("point", [POINTS[0], POINTS[1], POINTS[3], POINTS[5]])
+@every("point", [POINTS[0], POINTS[1], POINTS[3], POINTS[5]])
 def test_its_peaks_are_those_of_its_time_history(point: tuple[float, float, float]) -> None:
     checked = 0
     for orbit in at(*point, seeds=40):
@@ -108,7 +109,7 @@ def test_its_peaks_are_those_of_its_time_history(point: tuple[float, float, floa
     assert checked >= 2
 
 
-@pytest.mark.parametrize("point", POINTS)
+@every("point", POINTS)
 def test_symmetric_means_that_half_of_it_is_the_mirror_image_of_the_other(
     point: tuple[float, float, float],
 ) -> None:
@@ -163,7 +164,7 @@ def test_symmetric_ones_are_the_closed_forms() -> None:
                 assert math.cos(orbit.states[0].phase - states.phase[which]) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "order", "printed"),
     [
         (1.0, 1.0, 1, 25.658), (1.0, 2.0, 1, 10.2467), (1.0, 8.0, 1, 7.2251),
@@ -199,7 +200,7 @@ def test_where_the_paper_is_corrected() -> None:
     assert (other.highest, other.lowest) == pytest.approx((0.39815, -0.27242), abs=1.1e-5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("frequency", "period", "peaks"),
     [
         (1.9, 1, (0.90035, -0.44427)),
@@ -415,7 +416,7 @@ def test_an_orbit_has_a_table_for_notebooks(many: tuple[Orbit, ...]) -> None:
     assert "0.432 alpha" in page
 
 
-@pytest.mark.parametrize(
+@every(
     ("values", "name"),
     [
         ({"max_period": 0}, "max_period"),

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.overturning._borders import next_amplitudes
+from tests.every import every
 
 Floats = NDArray[np.float64]
 Margin = Callable[[Floats], Floats]
@@ -28,7 +29,7 @@ def rounds(margin: Margin, tried: list[float], closest: float) -> tuple[Floats, 
         amplitude = np.sort(np.concatenate([amplitude, more]))
 
 
-@pytest.mark.parametrize(
+@every(
     ("margin", "border"),
     [
         (lambda a: a * a * a - 8.0, 2.0),
@@ -49,7 +50,7 @@ def test_a_border_outside_two_close_amplitudes_is_found_by_their_line() -> None:
     assert taken <= 15
 
 
-@pytest.mark.parametrize(
+@every(
     "margin",
     [
         lambda a: np.where(a > 2.0, 1.0, -1.0),  # a jump

@@ -20,11 +20,10 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Nonlinear
+from tests.every import every
 
 
-@pytest.mark.parametrize(
-    ("phi", "quarter_s"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)]
-)
+@every(("phi", "quarter_s"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)])
 def test_h1_a_quarter_of_the_period(phi: float, quarter_s: float) -> None:
     p = math.sqrt(0.75 * 9.81)  # R = 1 m
     assert float(free_rocking_period(phi)) / p / 4.0 == pytest.approx(quarter_s, abs=5.1e-11)
@@ -42,7 +41,8 @@ def test_h3_the_decay_of_the_peaks() -> None:
     assert seconds == pytest.approx([1.180321, 0.974559, 0.843764], abs=5.1e-7)
 
 
-@pytest.mark.parametrize("phi", [1e-6, 0.01, 0.3, 0.8, 0.98])
+@pytest.mark.slow
+@every("phi", [1e-6, 0.01, 0.3, 0.8, 0.98])
 def test_the_period_is_that_of_a_time_history(phi: float) -> None:
     run = simulate(
         DimensionlessBlock(restitution=1.0), Still(), start=State(angle=phi, velocity=0.0)
@@ -53,7 +53,7 @@ def test_the_period_is_that_of_a_time_history(phi: float) -> None:
     np.testing.assert_allclose(np.diff(times), 0.5 * period, rtol=1e-12)
 
 
-@pytest.mark.parametrize("restitution", [0.3, 0.7, 0.95, 1.0])
+@every("restitution", [0.3, 0.7, 0.95, 1.0])
 def test_the_peaks_are_those_of_a_time_history(restitution: float) -> None:
     run = simulate(
         DimensionlessBlock(restitution=restitution), Still(), start=State(angle=0.8, velocity=0.0)
@@ -67,8 +67,8 @@ def test_the_peaks_are_those_of_a_time_history(restitution: float) -> None:
     np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:]), rtol=1e-12)
 
 
-@pytest.mark.parametrize("alpha", [0.02, 0.2, 0.8, 1.5])
-@pytest.mark.parametrize("phi", [1e-6, 0.01, 0.3, 0.8, 0.98])
+@every("alpha", [0.02, 0.2, 0.8, 1.5])
+@every("phi", [1e-6, 0.01, 0.3, 0.8, 0.98])
 def test_the_tilting_block_is_that_of_a_time_history(alpha: float, phi: float) -> None:
     start = State(angle=phi, velocity=0.0)
     block = Block.from_p(alpha=alpha, p=1.0, restitution=1.0)
@@ -107,7 +107,7 @@ def test_the_period_is_the_integral_of_energy() -> None:
         assert float(free_rocking_period(phi)) == pytest.approx(4.0 * quarter, rel=1e-9)
 
 
-@pytest.mark.parametrize("alpha", [1e-6, 0.3, 1.5])
+@every("alpha", [1e-6, 0.3, 1.5])
 def test_the_tilting_period_is_the_elliptic_integral_of_another_library(alpha: float) -> None:
     phi = np.concatenate(
         [[0.0], 10.0 ** np.linspace(-15, -0.01, 200), 1.0 - 2.0 ** -np.arange(2, 51)]
@@ -130,7 +130,7 @@ def test_small_and_large_amplitudes_keep_their_digits() -> None:
     assert free_rocking_peaks(0.37, 1.0, 9) == pytest.approx(np.full(10, 0.37), rel=1e-15)
 
 
-@pytest.mark.parametrize(("degrees", "percent"), [(10, 3.147), (15, 7.201), (20, 13.120)])
+@every(("degrees", "percent"), [(10, 3.147), (15, 7.201), (20, 13.120)])
 def test_k1_equivalent_damping(degrees: float, percent: float) -> None:
     delta = housner_restitution(math.radians(degrees))
     assert 100.0 * float(equivalent_damping(delta)) == pytest.approx(percent, abs=5.1e-4)

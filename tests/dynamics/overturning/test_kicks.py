@@ -33,6 +33,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
+from tests.every import every
 from tests.seismic.grounds import ground
 from tests.strategies import sample_size
 
@@ -49,7 +50,7 @@ def test_from_rest_it_is_the_overturning_impulse(model: Model) -> None:
     assert kicks.least_m_s[0] == pytest.approx(expected, rel=1e-11)
 
 
-@pytest.mark.parametrize(("u", "v"), [(0.5, 0.0), (0.2, 0.3), (0.9, -0.3), (0.05, -0.8)])
+@every(("u", "v"), [(0.5, 0.0), (0.2, 0.3), (0.9, -0.3), (0.05, -0.8)])
 def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
     kicks = find_fatal_kick(BARE, start=State(angle=u, velocity=v))
     # On its side the block passes the top with v + k > 1 - u; thrown back it lands with the speed
@@ -61,7 +62,7 @@ def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
     assert mirrored.signed[0] == pytest.approx([back, -onwards], rel=1e-11)
 
 
-@pytest.mark.parametrize("u", [0.1, 0.5, 0.9])
+@every("u", [0.1, 0.5, 0.9])
 def test_the_nonlinear_one_is_the_barrier_of_energy(u: float) -> None:
     alpha = BLOCK.alpha
     kicks = find_fatal_kick(BLOCK, start=State(angle=u, velocity=0.0))
@@ -79,8 +80,9 @@ def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
     assert len(kicks.intervals(1)) == 2
 
 
-@pytest.mark.parametrize("block", [BLOCK, LEANING], ids=["symmetric", "two sides"])
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
+@pytest.mark.slow
+@every("block", [BLOCK, LEANING])
+@every("model", [Linear(), Nonlinear()])
 def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) -> None:
     pulse = Pulse(shape="one-sine", amplitude=1.6, frequency_ratio=4.0)
     when = 0.9
@@ -101,6 +103,7 @@ def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) 
             assert (run.status is Status.OVERTURNED) is falls
 
 
+@pytest.mark.slow
 def test_kicks_during_a_record_agree_with_time_histories() -> None:
     record = ground(1).scaled(0.7)
     times = np.array([0.3, 1.0]) * BLOCK.p
@@ -130,6 +133,7 @@ def test_kicks_during_a_record_agree_with_time_histories() -> None:
     assert checked >= 80
 
 
+@pytest.mark.slow
 def test_kicks_among_impulses_are_impulses_more_of_time_histories() -> None:
     draw = np.random.default_rng(27)
     bodies = (BLOCK, LEANING, BLOCK.against_wall(0.8), DimensionlessBlock(restitution=0.95))
@@ -168,6 +172,7 @@ def test_kicks_among_impulses_are_impulses_more_of_time_histories() -> None:
     assert fatal > checked / 5
 
 
+@pytest.mark.slow
 def test_every_last_segment_with_an_impulse_counts() -> None:
     # Each way of making one: the motion itself, its parts, sums, delays and cuts.
     struck = Impulses(velocities=(0.3, 0.671), times=(0.4, 1.324))
@@ -207,6 +212,7 @@ def test_after_the_motion_a_block_at_rest_needs_the_impulse() -> None:
     assert kicks.least_m_s[0] == pytest.approx(overturning_impulse(BLOCK), rel=1e-11)
 
 
+@pytest.mark.slow
 def test_the_vertical_component_counts_and_workers_do_not() -> None:
     record = ground(2).scaled(0.5)
     lifted = BaseMotion(record, record.scaled(0.4))

@@ -25,6 +25,7 @@ from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Model, Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.every import every
 from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]
@@ -88,7 +89,7 @@ def test_z4_a_higher_frequency_and_the_end_of_the_window_after_one_impact() -> N
 # ---------------------------------------------------------------------- independent
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "ratio", "block", "which"),
     [
         ("one-sine", 15.7 / 2.14, CABINET, 0),
@@ -150,7 +151,8 @@ def brute_force(block: Block, model: Model, pulse: Pulse) -> Callable[[float, fl
     return falls
 
 
-@pytest.mark.parametrize("seed", range(sample_size(6, 1)))
+@pytest.mark.slow
+@every("seed", range(sample_size(6, 1)))
 def test_brute_force_finds_no_other_window(seed: int) -> None:
     rng = np.random.default_rng(seed)
     shape = ("one-sine", "one-cosine", "type-c1", "triangle", "versed-sine", "one-cosine")[seed]
@@ -236,6 +238,7 @@ def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     assert other.intervals(0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [1.99734, 5.39448])
 def test_no_window_of_a_wavelet_is_lost_between_its_rough_and_its_fine_lines(ratio: float) -> None:
     block = Block.from_p(alpha=0.2, p=1.0, restitution=0.9)

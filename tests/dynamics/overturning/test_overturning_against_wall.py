@@ -30,6 +30,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Model
 from rocksteady.show.plots.overturning import plot_overturning
+from tests.every import every
 
 FACADE = Block.rectangle(width=0.3, height=3.0).against_wall()
 RATIOS = [1.5, 2.0, 4.0]
@@ -45,15 +46,13 @@ def unit(shape: str, *, reverse: bool = False) -> Pulse:
     return Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, reverse=reverse)
 
 
-@pytest.mark.parametrize(
+@every(
     ("block", "model"),
     [(against_wall(0.5), Linear()), (against_wall(0.9), Linear()), (FACADE, Nonlinear())],
-    ids=["e=0.5", "e=0.9", "facade"],
 )
-@pytest.mark.parametrize(
+@every(
     "pulse",
     [unit("one-sine"), unit("one-cosine"), unit("one-cosine", reverse=True)],
-    ids=["sine", "cosine", "reversed"],
 )
 def test_borders_are_those_of_time_histories(block: Any, model: Model, pulse: Pulse) -> None:
     found = find_overturning_windows(block, pulse, RATIOS, within=(1.0, 12.0), model=model)
@@ -84,7 +83,7 @@ def test_borders_are_those_of_time_histories(block: Any, model: Model, pulse: Pu
     assert looked >= 3
 
 
-@pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
+@every("e", [0.0, 0.5, 1.0])
 def test_a_wall_takes_what_throws_the_block_there(e: float) -> None:
     block, halves = against_wall(e), overturning_threshold("half-sine", RATIOS)
     towards = find_overturning_windows(block, unit("half-sine"), RATIOS)
@@ -123,7 +122,7 @@ def test_no_closed_form_is_drawn_of_a_reversed_pulse() -> None:
     assert any("closed form" in text for text in drawn(free, reverse=True))
 
 
-@pytest.mark.parametrize(
+@every(
     ("e", "u", "v"),
     [(0.3, 0.0, 0.0), (0.3, 0.5, 0.0), (0.7, 0.2, 0.3), (0.7, 0.9, -0.3), (1.0, 0.9, -0.05)],
 )
@@ -186,8 +185,8 @@ def peaks_of(run: Any) -> NDArray[np.float64]:
     return np.array([run(pt).angle.max() for pt in fine])
 
 
-@pytest.mark.parametrize("e", [0.5, 0.8])
-@pytest.mark.parametrize("alpha", [None, 0.2], ids=["slender", "alpha"])
+@every("e", [0.5, 0.8])
+@every("alpha", [None, 0.2])
 def test_free_rocking_is_in_closed_form(e: float, alpha: float | None) -> None:
     block: Any = against_wall(e)
     model: Model = Linear()

@@ -7,6 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.overturning.scan import Fates, Found, first_grid, scan
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ def test_a_window_far_narrower_than_the_grid_is_found_by_its_hump() -> None:
     assert found.tried < 1500
 
 
-@pytest.mark.parametrize("closest", [1e-6, 1e-9, 1e-12])
+@every("closest", [1e-6, 1e-9, 1e-12])
 def test_borders_are_brought_as_close_together_as_wanted_and_no_closer(closest: float) -> None:
     follow = fates_of(lambda a: np.sin(40.0 * a) - 0.5)
     exact, found = (scan(follow, 1.0, 5.0, 0.05, closest=part) for part in (0.0, closest))
@@ -145,7 +146,7 @@ def test_the_grid_is_close_at_every_uplift() -> None:
         assert len(above[above < uplift * 1.0011]) > 40
 
 
-@pytest.mark.parametrize(("low", "high"), [(1.0, 20.0), (0.0, 2.0), (1.5, 1.6), (0.2, 0.9)])
+@every(("low", "high"), [(1.0, 20.0), (0.0, 2.0), (1.5, 1.6), (0.2, 0.9)])
 def test_the_first_grid_keeps_its_step_and_its_ends(low: float, high: float) -> None:
     grid = first_grid(low, high, 0.01)
     assert (grid[0], grid[-1]) == (low, high)

@@ -20,6 +20,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.model.equations import Linear
+from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE
 
 
@@ -28,7 +29,7 @@ def lasting(duration: float) -> float:
     return math.pi / duration
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "ratio", "printed", "digits"),
     [
         *(("rectangle", lasting(d), a, 7) for a, d in ((1.2, 1.7917595), (2.0, 0.6931472))),  # H4
@@ -55,8 +56,8 @@ def test_published_thresholds(shape: str, ratio: float, printed: float, digits: 
     )
 
 
-@pytest.mark.parametrize("shape", THRESHOLDS)
-@pytest.mark.parametrize("w", [0.4, 1.0, 3.0, 9.0])
+@every("shape", THRESHOLDS)
+@every("w", [0.4, 1.0, 3.0, 9.0])
 def test_at_the_threshold_the_integral_of_g1_is_1(shape: str, w: float) -> None:
     periods, formula = FORMULAE[shape]
     end = 2.0 * math.pi * periods / w
@@ -80,8 +81,8 @@ def test_at_the_threshold_the_integral_of_g1_is_1(shape: str, w: float) -> None:
     assert total == pytest.approx(1.0, abs=1e-10)
 
 
-@pytest.mark.parametrize("shape", THRESHOLDS)
-@pytest.mark.parametrize("w", [0.3, 2.0, 7.0, 40.0])
+@every("shape", THRESHOLDS)
+@every("w", [0.3, 2.0, 7.0, 40.0])
 def test_a_block_falls_without_an_impact_from_there_on(shape: str, w: float) -> None:
     a = float(overturning_threshold(shape, w))
     block = DimensionlessBlock(restitution=0.9)
@@ -94,7 +95,7 @@ def test_a_block_falls_without_an_impact_from_there_on(shape: str, w: float) -> 
     assert len(below.impacts) > 0
 
 
-@pytest.mark.parametrize("shape", THRESHOLDS)
+@every("shape", THRESHOLDS)
 def test_a_pulse_without_end_overturns_at_uplift_and_a_sudden_one_by_its_impulse(
     shape: str,
 ) -> None:

@@ -24,6 +24,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.model.equations import Linear
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.9)
 
@@ -36,7 +37,7 @@ def only(found: OverturningWindows) -> list[tuple[float, float, int]]:
 # ---------------------------------------------------------------------- published numbers
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "low", "high", "without"),
     [
         (2.0, 1.225179, 2.314403, 2.349903),  # Z3, Z1
@@ -70,7 +71,7 @@ def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float)
     assert found.first[0] * unit == pytest.approx(accel_g, abs=5.1e-7)
 
 
-@pytest.mark.parametrize("shape", THRESHOLDS)
+@every("shape", THRESHOLDS)
 def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> None:
     ratios = np.geomspace(0.3, 12.0, 9)
     expected = overturning_threshold(shape, ratios)
@@ -84,7 +85,8 @@ def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> N
 # ---------------------------------------------------------------------- an independent scan
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("shape", "w", "restitution"),
     [
         ("one-sine", 1.0, 0.9),
@@ -116,7 +118,7 @@ def test_a_dense_scan_of_time_histories_finds_no_other_window(
             assert np.sign(run(run.end_time_pt).angle) == inside[0].side
 
 
-@pytest.mark.parametrize(("shape", "w"), [("one-sine", 0.5), ("one-cosine", 0.7), ("type-c1", 1.0)])
+@every(("shape", "w"), [("one-sine", 0.5), ("one-cosine", 0.7), ("type-c1", 1.0)])
 def test_a_coarse_and_a_fine_grid_find_the_same(shape: str, w: float) -> None:
     coarse, fine = (
         find_overturning_windows(BLOCK, shape, [w], resolution=step) for step in (0.01, 1e-4)
@@ -182,8 +184,8 @@ def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> No
     assert 0.0 < found.left_out_width[0] < 0.1
 
 
-@pytest.mark.parametrize("w", [0.7, 3.0])
-@pytest.mark.parametrize("shape", ["one-sine", "one-cosine", "triangle"])
+@every("w", [0.7, 3.0])
+@every("shape", ["one-sine", "one-cosine", "triangle"])
 def test_without_loss_every_amplitude_is_decided(shape: str, w: float) -> None:
     # A block that has barely lifted bounces without end.
     found = find_overturning_windows(DimensionlessBlock(restitution=1.0), shape, [w])
@@ -212,7 +214,8 @@ def test_a_side_that_lifts_sooner_sets_the_range() -> None:
 # ---------------------------------------------------------------------- sweeps
 
 
-@pytest.mark.parametrize("how", [Run(workers=1), Run(executor="serial"), Run(workers=2)])
+@pytest.mark.slow
+@every("how", [Run(workers=1), Run(executor="serial"), Run(workers=2)])
 def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
     ratios = np.linspace(1.0, 6.0, 7)
     expected = find_overturning_windows(BLOCK, "one-cosine", ratios).to_dataset()
@@ -247,7 +250,7 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
 # ---------------------------------------------------------------------- bad input
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "words"),
     [
         ({"pulse": "two-sine"}, "no pulse of that name"),
@@ -277,6 +280,7 @@ def test_oscillations_belong_to_one_pulse_alone() -> None:
         Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0, oscillations=3.0)
 
 
+@pytest.mark.slow
 def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> None:
     ratios, passed = np.linspace(1.0, 5.0, 20), 0
     how: dict[str, Any] = {"resolution": 0.02}

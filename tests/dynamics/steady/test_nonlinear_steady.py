@@ -21,6 +21,7 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.every import every
 
 POINTS = [
     # alpha, amplitude, frequency ratio, restitution, order, branch
@@ -32,7 +33,7 @@ POINTS = [
     (0.3, 2.0, 4.0, 0.8, 3, 2),
     (0.15, 4.0, 6.0, 0.8, 3, 1),
 ]
-points = pytest.mark.parametrize(("alpha", "a", "w", "delta", "order", "branch"), POINTS)
+points = every(("alpha", "a", "w", "delta", "order", "branch"), POINTS)
 
 
 def body(alpha: float, delta: float) -> Block:
@@ -87,8 +88,8 @@ def test_it_goes_to_the_linear_one_with_the_square_of_the_slenderness(
     assert errors[1] / errors[0] == pytest.approx(4.0, rel=0.02)
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize(
+@every("side", [1, -1])
+@every(
     ("alpha", "a", "w", "order", "branch"),
     [(0.4, 1.0, 2.0, 1, 2), (0.3, 2.0, 4.0, 3, 2), (0.2, 2.0, 1.9, 1, 1)],
 )
@@ -152,7 +153,7 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
                     assert float(found.highest[i, j]) == alone.orbit.highest
 
 
-@pytest.mark.parametrize("w", [0.7, 2.0, 8.0])
+@every("w", [0.7, 2.0, 8.0])
 def test_both_branches_end_together_in_a_fold(w: float) -> None:
     # The fold of a stocky block lies at a higher amplitude than that of the linear model.
     block, fold = body(0.5, 0.8), float(find_steady_states(1.0, w, 0.8).existence)

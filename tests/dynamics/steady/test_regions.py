@@ -19,6 +19,7 @@ from rocksteady import (
     symmetry_breaking_frequency,
 )
 from tests.dynamics.formulae import printed_boundaries
+from tests.every import every
 from tests.strategies import logarithmic
 
 orders = st.sampled_from([1, 3, 5])
@@ -30,7 +31,7 @@ TABLE = [
 ]
 
 
-@pytest.mark.parametrize(("r", "n", "w", "existence", "kind", "sign"), TABLE)
+@every(("r", "n", "w", "existence", "kind", "sign"), TABLE)
 def test_tw2_boundaries(
     r: float, n: int, w: float, existence: float, kind: float, sign: float
 ) -> None:
@@ -40,7 +41,7 @@ def test_tw2_boundaries(
     assert curves.sign == pytest.approx(sign, abs=5.1e-6)
 
 
-@pytest.mark.parametrize(("r", "n", "w", "existence", "kind", "sign"), TABLE)
+@every(("r", "n", "w", "existence", "kind", "sign"), TABLE)
 def test_tw2_regions_between_the_boundaries(
     r: float, n: int, w: float, existence: float, kind: float, sign: float
 ) -> None:
@@ -82,7 +83,7 @@ def test_e8_region_3_never_disappears(w: float, r: float, n: int) -> None:
     assert curves.existence < curves.kind
 
 
-@pytest.mark.parametrize(("w", "amplitude"), [(1.0, 0.105118), (2.0, 0.261712), (5.0, 1.323365)])
+@every(("w", "amplitude"), [(1.0, 0.105118), (2.0, 0.261712), (5.0, 1.323365)])
 def test_b1_heteroclinic_amplitude(w: float, amplitude: float) -> None:
     assert heteroclinic_amplitude(w, 0.9) == pytest.approx(amplitude, abs=5.1e-7)
 
@@ -103,7 +104,7 @@ def test_melnikovs_estimate_is_the_first_order_of_the_heteroclinic_amplitude(w: 
     assert melnikov_amplitude(2.0, 0.9) == pytest.approx(0.25)
 
 
-@pytest.mark.parametrize(
+@every(
     ("order", "amplitude", "expected"),
     [
         (1, 1.0, 1.448324),
@@ -155,7 +156,7 @@ def test_branch_1_is_stable_just_below_symmetry_breaking_and_not_above(
     assert below > limit > above
 
 
-@pytest.mark.parametrize(
+@every(
     ("function", "arguments"),
     [
         (region_boundaries, (0.0, 0.8)),
@@ -173,9 +174,7 @@ def test_bad_arguments_are_refused(function: Any, arguments: tuple[Any, ...]) ->
         function(*arguments)
 
 
-@pytest.mark.parametrize(
-    "function", [region_boundaries, symmetry_breaking_amplitude, compute_region_map]
-)
+@every("function", [region_boundaries, symmetry_breaking_amplitude, compute_region_map])
 def test_an_even_order_is_refused_with_the_reason(function: Any) -> None:
     with pytest.raises(InputError, match="odd number of half periods"):
         function(4.0, 0.8, order=2)

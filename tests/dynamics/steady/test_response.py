@@ -14,6 +14,7 @@ from rocksteady import (
     compute_response_curve,
     find_steady_states,
 )
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 
@@ -35,7 +36,7 @@ def test_a_curve_is_the_peak_of_the_admissible_solutions() -> None:
         assert curve.frequency_hz is None
 
 
-@pytest.mark.parametrize("p", [1.0, 2.14, 2.0 * math.pi, 9.0])
+@every("p", [1.0, 2.14, 2.0 * math.pi, 9.0])
 def test_a_curve_in_hertz_is_that_in_frequency_ratios(p: float) -> None:  # eqs 26, 27
     block = Block.from_p(alpha=0.2, p=p, restitution=0.8)
     hertz = np.linspace(0.5, 16.0, 32)
@@ -59,7 +60,7 @@ def test_one_frequency_is_a_curve_of_one() -> None:
     assert compute_response_curve(BARE, 3.0, frequency_ratio=4.0).peak.shape == (1,)
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "kind", "name"),
     [
         ({}, ModelError, "frequency_ratio, frequency_hz"),
@@ -79,7 +80,7 @@ def test_bad_arguments_are_refused(
         compute_response_curve(BARE, 3.0, **arguments)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, math.nan])
+@every("value", [0.0, -1.0, math.nan])
 def test_a_bad_frequency_in_hertz_is_refused(value: float) -> None:
     block = Block.from_p(alpha=0.2, p=3.0)
     with pytest.raises(InputError, match=r"^frequency_hz = "):

@@ -18,13 +18,14 @@ from tests.dynamics.formulae import (
     printed_region,
 )
 from tests.dynamics.points import checked, orders, points, states_at
+from tests.every import every
 from tests.published import TW1
 from tests.strategies import logarithmic
 
 # ------------------------------------------------------------------------ published numbers
 
 
-@pytest.mark.parametrize(("point", "phase", "velocity", "peak"), TW1)
+@every(("point", "phase", "velocity", "peak"), TW1)
 def test_tw1_phase_velocity_and_peak(
     point: tuple[float, float, float, int], phase: float, velocity: float, peak: float
 ) -> None:
@@ -35,7 +36,7 @@ def test_tw1_phase_velocity_and_peak(
     assert states.stable[0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("order", "amplitude", "frequency_ratio", "peak"),
     [
         (1, 1.0, 2.0, 0.43188),
@@ -61,9 +62,7 @@ def test_tw3_peaks_of_figure_5(
     assert checked(states.admissible)[0]
 
 
-@pytest.mark.parametrize(
-    ("amplitude", "frequency_ratio"), [(1.0, 4.0), (1.0, 6.0), (1.0, 16.0), (2.0, 12.0)]
-)
+@every(("amplitude", "frequency_ratio"), [(1.0, 4.0), (1.0, 6.0), (1.0, 16.0), (2.0, 12.0)])
 def test_tw3_where_the_subharmonic_curves_have_ended(
     amplitude: float, frequency_ratio: float
 ) -> None:
@@ -86,7 +85,7 @@ def test_tw4_peaks_against_restitution(
     np.testing.assert_allclose(checked(states.peak)[0], peaks, rtol=0.0, atol=5.1e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "trace"),
     [
         ((2.0, 2.0, 0.8, 1), -1.555331),
@@ -101,7 +100,7 @@ def test_tw5_traces(point: tuple[float, float, float, int], trace: float) -> Non
     assert states_at(point).trace[0] == pytest.approx(trace, abs=digits)
 
 
-@pytest.mark.parametrize(
+@every(
     ("order", "amplitude", "frequency_ratio", "multiplier"),
     [
         (1, 1.0, 1.0, 25.658),

@@ -13,6 +13,7 @@ from rocksteady import (
     find_steady_states,
 )
 from tests.dynamics.points import checked, orders
+from tests.every import every
 from tests.strategies import logarithmic
 
 # ----------------------------------------------------------------- shapes and bad arguments
@@ -79,7 +80,7 @@ def test_without_shapes_the_rest_is_the_same_and_stability_is_refused() -> None:
         _ = bare.stable
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value", "reason"),
     [
         ("amplitude", -1.0, "0, 1e"),
@@ -108,7 +109,7 @@ def test_without_shapes_the_rest_is_the_same_and_stability_is_refused() -> None:
         ("order", 10**18 + 1, "at most"),
     ],
 )
-@pytest.mark.parametrize("in_array", [False, True])
+@every("in_array", [False, True])
 def test_a_bad_argument_is_refused_with_the_reason(
     name: str, value: Any, reason: str, in_array: bool
 ) -> None:

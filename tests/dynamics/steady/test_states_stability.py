@@ -22,6 +22,7 @@ from tests.dynamics.formulae import (
     printed_trace,
 )
 from tests.dynamics.points import checked, orders, points, states_at
+from tests.every import every
 from tests.strategies import logarithmic
 
 # ------------------------------------------------------------------------------- stability
@@ -39,7 +40,7 @@ def half_cycle_map(a: float, w: float, r: float, phase: float, velocity: float, 
     return np.array([phase + w * s - n * math.pi, -after])
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "branch"),
     [
         ((2.0, 4.0, 0.8, 1), 1),
@@ -190,13 +191,13 @@ def test_an_orbit_where_none_exists_is_refused_with_the_least_amplitude() -> Non
         compute_steady_orbit(0.2, 4.0, 0.8)
 
 
-@pytest.mark.parametrize("branch", [0, 3, -1])
+@every("branch", [0, 3, -1])
 def test_an_orbit_of_a_third_branch_is_refused(branch: int) -> None:
     with pytest.raises(InputError, match="two branches"):
         compute_steady_orbit(2.0, 4.0, 0.8, branch=branch)
 
 
-@pytest.mark.parametrize("samples", [2, 4, 1, 0, -5])
+@every("samples", [2, 4, 1, 0, -5])
 def test_samples_of_an_orbit_must_be_odd_and_three_at_least(samples: int) -> None:
     with pytest.raises(InputError, match=r"^samples = "):
         compute_steady_orbit(2.0, 4.0, 0.8, samples=samples)
@@ -205,7 +206,7 @@ def test_samples_of_an_orbit_must_be_odd_and_three_at_least(samples: int) -> Non
 # --------------------------------------------------------------------------- in a simulation
 
 
-@pytest.mark.parametrize(
+@every(
     "point",
     [
         (2.0, 4.0, 0.8, 1),
@@ -232,7 +233,7 @@ def test_a_stable_steady_state_is_kept(point: tuple[float, float, float, int]) -
     np.testing.assert_allclose(np.abs(run.impacts.velocity_after), states.velocity[0], rtol=1e-11)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "branch"),
     [((1.0, 1.0, 0.8, 1), 2), ((1.0, 2.0, 0.8, 1), 2), ((2.0, 5.0, 0.8, 3), 2)],
 )

@@ -50,6 +50,7 @@ FOCUSED = """() => {
 }"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_everything_has_a_name_and_text_stands_out(scheme: str, explorer: Explorer) -> None:
     page = explorer.open(color_scheme=scheme)
@@ -71,6 +72,7 @@ def test_ids_are_unique_and_what_refers_to_one_finds_it(explorer: Explorer) -> N
     assert set(used) <= set(ids)
 
 
+@pytest.mark.slow
 def test_each_picture_is_described_by_a_sentence(explorer: Explorer) -> None:
     page = explorer.open()
     for tab in TABS:
@@ -83,6 +85,7 @@ def test_each_picture_is_described_by_a_sentence(explorer: Explorer) -> None:
             assert not re.search("NaN|undefined|null|Infinity", sentence), (tab, sentence)
 
 
+@pytest.mark.slow
 def test_focus_passes_through_the_page_in_the_order_of_sight(explorer: Explorer) -> None:
     page = explorer.open()
     passed = tour(page)
@@ -105,6 +108,7 @@ def tour(page: Page) -> list[dict[str, object]]:
     return stops
 
 
+@pytest.mark.slow
 def test_text_at_twice_its_size_stays_inside(explorer: Explorer) -> None:
     """A zoom of 200 % is a page of half the width."""
     page = explorer.open(size=(720, 450), device_scale_factor=2)
@@ -112,6 +116,7 @@ def test_text_at_twice_its_size_stays_inside(explorer: Explorer) -> None:
     assert page.locator("#in-A").is_visible()
 
 
+@pytest.mark.slow
 def test_what_is_touched_is_large_enough_on_a_phone(explorer: Explorer) -> None:
     page = explorer.open(size=(360, 740), has_touch=True, is_mobile=True)
     for tab in TABS:
@@ -124,6 +129,7 @@ def test_what_is_touched_is_large_enough_on_a_phone(explorer: Explorer) -> None:
         assert (tab, small) == (tab, [])
 
 
+@pytest.mark.slow
 def test_the_map_stays_in_its_place_whatever_the_point_is(explorer: Explorer) -> None:
     page = explorer.open()
     tops = set()
@@ -137,6 +143,7 @@ def test_the_map_stays_in_its_place_whatever_the_point_is(explorer: Explorer) ->
     assert strip["y"] + strip["height"] < 1.05 * page.evaluate("innerHeight")
 
 
+@pytest.mark.slow
 def test_a_worked_example_is_chosen_by_keys_and_undone_by_back(explorer: Explorer) -> None:
     page = explorer.open({"A": 1.5})
     page.locator("#menu summary[title='Worked examples']").focus()
@@ -151,6 +158,7 @@ def test_a_worked_example_is_chosen_by_keys_and_undone_by_back(explorer: Explore
     assert link(page) == {"v": "1", "A": "1.5"}
 
 
+@pytest.mark.slow
 def test_a_tab_says_what_to_drag_and_has_the_controls_that_count(explorer: Explorer) -> None:
     page = explorer.open()
     leads = set()
@@ -164,6 +172,7 @@ def test_a_tab_says_what_to_drag_and_has_the_controls_that_count(explorer: Explo
     assert all("Drag" in lead for lead in leads)
 
 
+@pytest.mark.slow
 def test_uplift_is_that_of_the_equations(explorer: Explorer) -> None:
     """The linear equations lift at alpha g, the full ones at g tan alpha, which is width/height."""
     page = explorer.open({"b": 1.0, "h": 2.0})

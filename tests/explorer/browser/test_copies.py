@@ -39,6 +39,7 @@ def opened(explorer: Explorer) -> Page:
     return page
 
 
+@pytest.mark.slow
 def test_copy_as_python_gives_a_script_that_prints_what_is_shown(
     explorer: Explorer, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -55,6 +56,7 @@ def test_copy_as_python_gives_a_script_that_prints_what_is_shown(
             assert float(printed[words]) == float(shown[name])
 
 
+@pytest.mark.slow
 def test_copy_as_command_gives_a_command_that_finds_what_is_shown(
     explorer: Explorer, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -68,6 +70,7 @@ def test_copy_as_command_gives_a_command_that_finds_what_is_shown(
     assert values(page, READOUT)["kind"] in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_the_copied_link_opens_the_same_view(explorer: Explorer) -> None:
     page = opened(explorer)
     address = copied(page, "Copy link")
@@ -80,6 +83,7 @@ def test_the_copied_link_opens_the_same_view(explorer: Explorer) -> None:
     assert set(address.partition("#")[2].split("&")) == set(fragment(STATE)[1:].split("&"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("panel", ["map", "film", "history", "strip"])
 def test_each_panel_is_saved_as_a_picture_and_a_table(
     panel: str, explorer: Explorer, tmp_path: Path

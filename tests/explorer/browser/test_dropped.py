@@ -55,6 +55,7 @@ def text_of(selector: str) -> str:
     return f'document.querySelector("{selector}").textContent'
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "end"),
     [("shaking.csv", "\n"), ("shaking.csv", "\r\n"), ("two.txt", "\r"), (NASTY, "\n")],
@@ -89,6 +90,7 @@ def test_a_good_file_is_shaken_with_as_python_does(
     assert page.locator(".failed").count() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "content"),
     [
@@ -118,12 +120,14 @@ def test_a_bad_file_is_refused_in_a_line_and_changes_nothing(
     assert values(page) == before
 
 
+@pytest.mark.slow
 def test_a_file_of_100_mb_is_refused_without_being_read(explorer: Explorer) -> None:
     page = explorer.open({"tab": "quake"})
     drop(page, "large.csv", b"", 100)
     assert "100 MB" in told(page)
 
 
+@pytest.mark.slow
 def test_a_file_dropped_on_another_tab_leads_to_its_own(explorer: Explorer) -> None:
     page = explorer.open()
     drop(page, "shaking.csv", record())

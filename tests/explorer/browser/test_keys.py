@@ -18,6 +18,7 @@ def press(page: Page, *keys: str) -> None:
     drawn(page)
 
 
+@pytest.mark.slow
 def test_keys_of_the_page_change_the_view(explorer: Explorer) -> None:
     page = explorer.open()
     for key, tab in zip("2345", ("basins", "pulse", "quake", "design"), strict=True):
@@ -29,6 +30,7 @@ def test_keys_of_the_page_change_the_view(explorer: Explorer) -> None:
     assert link(page) == {"v": "1"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("keys", ["2", "b", "L", "?", "e", "[", "+"])
 def test_keys_are_not_taken_from_numbers_and_lists(keys: str, explorer: Explorer) -> None:
     page = explorer.open()
@@ -41,6 +43,7 @@ def test_keys_are_not_taken_from_numbers_and_lists(keys: str, explorer: Explorer
         assert page.locator("dialog, details.menu[open]").count() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("keys", ["Control+b", "Alt+2", "Meta+l"])
 def test_keys_of_the_browser_are_left_to_it(keys: str, explorer: Explorer) -> None:
     page = explorer.open()
@@ -49,6 +52,7 @@ def test_keys_of_the_browser_are_left_to_it(keys: str, explorer: Explorer) -> No
     assert page.url == before
 
 
+@pytest.mark.slow
 def test_help_takes_the_focus_and_gives_it_back(explorer: Explorer) -> None:
     page = explorer.open()
     page.locator("#in-W").focus()
@@ -67,6 +71,7 @@ def test_help_takes_the_focus_and_gives_it_back(explorer: Explorer) -> None:
     assert page.evaluate(FOCUSED) == "help-button"
 
 
+@pytest.mark.slow
 def test_keys_can_be_switched_off_and_on_again(explorer: Explorer) -> None:
     page = explorer.open()
     for on in (False, True):
@@ -77,6 +82,7 @@ def test_keys_can_be_switched_off_and_on_again(explorer: Explorer) -> None:
         assert ("tab" in link(page)) == on
 
 
+@pytest.mark.slow
 def test_a_menu_opens_by_a_key_and_closes_without_losing_the_focus(explorer: Explorer) -> None:
     page = explorer.open()
     press(page, "e")
@@ -91,6 +97,7 @@ def test_a_menu_opens_by_a_key_and_closes_without_losing_the_focus(explorer: Exp
     assert page.locator("details.menu[open]").count() == 0
 
 
+@pytest.mark.slow
 def test_a_text_that_may_not_be_copied_is_shown_and_selected(explorer: Explorer) -> None:
     page = explorer.open({"A": 1.5})
     page.evaluate(REFUSED)
@@ -105,6 +112,7 @@ def test_a_text_that_may_not_be_copied_is_shown_and_selected(explorer: Explorer)
     assert page.locator("dialog").count() == 0
 
 
+@pytest.mark.slow
 def test_tables_name_their_rows_and_show_two_hundred_at_most(explorer: Explorer) -> None:
     page = explorer.open()
     shown = 0

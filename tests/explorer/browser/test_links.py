@@ -26,6 +26,7 @@ HOSTILE = [
 ]
 
 
+@pytest.mark.slow
 def test_a_state_comes_back_from_its_link_bit_for_bit(explorer: Explorer) -> None:
     page, chance = explorer.open(), random.Random(25)
     for _ in range(12):
@@ -48,6 +49,7 @@ def test_a_state_comes_back_from_its_link_bit_for_bit(explorer: Explorer) -> Non
         assert page.locator("#in-model").input_value() == state["model"]
 
 
+@pytest.mark.slow
 def test_keys_at_their_defaults_stay_out_of_the_link(explorer: Explorer) -> None:
     page = explorer.open()
     default = page.locator("#in-A").input_value()
@@ -59,6 +61,7 @@ def test_keys_at_their_defaults_stay_out_of_the_link(explorer: Explorer) -> None
     assert link(page) == {"v": "1"}
 
 
+@pytest.mark.slow
 def test_unknown_keys_are_ignored_with_a_notice(explorer: Explorer) -> None:
     page = explorer.open("#v=1&A=1.5&sparkle=7")
     assert page.locator("#in-A").input_value() == "1.5"
@@ -67,6 +70,7 @@ def test_unknown_keys_are_ignored_with_a_notice(explorer: Explorer) -> None:
     assert page.locator("#notice").is_hidden()
 
 
+@pytest.mark.slow
 def test_a_hostile_link_does_nothing_but_a_notice(explorer: Explorer) -> None:
     page = explorer.open()
     tags = "() => document.querySelectorAll('script, img, iframe, object, embed').length"
@@ -83,6 +87,7 @@ def test_a_hostile_link_does_nothing_but_a_notice(explorer: Explorer) -> None:
             assert all(math.isfinite(float(shown[name])) for name in FIELDS), fragment
 
 
+@pytest.mark.slow
 def test_back_undoes_what_was_set_and_forward_does_it_again(explorer: Explorer) -> None:
     page = explorer.open()
     first = page.locator("#in-A").input_value()
@@ -97,6 +102,7 @@ def test_back_undoes_what_was_set_and_forward_does_it_again(explorer: Explorer) 
     assert shown == ["1.5", first, "1.5"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "refused"),
     [("A", "-1"), ("W", "0"), ("r", "1.5"), ("b", "0"), ("h", "1e9"), ("A", "")],
@@ -116,6 +122,7 @@ def test_a_number_that_is_refused_is_marked_and_changes_nothing(
     assert after == before
 
 
+@pytest.mark.slow
 def test_in_engineering_units_a_new_size_keeps_the_shaking(explorer: Explorer) -> None:
     page = explorer.open({"units": "si", "A": 2.0, "W": 3.0, "h": 2.0})
     before = values(page, "#controls")

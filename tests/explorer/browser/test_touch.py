@@ -71,6 +71,7 @@ def window_of(page: Page) -> dict[str, float]:
     return {name: float(found.get(name, default)) for name, default in WINDOW.items()}
 
 
+@pytest.mark.slow
 def test_a_click_on_the_map_sets_the_point_and_all_that_follows(explorer: Explorer) -> None:
     page = explorer.open()
     before = values(page)
@@ -86,6 +87,7 @@ def test_a_click_on_the_map_sets_the_point_and_all_that_follows(explorer: Explor
     assert after["highest"] != before["highest"]
 
 
+@pytest.mark.slow
 def test_200_events_of_a_drag_leave_the_point_where_it_is_dropped(explorer: Explorer) -> None:
     page = explorer.open()
     path = [at(page, 2.0, 1.0), at(page, 6.5, 4.5)]
@@ -106,6 +108,7 @@ def test_200_events_of_a_drag_leave_the_point_where_it_is_dropped(explorer: Expl
     assert values(other, "[data-panel='readout']") == values(page, "[data-panel='readout']")
 
 
+@pytest.mark.slow
 def test_the_wheel_zooms_about_the_pointer_and_back_undoes_it(explorer: Explorer) -> None:
     page = explorer.open()
     page.mouse.move(*pixel(page, *at(page, 3.0, 2.0)))
@@ -120,6 +123,7 @@ def test_the_wheel_zooms_about_the_pointer_and_back_undoes_it(explorer: Explorer
     assert window_of(page) == WINDOW
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", ["Shift", ""])
 def test_a_box_or_a_key_zooms_and_0_shows_the_whole(key: str, explorer: Explorer) -> None:
     page = explorer.open()
@@ -144,6 +148,7 @@ def test_a_box_or_a_key_zooms_and_0_shows_the_whole(key: str, explorer: Explorer
     assert window_of(page) == WINDOW
 
 
+@pytest.mark.slow
 def test_a_double_click_shows_the_whole_again(explorer: Explorer) -> None:
     page = explorer.open({"w0": 2, "w1": 4, "a0": 1, "a1": 3})
     before = values(page, "#controls")
@@ -155,6 +160,7 @@ def test_a_double_click_shows_the_whole_again(explorer: Explorer) -> None:
     assert values(page, "#controls") == before
 
 
+@pytest.mark.slow
 def test_the_keyboard_alone_reaches_and_moves_everything(explorer: Explorer) -> None:
     page = explorer.open()
     before = values(page, "#controls")
@@ -187,6 +193,7 @@ def test_the_keyboard_alone_reaches_and_moves_everything(explorer: Explorer) -> 
         assert link(page).get("tab", "explore") == tab
 
 
+@pytest.mark.slow
 def test_the_film_is_played_stepped_and_scrubbed_by_keys(explorer: Explorer) -> None:
     page = explorer.open()
     film = page.locator(FILM)
@@ -211,6 +218,7 @@ def test_the_film_is_played_stepped_and_scrubbed_by_keys(explorer: Explorer) -> 
     assert page.evaluate(picture) == first
 
 
+@pytest.mark.slow
 def test_the_block_lies_where_it_overturns(explorer: Explorer) -> None:
     page = explorer.open({"A": 6, "W": 2})
     assert "overturn" in values(page)
@@ -233,6 +241,7 @@ def test_the_block_lies_where_it_overturns(explorer: Explorer) -> None:
     assert lying[1] == 0
 
 
+@pytest.mark.slow
 def test_two_fingers_zoom_the_map(explorer: Explorer) -> None:
     page = explorer.open(size=(400, 800), has_touch=True)
     canvas = page.locator(MAP)

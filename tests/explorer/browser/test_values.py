@@ -122,6 +122,7 @@ def test_the_readout_is_what_python_computes_at_200_states(explorer: Explorer) -
     assert {"rest", "no start"} <= compare(explorer, 200)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("state", "peaks"),
     [

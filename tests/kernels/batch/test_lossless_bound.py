@@ -24,6 +24,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from tests.every import every
 from tests.kernels.tables import Piece, table
 from tests.strategies import sample_size
 
@@ -61,9 +62,10 @@ def case(name: str, model: Model, amplitude: float, ratio: float) -> tuple[Float
     return segments, sides
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("name", sample_size([*PULSES], ["one-sine", "step down"]))
-@pytest.mark.parametrize("ratio", [0.4, 1.0, 5.0])
+@pytest.mark.slow
+@every("model", [Linear(), Nonlinear()])
+@every("name", sample_size([*PULSES], ["one-sine", "step down"]))
+@every("ratio", [0.4, 1.0, 5.0])
 def test_a_march_that_goes_on_stays_below_the_bound(name: str, model: Model, ratio: float) -> None:
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     proved = 0

@@ -23,6 +23,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Nonlinear
+from tests.every import every
 from tests.kernels.tables import Piece, both_sides, table
 from tests.strategies import sample_size
 
@@ -78,8 +79,8 @@ def drawn(seed: int, count: int) -> tuple[Floats, Floats]:
     return 1.0 + rng.exponential(1.5, count), rng.uniform(0.5, 7.0, count)
 
 
-@pytest.mark.parametrize("name", PULSES)
-@pytest.mark.parametrize(("lean", "rate"), [(1.0, 1.0), (1.3, 0.7), (3.0, 2.0)])
+@every("name", PULSES)
+@every(("lean", "rate"), [(1.0, 1.0), (1.3, 0.7), (3.0, 2.0)])
 def test_it_is_the_fate_of_a_march_that_goes_on(name: str, lean: float, rate: float) -> None:
     sides = both_sides(0.9) if lean == 1.0 else leaning(0.95, lean, rate)
     whole = table(*PULSES[name], Piece())
@@ -104,8 +105,9 @@ def test_it_is_the_fate_of_a_march_that_goes_on(name: str, lean: float, rate: fl
     assert len(amplitude) < 100 or seen == {AT_REST, OVERTURNED}
 
 
-@pytest.mark.parametrize("name", sample_size([*PULSES], ["one-sine"]))
-@pytest.mark.parametrize("negative", [0.3, 0.5])
+@pytest.mark.slow
+@every("name", sample_size([*PULSES], ["one-sine"]))
+@every("negative", [0.3, 0.5])
 def test_it_is_the_fate_of_a_nonlinear_march_that_goes_on(name: str, negative: float) -> None:
     block = Block.from_alphas(positive=0.3, negative=negative, p=2.0, restitution=0.9)
     sides = sides_of(block, Nonlinear())
@@ -129,8 +131,8 @@ def test_it_is_the_fate_of_a_nonlinear_march_that_goes_on(name: str, negative: f
             assert impacts[i] == end.impacts or end.impacts > 40
 
 
-@pytest.mark.parametrize("down", [1.0, 1.5, 2.0])
-@pytest.mark.parametrize(
+@every("down", [1.0, 1.5, 2.0])
+@every(
     "block",
     [
         Block.from_p(alpha=0.6, p=2.0, restitution=0.9),
@@ -138,7 +140,6 @@ def test_it_is_the_fate_of_a_nonlinear_march_that_goes_on(name: str, negative: f
         Block.asymmetric(left=0.5, right=0.7, height=1.6, restitution=0.9),
         Block.asymmetric(left=0.7, right=0.5, height=1.6, restitution=0.9),
     ],
-    ids=["symmetric", "narrow", "wide"],
 )
 def test_at_every_border_of_a_stocky_block_the_margin_goes_through_zero(
     block: Block, down: float

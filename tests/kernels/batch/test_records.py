@@ -30,6 +30,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
+from tests.every import every
 from tests.kernels.scattering import scattered
 from tests.kernels.tables import sampled
 from tests.records import synthetic
@@ -92,8 +93,8 @@ def plain(restitution: Floats, uplift: Floats, p: Floats) -> Floats:
     return np.repeat(np.column_stack([restitution, uplift, p])[:, np.newaxis], 2, axis=1)
 
 
-@pytest.mark.parametrize("alike", [True, False])
-@pytest.mark.parametrize("nonlinear", [False, True])
+@every("alike", [True, False])
+@every("nonlinear", [False, True])
 def test_each_block_fares_as_in_a_march_in_its_own_units(nonlinear: bool, alike: bool) -> None:
     count = sample_size(30 if nonlinear else 60, 3)
     values, sides = record(300, 6.0), blocks(count, nonlinear=nonlinear, alike=alike)
@@ -144,8 +145,8 @@ def test_to_halve_the_lean_is_to_double_the_motion(nonlinear: bool) -> None:
         np.testing.assert_array_equal(column, again)
 
 
-@pytest.mark.parametrize("deviation", [None, 0.1])
-@pytest.mark.parametrize("nonlinear", [False, True])
+@every("deviation", [None, 0.1])
+@every("nonlinear", [False, True])
 def test_a_reversed_motion_moves_the_mirrored_block_the_same(
     nonlinear: bool, deviation: float | None
 ) -> None:
@@ -180,8 +181,8 @@ def test_a_base_that_falls_away_ends_a_march_in_lost_contact() -> None:
     assert set(status.tolist()) == {LOST_CONTACT}
 
 
-@pytest.mark.parametrize("deviation", [None, 0.1])
-@pytest.mark.parametrize("nonlinear", [False, True])
+@every("deviation", [None, 0.1])
+@every("nonlinear", [False, True])
 def test_a_cell_does_not_depend_on_its_neighbours(nonlinear: bool, deviation: float | None) -> None:
     segments = table(record(150, 6.0), STEP, nonlinear=nonlinear)
     sides = blocks(8, nonlinear=nonlinear, deviation=deviation)
@@ -243,8 +244,8 @@ def test_the_peaks_of_a_fall_are_those_when_it_passes_the_slenderness() -> None:
     assert peaks[0].tolist() == [1.0, pytest.approx(2.0 * math.sqrt(1.25), rel=1e-12)]
 
 
-@pytest.mark.parametrize("deviation", [None, 0.1])
-@pytest.mark.parametrize("nonlinear", [False, True])
+@every("deviation", [None, 0.1])
+@every("nonlinear", [False, True])
 def test_the_peaks_of_a_fall_are_those_of_all_its_flights_up_to_the_last_passage(
     nonlinear: bool, deviation: float | None
 ) -> None:

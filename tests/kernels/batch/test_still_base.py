@@ -27,6 +27,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Linear, Nonlinear
+from tests.every import every
 from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]
@@ -49,8 +50,8 @@ def still(model: str) -> Floats:
     return table
 
 
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("name", BLOCKS)
+@every("model", MODELS)
+@every("name", BLOCKS)
 def test_it_is_what_a_march_finds(name: str, model: str) -> None:
     sides = sides_of(BLOCKS[name], model)  # type: ignore[arg-type]
     rng = np.random.default_rng(11)
@@ -102,6 +103,7 @@ def test_a_slender_block_has_the_linear_fate() -> None:
         assert one[1:] == other[1:]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_the_margin_is_continuous_over_the_state(model: str) -> None:
     sides = sides_of(BLOCKS["leaning"], model)  # type: ignore[arg-type]

@@ -3,7 +3,6 @@
 import math
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.records import FEW, record_fates
@@ -26,6 +25,7 @@ from rocksteady.kernels.core.tables import (
     SEGMENT_COLUMNS,
     SIDE_COLUMNS,
 )
+from tests.every import every
 from tests.kernels.tables import sampled
 from tests.records import synthetic
 from tests.strategies import sample_size
@@ -75,7 +75,7 @@ def uplifts(sides: Floats) -> float:
     return float((sides[:, LEAN] * np.tan(sides[:, ALPHA]) / sides[:, ALPHA]).min())
 
 
-@pytest.mark.parametrize(("nonlinear", "lift"), [(False, 0.0), (True, 0.0), (True, 0.6)])
+@every(("nonlinear", "lift"), [(False, 0.0), (True, 0.0), (True, 0.6)])
 def test_a_block_waits_for_the_first_sample_beyond_its_uplift(nonlinear: bool, lift: float) -> None:
     segments = shaken(nonlinear=nonlinear, lift=lift)
     hardest = np.empty(len(segments) - 1)
@@ -92,10 +92,8 @@ def test_a_block_waits_for_the_first_sample_beyond_its_uplift(nonlinear: bool, l
     assert len(segments) - 1 in waits  # some never lift
 
 
-@pytest.mark.parametrize(
-    ("nonlinear", "lift"), [(False, 0.0), (True, 0.0), (True, 0.6), (True, 3.0)]
-)
-@pytest.mark.parametrize("change", ["none", "jump", "sinusoid", "unlike"])
+@every(("nonlinear", "lift"), [(False, 0.0), (True, 0.0), (True, 0.6), (True, 3.0)])
+@every("change", ["none", "jump", "sinusoid", "unlike"])
 def test_cells_that_share_a_table_fare_as_those_that_wait_step_by_step(
     nonlinear: bool, lift: float, change: str
 ) -> None:

@@ -34,6 +34,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
+from tests.every import every
 from tests.kernels.scattering import draws, scattered
 from tests.kernels.tables import NONE, Piece, both_sides, harmonic, run, sampled, table
 from tests.kernels.walls import against_wall, in_model
@@ -173,8 +174,8 @@ def test_under_a_record_peaks_are_those_of_the_rows_and_of_the_mirror_image(alph
     assert {OVERTURNED, AT_REST} <= set(reached[0][0].tolist()) or count < 24
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize(("mean", "deviation"), [(0.5, 0.05), (0.9, 0.2), (0.0, 0.1)])
+@every("alpha", [0.0, 0.3])
+@every(("mean", "deviation"), [(0.5, 0.05), (0.9, 0.2), (0.0, 0.1)])
 def test_restitution_that_scatters_is_drawn_for_each_impact_on_the_wall(
     mean: float, deviation: float, alpha: float
 ) -> None:
@@ -204,8 +205,8 @@ def test_restitution_that_scatters_is_drawn_for_each_impact_on_the_wall(
 # --------------------------------------------------------------------------------------- pulses
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.4])
-@pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 1.0])
+@every("alpha", [0.0, 0.4])
+@every("e", [0.0, 0.5, 0.9, 1.0])
 def test_on_a_still_base_the_fate_is_that_of_a_march(e: float, alpha: float) -> None:
     rng = np.random.default_rng(5)
     segments, sides = in_model(table(Piece()), against_wall(e, 0.9, 1.3), alpha)
@@ -234,9 +235,9 @@ def test_on_a_still_base_the_fate_is_that_of_a_march(e: float, alpha: float) -> 
         assert fate_on_still_base(sides, 1, 0.5, falling).margin == pytest.approx(0.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize("e", [0.0, 0.6, 1.0])
-@pytest.mark.parametrize("free", [1, -1])
+@every("alpha", [0.0, 0.3])
+@every("e", [0.0, 0.6, 1.0])
+@every("free", [1, -1])
 def test_fates_of_pulses_are_those_of_marches_that_go_on(e: float, alpha: float, free: int) -> None:
     rng = np.random.default_rng(6)
     count = sample_size(200, 8)
@@ -276,8 +277,8 @@ def test_fates_of_pulses_are_those_of_marches_that_go_on(e: float, alpha: float,
     assert {AT_REST, OVERTURNED} == set(status.tolist()) or count < 20
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize("free", [1, -1])
+@every("alpha", [0.0, 0.3])
+@every("free", [1, -1])
 def test_without_loss_a_march_that_goes_on_stays_below_the_bound(alpha: float, free: int) -> None:
     proved = 0
     for part in np.geomspace(1e-3, 0.3, sample_size(6, 3)).tolist():

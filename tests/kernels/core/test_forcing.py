@@ -21,6 +21,7 @@ from rocksteady.kernels.core.forcing import (
     steepest_forcing,
 )
 from rocksteady.kernels.linear.flight import wrapped
+from tests.every import every
 from tests.oracles import mp
 from tests.strategies import amplitudes, logarithmic, phases, sample_size
 
@@ -83,7 +84,7 @@ def test_the_rising_node_is_exact(share: float, amplitude: float) -> None:
     assert abs(forcing.node_cosine - mp.cos(truth)) <= 4e-16 * mp.cos(truth)
 
 
-@pytest.mark.parametrize("excess", [1e-15, 1e-12, 1e-9, 1e-6])
+@every("excess", [1e-15, 1e-12, 1e-9, 1e-6])
 def test_the_cosine_at_a_crest_that_barely_clears_the_threshold_keeps_its_digits(
     excess: float,
 ) -> None:

@@ -17,6 +17,7 @@ from rocksteady.kernels.core.harmonics import (
     next_lift,
     shape_at,
 )
+from tests.every import every
 
 WAVES = st.dictionaries(
     st.integers(1, 9),
@@ -75,7 +76,7 @@ def test_uplifts_are_the_rising_roots(
     assert (np.diff(found) > 0.0).all()
 
 
-@pytest.mark.parametrize("order", [1, 2, 7, 64])
+@every("order", [1, 2, 7, 64])
 def test_a_crest_at_the_level_lifts_nothing_and_one_above_it_does(order: int) -> None:
     shares = np.zeros(2 * order)
     shares[2 * order - 2] = 1.0

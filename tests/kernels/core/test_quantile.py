@@ -1,10 +1,10 @@
 """The normal quantile: in agreement with many digits, symmetric, and rising."""
 
 import numpy as np
-import pytest
 from mpmath import mp
 
 from rocksteady.kernels.core._quantile import normal_quantile
+from tests.every import every
 from tests.strategies import inner_sample_size
 
 
@@ -20,7 +20,7 @@ def test_it_is_the_quantile_to_rounding() -> None:
             assert abs(missing) <= 1e-15 * max(abs(found), 1e-2)
 
 
-@pytest.mark.parametrize("share", [0.075, 0.925, 0.5 - 0.425, 2.0**-36, 2.0**-37])
+@every("share", [0.075, 0.925, 0.5 - 0.425, 2.0**-36, 2.0**-37])
 def test_its_parts_meet(share: float) -> None:
     near = [normal_quantile(float(value)) for value in share * (1.0 + 1e-13 * np.arange(-50, 51))]
     assert (np.diff(near) >= -1e-15 * abs(near[0])).all()

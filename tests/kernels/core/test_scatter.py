@@ -13,6 +13,7 @@ from rocksteady.kernels.core.scatter import (
     threefry,
     uniform,
 )
+from tests.every import every
 from tests.kernels.scattering import draws, enciphered, scattered
 from tests.kernels.tables import both_sides
 from tests.strategies import inner_sample_size
@@ -21,7 +22,7 @@ ONES = 2**32 - 1
 LAWS = ((0.9, 0.05), (0.9, 0.1), (0.98, 0.08), (0.7, 0.2), (0.05, 0.1), (0.5, 1.0))
 
 
-@pytest.mark.parametrize(
+@every(
     ("key", "count", "words"),
     [
         ((0, 0), (0, 0), (0x6B200159, 0x99BA4EFE)),
@@ -49,7 +50,7 @@ def test_the_cipher_is_that_of_words_that_overflow() -> None:
         assert uniform(key, int(impacts[i]), int(attempts[i])) == middle
 
 
-@pytest.mark.parametrize(("mean", "deviation"), LAWS)
+@every(("mean", "deviation"), LAWS)
 def test_an_impact_has_the_first_draw_inside_the_bounds(mean: float, deviation: float) -> None:
     count = inner_sample_size(5_000, 100)
     rng = np.random.default_rng(2)
@@ -62,7 +63,7 @@ def test_an_impact_has_the_first_draw_inside_the_bounds(mean: float, deviation: 
     np.testing.assert_allclose(found, draws(mean, deviation, keys, impacts), rtol=1e-13, atol=1e-15)
 
 
-@pytest.mark.parametrize(("mean", "deviation"), LAWS)
+@every(("mean", "deviation"), LAWS)
 def test_draws_are_those_of_the_normal_distribution_cut_off(mean: float, deviation: float) -> None:
     ends = (-mean / deviation, 0.5 * (1.0 - mean) / deviation)
     law = truncnorm(*ends, loc=mean, scale=deviation)

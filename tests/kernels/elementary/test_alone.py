@@ -4,9 +4,8 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-
 import rocksteady.kernels
+from tests.every import every
 
 KERNELS = Path(rocksteady.kernels.__file__).parent
 FORMS = KERNELS / "devices.py"
@@ -68,6 +67,6 @@ def test_what_is_left_out_holds_no_kernel() -> None:
     assert "machine_code.compilation" not in FORMS.read_text()
 
 
-@pytest.mark.parametrize("path", SOURCES, ids=lambda path: str(path.relative_to(KERNELS)))
+@every("path", SOURCES)
 def test_a_kernel_names_only_what_is_exact(path: Path) -> None:
     assert list(inexact(ast.parse(path.read_text()))) == []

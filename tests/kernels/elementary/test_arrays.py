@@ -16,6 +16,7 @@ from rocksteady.kernels.elementary import (
     logarithm,
     loops,
 )
+from tests.every import every
 from tests.kernels.elementary.oracle import BOUNDS, SPECIAL, any_float, bits, plain, spread
 
 MODULES = (exponential, logarithm, circular, inverse, hyperbolic, lengths)
@@ -45,7 +46,7 @@ def drawn() -> Any:
     return np.concatenate([*wide, np.array(SPECIAL)])
 
 
-@pytest.mark.parametrize("name", ONE)
+@every("name", ONE)
 def test_plain_python_gives_the_bits_of_machine_code(name: str) -> None:
     x = drawn()
     function = plain(kernel_of(name))
@@ -61,7 +62,7 @@ def test_plain_python_gives_the_bits_of_machine_code_of_two(name: str) -> None:
     assert bits(getattr(arrays, name)(x, y)) == bits(found)
 
 
-@pytest.mark.parametrize("name", ONE)
+@every("name", ONE)
 def test_a_number_gives_a_number_and_an_array_an_array(name: str) -> None:
     function = getattr(arrays, name)
     for one in (0.75, np.float64(0.75), np.float32(0.75)):

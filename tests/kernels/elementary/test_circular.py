@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.kernels.elementary import arrays
 from rocksteady.kernels.elementary.circular import NEAR, sincos, sincos_near, sincos_short
+from tests.every import every
 from tests.kernels.elementary.oracle import (
     ANGLES,
     any_float,
@@ -49,7 +50,7 @@ def test_the_short_form_is_within_its_bound() -> None:
         assert abs(cosine - arrays.cos(x)) <= 2.3e-16
 
 
-@pytest.mark.parametrize("quarters", [0.5, 1.5, 2.5, 100.5, 100_000.5])
+@every("quarters", [0.5, 1.5, 2.5, 100.5, 100_000.5])
 def test_sine_and_cosine_are_monotone_where_their_polynomials_meet(quarters: float) -> None:
     x = around(quarters * 0.5 * math.pi)
     sine, cosine = np.diff(arrays.sin(x)), np.diff(arrays.cos(x))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.elementary import arrays
+from tests.every import every
 from tests.kernels.elementary.oracle import (
     ANGLES,
     BOUNDS,
@@ -70,7 +71,7 @@ def test_every_function_with_a_stated_error_is_tested() -> None:
     assert set(DRAWS) == set(BOUNDS)
 
 
-@pytest.mark.parametrize("name", DRAWS)
+@every("name", DRAWS)
 def test_errors(name: str) -> None:
     check(name, DRAWS[name], COUNT)
 
@@ -81,12 +82,12 @@ def test_errors_on_many(name: str) -> None:
     check(name, DRAWS[name], MANY)
 
 
-@pytest.mark.parametrize("name", ["sin", "cos", "tan"])
+@every("name", ["sin", "cos", "tan"])
 def test_errors_at_any_angle_at_all(name: str) -> None:
     check(name, [any_float], 4000)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "draw", "bound"),
     [
         ("exp", uniform(-744.0, -708.4), 1.0),
@@ -98,8 +99,8 @@ def test_errors_at_subnormal_numbers(name: str, draw: Any, bound: float | None) 
     check(name, [draw], COUNT // 10, bound=bound)
 
 
-@pytest.mark.parametrize("x", SPECIAL)
-@pytest.mark.parametrize("name", sorted(set(DRAWS) - OF_TWO))
+@every("x", SPECIAL)
+@every("name", sorted(set(DRAWS) - OF_TWO))
 def test_special_values(name: str, x: float) -> None:
     assert same_as_math(name, x)
 

@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-import pytest
 
 from rocksteady.kernels.elementary import arrays
+from tests.every import every
 from tests.kernels.elementary.oracle import (
     SPECIAL,
     any_float,
@@ -23,7 +23,7 @@ def test_whole_triangles_and_mirrored_ones() -> None:
     assert bits(arrays.hypot(x, y)) == bits(arrays.hypot(-y, x))
 
 
-@pytest.mark.parametrize("x", SPECIAL)
+@every("x", SPECIAL)
 def test_the_next_number_above(x: float) -> None:
     assert bits(arrays.next_up(x)) == bits(math.nextafter(x, math.inf))
 

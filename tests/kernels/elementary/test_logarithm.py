@@ -7,17 +7,18 @@ import pytest
 
 from rocksteady.kernels.elementary import arrays
 from rocksteady.kernels.elementary.logarithm import LOG2_DOUBT, low_log2
+from tests.every import every
 from tests.kernels.elementary.oracle import (
     around,
 )
 
 
-@pytest.mark.parametrize("point", [math.sqrt(0.5), 1.0, math.sqrt(2.0), 2.0, 2.0**-1022, 2.0**40])
+@every("point", [math.sqrt(0.5), 1.0, math.sqrt(2.0), 2.0, 2.0**-1022, 2.0**40])
 def test_log_rises_where_its_parts_meet(point: float) -> None:
     assert (np.diff(arrays.log(around(point))) >= 0.0).all()
 
 
-@pytest.mark.parametrize("point", [2.0**-54, math.sqrt(2.0) - 1.0, 1.0, 2.0])
+@every("point", [2.0**-54, math.sqrt(2.0) - 1.0, 1.0, 2.0])
 def test_log1p_rises_where_its_parts_meet(point: float) -> None:
     assert (np.diff(arrays.log1p(around(point))) >= 0.0).all()
 

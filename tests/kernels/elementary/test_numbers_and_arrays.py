@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.elementary import arrays
+from tests.every import every
 
 OF_ONE = (
     *("exp", "expm1", "log", "log1p", "sin", "cos", "tan", "asin", "acos", "atan"),
@@ -17,7 +18,7 @@ NUMBERS = np.concatenate([np.random.default_rng(3).uniform(-1.0, 1.0, 200), [0.0
 OTHERS = NUMBERS[::-1] * 30.0
 
 
-@pytest.mark.parametrize("name", OF_ONE)
+@every("name", OF_ONE)
 def test_a_function_of_one_number(name: str) -> None:
     function = getattr(arrays, name)
     for given in (NUMBERS, *([] if name in {"asin", "acos"} else [OTHERS])):

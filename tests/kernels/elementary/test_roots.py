@@ -8,9 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.kernels.elementary.roots import root
+from tests.every import every
 
 
-@pytest.mark.parametrize(
+@every(
     ("equation", "low", "high", "expected"),
     [
         (lambda x: x * x - 2.0, 1.0, 2.0, math.sqrt(2.0)),

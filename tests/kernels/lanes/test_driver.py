@@ -185,6 +185,7 @@ def converged(columns: Floats, end: Floats) -> tuple[mpmath.mpf, mpmath.mpf] | N
     return None
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="200 cycles of many cells need compiled code")
 @pytest.mark.parametrize("leaping", [False, True])
 def test_steady_motions_after_200_cycles_against_50_digits(leaping: bool) -> None:

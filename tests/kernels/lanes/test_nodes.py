@@ -24,6 +24,7 @@ from rocksteady.kernels.lanes._fields import (
 from rocksteady.kernels.lanes._launching import launch
 from rocksteady.kernels.lanes._loading import load, put_lane
 from rocksteady.kernels.lanes._nodes import node_state, passes_over
+from tests.every import every
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
 
@@ -40,7 +41,7 @@ def lanes_in_flight(rng: np.random.Generator) -> np.ndarray:
     return lanes
 
 
-@pytest.mark.parametrize("seed", range(sample_size(20, 2)))
+@every("seed", range(sample_size(20, 2)))
 def test_states_at_nodes_are_off_by_less_than_the_doubt(seed: int) -> None:
     lanes = lanes_in_flight(np.random.default_rng(seed))
     node_state(lanes)

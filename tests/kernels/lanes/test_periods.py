@@ -26,6 +26,7 @@ from rocksteady.kernels.lanes._fields import (
 from rocksteady.kernels.lanes._law import draw_near
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
+from tests.every import every
 from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.strategies import PLAIN
 
@@ -77,10 +78,9 @@ def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers
     return found
 
 
-@pytest.mark.parametrize(
+@every(
     "columns",
     [b1, b2, lambda: b3(2.0, 6.0, 0.8), lambda: b3(5.0, 12.0, 0.9), lambda: b3(3.0, 8.0, 0.95)],
-    ids=["B1", "B2", "B3 regular", "B3 chaotic", "B3 chaotic, little loss"],
 )
 def test_the_same_fate_in_every_cell_as_a_full_run(columns: Callable[[], Floats]) -> None:
     cells = columns()
@@ -106,7 +106,7 @@ def test_a_million_cycles_cost_as_much_as_a_thousand() -> None:
     assert impacts[0] == pytest.approx(2 * 10**12, abs=30)
 
 
-@pytest.mark.parametrize("aside", [0.0, 1e-5, 1e-3])
+@every("aside", [0.0, 1e-5, 1e-3])
 def test_an_unstable_orbit_is_no_end(aside: float) -> None:
     """A motion that starts on one, or beside it along its stable direction, must leave it."""
     checked = 0
@@ -147,11 +147,11 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
         assert found[0][0] == ending
 
 
-@pytest.mark.parametrize(
+@every(
     ("first", "second"),
     [(0.7, 0.6), (0.9, 0.1), (-0.8, 0.5), (0.55 + 0.6j, 0.55 - 0.6j), (0.95j, -0.95j)],
 )
-@pytest.mark.parametrize("times", [1, 7, 64, 3000])
+@every("times", [1, 7, 64, 3000])
 def test_returns_that_are_leapt_follow_the_linear_law(
     first: complex, second: complex, times: int
 ) -> None:

@@ -41,6 +41,7 @@ from rocksteady.kernels.orbits.settle import (
     settle,
 )
 from rocksteady.kernels.orbits.systems import make_system
+from tests.every import every
 from tests.kernels.tables import both_sides
 from tests.strategies import PLAIN, sample_size
 
@@ -218,7 +219,7 @@ def test_near_a_stable_orbit_a_motion_settles_to_its_closed_form() -> None:
         assert real[LYAPUNOV] == pytest.approx(2.0 * math.log(root) / order, rel=1e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "order", "branch"),
     [(1.0, 2.0, 1, 2), (2.0, 5.0, 3, 2), (2.0, 1.9, 1, 1)],
 )
@@ -275,7 +276,7 @@ def test_a_mirrored_start_settles_to_the_mirror_image() -> None:
     assert np.array_equal(one.real[on, ORBIT_SPEED], other.real[on, ORBIT_SPEED], equal_nan=True)
 
 
-@pytest.mark.parametrize("cycles", [1, 3, 16])
+@every("cycles", [1, 3, 16])
 def test_few_periods_are_as_many_as_one_by_one(cycles: int) -> None:
     cells = random_cells(5, sample_size(2000, 20))
     lanes, plain = by_lanes(cells, cycles), one_by_one(cells, cycles)

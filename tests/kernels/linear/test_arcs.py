@@ -18,6 +18,7 @@ from rocksteady.kernels.linear.arcs import (
 )
 from rocksteady.kernels.linear.flight import flight_state, make_flight, wrapped
 from rocksteady.kernels.linear.zeros import next_zero
+from tests.every import every
 from tests.oracles import mp
 from tests.strategies import sample_size
 
@@ -89,7 +90,8 @@ def test_speeds_and_derivatives_are_those_of_the_boundary_value_problem_in_50_di
         assert far_from(found, truth, frequency, amplitude) <= 1e-13 + 8.0 * blur
 
 
-@pytest.mark.parametrize("duration", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30, 0.0])
+@pytest.mark.slow
+@every("duration", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30, 0.0])
 def test_a_short_arc_keeps_its_digits(duration: float) -> None:
     # Speeds are half the duration times the pull on the block: relative to that.
     rng = np.random.default_rng(2)
@@ -119,7 +121,7 @@ def test_a_long_arc_is_two_ends_that_know_nothing_of_each_other() -> None:
         assert abs(found.start_by_last) <= 100.0 * math.exp(-duration)
 
 
-@pytest.mark.parametrize("frequency", [0.05, 1.0, 7.0, 1000.0])
+@every("frequency", [0.05, 1.0, 7.0, 1000.0])
 def test_nothing_happens_where_the_duration_changes_sign(frequency: float) -> None:
     # The formulae are smooth there: the two sides and the middle lie on one line.
     reach = 1e-6 / max(1.0, frequency)
@@ -204,7 +206,7 @@ def test_exponentials_take_their_values_at_both_ends() -> None:
         assert growing + decaying * math.exp(-duration) == pytest.approx(-0.7, abs=1e-15 * size)
 
 
-@pytest.mark.parametrize("x", [0.0, 1e-30, 1e-9, 9e-5, 1.1e-4, 1e-3, 0.3, 2.0, 30.0])
+@every("x", [0.0, 1e-30, 1e-9, 9e-5, 1.1e-4, 1e-3, 0.3, 2.0, 30.0])
 def test_ratios_without_a_hole_at_zero(x: float) -> None:
     exact = mp.mpf(x)
     for ratio, function in ((sine_ratio, mp.sin), (sinh_ratio, mp.sinh)):

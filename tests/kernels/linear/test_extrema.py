@@ -11,6 +11,7 @@ from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.linear.extrema import flight_peaks, highest_angle, inner_extrema, last_rise
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.zeros import next_zero
+from tests.every import every
 from tests.strategies import (
     ANGLE,
     PHASE,
@@ -75,6 +76,7 @@ def cases(seed: int, count: int) -> Floats:
     return flights
 
 
+@pytest.mark.slow
 def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
     counted, several = 0, 0
     for case in cases(1, inner_sample_size(1000, 150)):
@@ -114,7 +116,8 @@ def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
     assert several > inner_sample_size(40, 5)
 
 
-@pytest.mark.parametrize("level", [0.02, 0.3, 1.0, -0.4])
+@pytest.mark.slow
+@every("level", [0.02, 0.3, 1.0, -0.4])
 def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) -> None:
     counted = 0
     for case in cases(2, inner_sample_size(500, 100)):
@@ -178,6 +181,7 @@ def test_an_inflection_is_no_extremum() -> None:
     inner_extrema(flight, forcing, 2.0 * back)  # ends
 
 
+@pytest.mark.slow
 def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
     rng, short = np.random.default_rng(6), 0
     for case in cases(5, inner_sample_size(400, 80)):

@@ -20,6 +20,7 @@ from rocksteady.kernels.linear.flight import (
     velocity_flight,
     wrapped,
 )
+from tests.every import every
 from tests.oracles import ExactFlight, mp
 from tests.strategies import logarithmic, phases, sample_size
 
@@ -156,7 +157,7 @@ def test_the_equation_of_motion_holds(
     assert abs(found - pull) <= 16 * EPSILON * size
 
 
-@pytest.mark.parametrize("growing", [1e-3, 1e-9, 1e-15, 0.0])
+@every("growing", [1e-3, 1e-9, 1e-15, 0.0])
 def test_a_tiny_growing_part_decides_a_long_flight(growing: float) -> None:
     # On the balanced motion but for `growing`: y - balanced = growing e^t, to its own precision.
     forcing = make_forcing(-1.0, 0.0, 2.0, 3.0)

@@ -26,6 +26,7 @@ def landing(
     return phase + mp.mpf(frequency) * time, -mp.mpf(restitution) * flight.state(time)[1]
 
 
+@pytest.mark.slow
 def test_the_jacobian_agrees_with_differences_in_fifty_digits() -> None:
     rng = np.random.default_rng(1)
     checked, step = 0, mp.mpf(10) ** -30

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from scipy.signal import lfilter
 
 from rocksteady.kernels.linear.oscillator import fill_oscillator
+from tests.every import every
 
 
 def states(acceleration: NDArray[np.float64], *step: complex) -> NDArray[np.float64]:
@@ -14,7 +15,7 @@ def states(acceleration: NDArray[np.float64], *step: complex) -> NDArray[np.floa
     return out
 
 
-@pytest.mark.parametrize("growth", [0.9 + 0.4j, 1j, 0.2 + 0.0j])
+@every("growth", [0.9 + 0.4j, 1j, 0.2 + 0.0j])
 def test_they_are_those_of_a_filter(growth: complex) -> None:
     a = np.random.default_rng(2).standard_normal(500)
     early, late = 0.3 - 0.2j, -0.1 + 0.7j

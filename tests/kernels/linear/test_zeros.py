@@ -13,6 +13,7 @@ from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.zeros import Zero, next_zero
 from rocksteady.kernels.machine_code.compilation import compiled
+from tests.every import every
 from tests.oracles import ExactFlight, first_zero_in_double, mp
 from tests.strategies import (
     AMPLITUDE,
@@ -260,7 +261,7 @@ def test_where_a_search_ends_its_phase_is_that_of_the_time() -> None:
     assert np.all(found[shaken, END_PHASE] >= -0.5 * math.pi - 1e-12)
 
 
-@pytest.mark.parametrize("velocity", [1e-12, 1e-10, 1e-8, 1e-5, 1e-3])
+@every("velocity", [1e-12, 1e-10, 1e-8, 1e-5, 1e-3])
 def test_tiny_bounces_keep_their_relative_accuracy(velocity: float) -> None:
     rng = np.random.default_rng(23)
     for _ in range(sample_size(60, 10)):

@@ -166,6 +166,7 @@ def ran(package: Path, cache: Path, *edited: str) -> tuple[bool, int, bool]:
     return first == "True", int(count), last == "True"
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 def test_copies_of_the_package_share_machine_code_where_their_kernels_are_the_same(
     tmp_path: Path,
@@ -411,6 +412,7 @@ def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 @pytest.mark.parametrize("ending", ["nbi", "nbc"])
 @pytest.mark.parametrize(

@@ -1,8 +1,7 @@
 """Which level of instructions a processor is taken to have."""
 
-import pytest
-
 from rocksteady.kernels.machine_code._cpu import level_of, x86_64_level
+from tests.every import every
 
 V2 = "fpu sse sse2 ssse3 sse4_1 sse4_2 popcnt cx16 lahf_lm"
 V3 = f"{V2} avx avx2 bmi1 bmi2 f16c fma abm movbe"
@@ -15,7 +14,7 @@ def described(*flags: str) -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.parametrize(("flags", "level"), [(V2, 2), (V3, 3), (V4, 4)])
+@every(("flags", "level"), [(V2, 2), (V3, 3), (V4, 4)])
 def test_a_level_needs_all_of_its_flags(flags: str, level: int) -> None:
     assert level_of(described(flags)) == level
     for flag in set(flags.split()) - set(V2.split()):
@@ -26,7 +25,7 @@ def test_the_least_of_several_processors_counts() -> None:
     assert level_of(described(V4, V3, V4)) == 3
 
 
-@pytest.mark.parametrize("text", ["", "Features : fp asimd", "flags"])
+@every("text", ["", "Features : fp asimd", "flags"])
 def test_a_text_that_tells_nothing_is_the_lowest_level(text: str) -> None:
     assert level_of(text) == 2
 

@@ -13,6 +13,7 @@ import pytest
 from rocksteady.errors import InputError
 from rocksteady.kernels.machine_code import _cuda as module
 from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
+from tests.every import every
 from tests.kernels.machine_code.in_memory.driver import FUNCTIONS, CUresult, DriverInMemory
 
 INSTALLED = importlib.util.find_spec("cuda") is not None
@@ -78,7 +79,7 @@ LINES = {
 }
 
 
-@pytest.mark.parametrize("case", LINES)
+@every("case", LINES)
 def test_a_driver_without_a_gpu_is_refused_in_one_line(
     case: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.kernels.machine_code._folders import IN_USE, KEPT, prune
+from tests.every import every
 
 NAMES = [f"{number:016x}" for number in range(9)]
 CODE = ("march.march.march-102.py311.nbi", "march.march.march-102.py311.1.nbc")
@@ -71,9 +72,7 @@ def test_files_left_half_written_are_removed_with_their_version(tmp_path: Path) 
     assert len(left(tmp_path)) == 2
 
 
-@pytest.mark.parametrize(
-    "name", ["data", "0" * 15, "0" * 17, "0123456789ABCDEF", "0123456789abcdeg", "0" * 16 + "~"]
-)
+@every("name", ["data", "0" * 15, "0" * 17, "0123456789ABCDEF", "0123456789abcdeg", "0" * 16 + "~"])
 def test_a_folder_of_another_name_is_left_alone(name: str, tmp_path: Path) -> None:
     version(tmp_path, NAMES[1], 0.0)
     foreign = version(tmp_path, name, LONG_AGO)

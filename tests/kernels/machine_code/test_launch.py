@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core import queue as kernels_queue
 from rocksteady.kernels.machine_code._launch import ALIGNED, STEPS, Launch, longest_first, queue_of
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
+from tests.every import every
 
 DEVICE, ROOM = 10_000_000 * ALIGNED, 50_000_000 * ALIGNED
 CELLS = 3
@@ -132,7 +133,7 @@ def test_arrays_without_elements_have_an_address_and_take_no_memory() -> None:
     assert launch.room_size == 0
 
 
-@pytest.mark.parametrize(
+@every(
     ("place", "wrong"),
     [
         (4, np.zeros(CELLS, dtype=np.int32)),

@@ -26,6 +26,7 @@ from rocksteady.kernels.machine_code.library import (
 )
 from rocksteady.kernels.machine_code.sources import sources_hash
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
+from tests.every import every
 from tests.strategies import PLAIN
 
 ROUTINE = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.POINTER(ctypes.c_int64))
@@ -237,7 +238,7 @@ def test_a_library_without_a_hash_is_not_used(tmp_path: Path) -> None:
         _ = Library(Path(ctypes.util.find_library("m") or tmp_path), "linux").sources
 
 
-@pytest.mark.parametrize(
+@every(
     ("system", "machine", "expected"),
     [
         ("linux", "x86_64", ("linux-x86-64-v3", "linux-x86-64-v2")),

@@ -31,6 +31,7 @@ def test_a_processor_follows_many_cells_at_a_time_and_a_device_one(
     assert width.side_by_side(48) == 1
 
 
+@pytest.mark.slow
 def test_one_lane_gives_the_bits_of_many() -> None:
     script = "from rocksteady.kernels.machine_code import width; width.ON_DEVICE = True; "
     done = subprocess.run(

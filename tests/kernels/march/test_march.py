@@ -14,6 +14,7 @@ from rocksteady.kernels.core.tables import (
     ROW_EVENT,
     ROW_SIDE,
 )
+from tests.every import every
 from tests.kernels.tables import (
     Piece,
     Run,
@@ -75,7 +76,7 @@ def compare(ran: Run, exact: list[ExactImpact]) -> None:
         assert abs(velocity - truth.velocity) <= 1e-12 * abs(truth.velocity)
 
 
-@pytest.mark.parametrize("case", PERIODIC, ids=str)
+@every("case", PERIODIC)
 def test_impacts_lie_where_fifty_digits_put_them(
     case: tuple[float, float, float, float, float],
 ) -> None:
@@ -93,7 +94,8 @@ def test_impacts_lie_where_fifty_digits_put_them(
     compare(ran, exact_harmonic(*case, half_cycles=2 * cycles))
 
 
-@pytest.mark.parametrize("case", sample_size(PERIODIC[:4], PERIODIC[1:2]), ids=str)
+@pytest.mark.slow
+@every("case", sample_size(PERIODIC[:4], PERIODIC[1:2]))
 def test_the_phase_is_right_to_1e_14_after_200_cycles(
     case: tuple[float, float, float, float, float],
 ) -> None:
@@ -111,7 +113,8 @@ def test_the_phase_is_right_to_1e_14_after_200_cycles(
 FROM_REST = [(1.2, 3.0, 0.4), (2.0, 4.0, 0.3), (1.5, 6.0, 0.5), (3.0, 50.0, 0.2), (1.05, 2.0, 0.6)]
 
 
-@pytest.mark.parametrize("case", FROM_REST, ids=str)
+@pytest.mark.slow
+@every("case", FROM_REST)
 def test_from_rest_the_march_follows_fifty_digits_through_chatter(
     case: tuple[float, float, float],
 ) -> None:

@@ -24,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     ROW_VELOCITY,
     UNDECIDED,
 )
+from tests.every import every
 from tests.kernels.tables import (
     Piece,
     both_sides,
@@ -78,8 +79,8 @@ def test_uplift_happens_at_the_node_itself(
     assert (lifted[ROW_ANGLE], lifted[ROW_VELOCITY]) == (0.0, 0.0)
 
 
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize("phase", [0.0, 0.3, 1.0, 2.7, 3.1])
+@every("side", [1, -1])
+@every("phase", [0.0, 0.3, 1.0, 2.7, 3.1])
 def test_a_side_that_alone_can_lift_waits_for_its_own_node(side: int, phase: float) -> None:
     # The other side is five times as broad: it never lifts, and half of all nodes do nothing.
     lean = (1.0, 5.0) if side > 0 else (5.0, 1.0)
@@ -118,7 +119,7 @@ def test_without_shaking_a_tilted_block_rocks_to_rest() -> None:
         assert ran.rows[-1, ROW_SIDE] == 0.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("angle", "velocity", "status"),
     [
         (1.2, 0.0, OVERTURNED),
@@ -156,9 +157,9 @@ def test_the_limit_ends_a_march_undecided() -> None:
     assert (ran.end.flights, ran.end.impacts, len(ran.rows)) == (17, 17, 17)
 
 
-@pytest.mark.parametrize("restitution", [1.0, 0.999999, 1e-3, 1e-6])
-@pytest.mark.parametrize("frequency", [0.05, 1.0, 30.0, 1000.0])
-@pytest.mark.parametrize("amplitude", [0.9, 1.0, 1.0000001, 3.0, 12.0])
+@every("restitution", [1.0, 0.999999, 1e-3, 1e-6])
+@every("frequency", [0.05, 1.0, 30.0, 1000.0])
+@every("amplitude", [0.9, 1.0, 1.0000001, 3.0, 12.0])
 def test_extreme_cases_end_soundly(restitution: float, frequency: float, amplitude: float) -> None:
     for side, velocity in ((0, 0.0), (1, 0.3 / frequency), (-1, -1e-9)):
         ran = run(
@@ -190,7 +191,7 @@ def test_a_run_of_no_length_ends_as_it_began() -> None:
 # -------------------------------------------------------------------------------------- jumps
 
 
-@pytest.mark.parametrize("jump", [0.2, -0.2, 1.001, -1.001])
+@every("jump", [0.2, -0.2, 1.001, -1.001])
 def test_an_impulse_sets_a_block_at_rest_in_motion(jump: float) -> None:
     ran = run(table(Piece(0.5), Piece(jump=jump)), both_sides(0.7), limit=100_000)
     # On a still base energy decides: it falls where |x'| > 1.

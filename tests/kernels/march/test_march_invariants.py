@@ -26,6 +26,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit, symmetry_breaking
+from tests.every import every
 from tests.kernels.tables import (
     NONE,
     Piece,
@@ -52,8 +53,8 @@ MIRRORS = [
 ]
 
 
-@pytest.mark.parametrize(("amplitude", "frequency", "restitution", "velocity"), MIRRORS)
-@pytest.mark.parametrize("phase", [0.0, 0.7, 2.9])
+@every(("amplitude", "frequency", "restitution", "velocity"), MIRRORS)
+@every("phase", [0.0, 0.7, 2.9])
 def test_the_mirrored_march_is_the_same_to_the_last_bit(
     amplitude: float, frequency: float, restitution: float, velocity: float, phase: float
 ) -> None:
@@ -123,8 +124,8 @@ def test_a_march_goes_on_where_another_has_stopped(nonlinear: bool) -> None:
     assert here.velocity == pytest.approx(last.velocity, abs=1e-11)
 
 
-@pytest.mark.parametrize("record", ["flight", "rest"])
-@pytest.mark.parametrize("cut", [0.4321, 1.7, 2.718281828, 9.9])
+@every("record", ["flight", "rest"])
+@every("cut", [0.4321, 1.7, 2.718281828, 9.9])
 def test_to_cut_a_segment_in_two_changes_nothing(record: str, cut: float) -> None:
     side, velocity = (1, 0.3) if record == "flight" else (0, 0.0)
     for amplitude, frequency, restitution in ((2.0, 4.0, 0.8), (1.3, 2.0, 0.4), (0.9, 7.0, 0.7)):
@@ -149,8 +150,8 @@ def test_to_cut_a_segment_in_two_changes_nothing(record: str, cut: float) -> Non
             assert after == pytest.approx(later, rel=1e-9)
 
 
-@pytest.mark.parametrize("offset", [-1e-9, -1e-15, 0.0, 1e-15, 1e-9])
-@pytest.mark.parametrize("event", ["impact", "uplift"])
+@every("offset", [-1e-9, -1e-15, 0.0, 1e-15, 1e-9])
+@every("event", ["impact", "uplift"])
 def test_a_cut_at_an_impact_or_at_uplift_changes_nothing(event: str, offset: float) -> None:
     amplitude, frequency = 2.0, 4.0
     side, velocity = (1, 0.3) if event == "impact" else (0, 0.0)
@@ -186,6 +187,7 @@ def lifts(ran: Run) -> list[tuple[float, float]]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("cases", rest_slow([600, 2500], 1))
 def test_cuts_within_rounding_of_any_event_change_nothing(cases: int) -> None:
     # A flight of some 1e-17 may be rounded into the floor: it must neither fall through it nor be
@@ -265,7 +267,7 @@ def test_a_run_that_ends_on_an_impact_counts_it_once_at_most() -> None:
 # ------------------------------------------------------------------------------------ no drift
 
 
-@pytest.mark.parametrize(
+@every(
     ("frequency", "restitution", "order", "share"),
     [
         (0.5, 0.9, 1, 0.5),

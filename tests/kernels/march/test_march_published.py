@@ -6,6 +6,7 @@ import pytest
 from scipy.optimize import brentq
 
 from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROW_DURATION, ROW_SIDE, ROW_VELOCITY
+from tests.every import every
 from tests.kernels.tables import (
     Piece,
     both_sides,
@@ -20,7 +21,7 @@ TWO_PI = 2.0 * math.pi
 # -------------------------------------------------------------------- published: free rocking
 
 
-@pytest.mark.parametrize("angle", [0.1, 0.37, 0.5, 0.9, 0.999])
+@every("angle", [0.1, 0.37, 0.5, 0.9, 0.999])
 def test_a_quarter_of_free_rocking_lasts_as_housner_says(angle: float) -> None:
     ran = run(table(Piece()), both_sides(0.7), side=1, angle=angle)
     # H1: T/4 = acosh(1/(1 - angle)) in pivot time.
@@ -28,9 +29,7 @@ def test_a_quarter_of_free_rocking_lasts_as_housner_says(angle: float) -> None:
     assert abs(ran.rows[0, ROW_DURATION] - truth) <= 2e-15 * truth / (1 - angle)
 
 
-@pytest.mark.parametrize(
-    ("angle", "seconds"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)]
-)
+@every(("angle", "seconds"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)])
 def test_quarter_periods_of_a_block_of_one_metre(angle: float, seconds: float) -> None:
     p = math.sqrt(0.75 * 9.81)
     ran = run(table(Piece()), both_sides(0.7), side=1, angle=angle)
@@ -91,7 +90,7 @@ def threshold(low: float, high: float, falls: object) -> float:
     return high
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "printed"),
     [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651), (1.07, None)],
 )
@@ -109,7 +108,7 @@ def test_how_long_a_rectangular_pulse_must_last(amplitude: float, printed: float
 HALF_SINE = {1: 1.322397, 2: 1.800724, 3: 2.293872, 4: 2.790798, 5: 3.289147, 6: 3.788155}
 
 
-@pytest.mark.parametrize("w", [0.3, 1, 1.7, 2, 3, 4, 5, 6, 11.0])
+@every("w", [0.3, 1, 1.7, 2, 3, 4, 5, 6, 11.0])
 def test_the_least_half_sine_pulse_that_topples(w: float) -> None:
     # H7: w sin psi - cos psi = exp(-(pi - psi)/w), A = 1/sin psi.
     psi = brentq(
@@ -133,7 +132,7 @@ def test_the_least_half_sine_pulse_that_topples(w: float) -> None:
 ONE_SINE = {1: 1.418316, 2: 2.349903, 3: 3.631150, 4: 5.238964, 5: 7.168129, 6: 9.416966}
 
 
-@pytest.mark.parametrize("w", [0.5, 1, 2, 2.6, 3, 4, 5, 6])
+@every("w", [0.5, 1, 2, 2.6, 3, 4, 5, 6])
 def test_the_one_sine_pulse_that_topples_without_an_impact(w: float) -> None:
     # Z1: w sin psi - cos psi = -exp(-(2 pi - psi)/w).
     psi = brentq(
@@ -165,7 +164,7 @@ def test_the_window_in_which_a_one_sine_pulse_topples_after_an_impact() -> None:
     assert threshold(7.0, 7.4, falls) == pytest.approx(7.168129, abs=6e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("w", "low", "high"),
     [(2.0, 1.225179, 2.314403), (3.0, 1.403565, 3.484663), (4.0, 1.795442, 4.850111)],
 )
@@ -180,7 +179,7 @@ def test_the_windows_of_one_sine_pulses(w: float, low: float, high: float) -> No
     assert threshold(0.99 * high, 1.01 * high, falls_later) == pytest.approx(high, abs=6e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("pieces", "printed"),
     [
         (lambda a: [Piece(1.0, amplitude=a, frequency=math.pi)], 2.36409069),
@@ -201,7 +200,6 @@ def test_the_windows_of_one_sine_pulses(w: float, low: float, high: float) -> No
         (lambda a: [Piece(1.0, slope=a), Piece(1.0, a, -a)], 1.96032),
         (lambda a: [Piece(1.0, a)], 1.58197671),
     ],
-    ids=["half-sine 1", "half-sine 2", "versed 1", "versed 2", "triangle 1", "triangle 2", "box"],
 )
 def test_single_pulses_topple_where_the_integral_says(pieces: object, printed: float) -> None:
     # G1

@@ -26,6 +26,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.march import march
+from tests.every import every
 from tests.kernels.scattering import draws, scattered
 from tests.kernels.tables import NONE, Piece, both_sides, harmonic, run, sampled, table
 from tests.records import synthetic
@@ -74,9 +75,9 @@ def place(row: Floats) -> tuple[int, int, float]:
     return int(row[0]), int(row[1]), float(row[2])
 
 
-@pytest.mark.parametrize("nonlinear", [False, True])
-@pytest.mark.parametrize("lean", [ALIKE, UNLIKE])
-@pytest.mark.parametrize(("mean", "deviation"), LAWS)
+@every("nonlinear", [False, True])
+@every("lean", [ALIKE, UNLIKE])
+@every(("mean", "deviation"), LAWS)
 def test_each_impact_has_the_restitution_of_its_number(
     mean: float, deviation: float, lean: tuple[float, float], nonlinear: bool
 ) -> None:
@@ -107,8 +108,8 @@ def test_without_deviation_a_march_keeps_its_bits(nonlinear: bool) -> None:
         assert run(segments, scattered(sides, 0.05, 9)).end != plain.end
 
 
-@pytest.mark.parametrize("nonlinear", [False, True])
-@pytest.mark.parametrize(("mean", "deviation"), LAWS)
+@every("nonlinear", [False, True])
+@every(("mean", "deviation"), LAWS)
 def test_free_rocking_loses_energy_and_chatter_dies_out_as_proved(
     mean: float, deviation: float, nonlinear: bool
 ) -> None:

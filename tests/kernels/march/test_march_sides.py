@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.core.tables import ROW_DURATION, ROW_EVENT, ROW_SIDE, ROW_VELOCITY
+from tests.every import every
 from tests.kernels.tables import (
     Piece,
     both_sides,
@@ -28,8 +29,8 @@ LOPSIDED = [
 ]
 
 
-@pytest.mark.parametrize(("restitution", "lean", "rate"), LOPSIDED)
-@pytest.mark.parametrize("side", [1, -1])
+@every(("restitution", "lean", "rate"), LOPSIDED)
+@every("side", [1, -1])
 def test_unlike_sides_against_an_integrator(
     side: int,
     restitution: tuple[float, float],
@@ -69,7 +70,7 @@ def test_unlike_sides_against_an_integrator(
             assert velocity == pytest.approx(after, abs=2e-8)
 
 
-@pytest.mark.parametrize(("restitution", "lean", "rate"), LOPSIDED)
+@every(("restitution", "lean", "rate"), LOPSIDED)
 def test_unlike_sides_against_fifty_digits(
     restitution: tuple[float, float], lean: tuple[float, float], rate: tuple[float, float]
 ) -> None:

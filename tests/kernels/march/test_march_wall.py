@@ -38,6 +38,7 @@ from rocksteady.kernels.core.tables import (
     free_side,
 )
 from rocksteady.kernels.march.march import march
+from tests.every import every
 from tests.kernels.scattering import draws, scattered
 from tests.kernels.tables import (
     NONE,
@@ -101,8 +102,8 @@ def segments_of(pieces: list[Piece]) -> Floats:
     return sampled(np.array([*values, last.base(last.duration)]), last.duration)
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize("drawn", [harmonic_pieces, pulse_pieces, record_pieces])
+@every("alpha", [0.0, 0.3])
+@every("drawn", [harmonic_pieces, pulse_pieces, record_pieces])
 def test_flights_and_impacts_are_those_of_an_integrator(
     drawn: Callable[[Generator], list[Piece]], alpha: float
 ) -> None:
@@ -194,7 +195,7 @@ def test_no_impact_is_missed_by_a_slow_search_through_every_flight() -> None:
 # ------------------------------------------------------------------------------- closed forms
 
 
-@pytest.mark.parametrize("velocity", [0.05, 0.5, 0.95])
+@every("velocity", [0.05, 0.5, 0.95])
 def test_without_loss_a_block_on_a_still_base_bounces_for_ever_as_fast(velocity: float) -> None:
     # y = v sinh t + 1 - cosh t is 0 again at tanh(t/2) = v.
     count = sample_size(500, 60)
@@ -205,7 +206,7 @@ def test_without_loss_a_block_on_a_still_base_bounces_for_ever_as_fast(velocity:
     assert np.all(ran.rows[:, ROW_SIDE] == 1.0)
 
 
-@pytest.mark.parametrize("velocity", [0.05, 0.5, 0.9])
+@every("velocity", [0.05, 0.5, 0.9])
 def test_so_does_a_nonlinear_one_whose_flights_last_as_energy_says(velocity: float) -> None:
     alpha, count = 0.4, sample_size(300, 20)
     segments, sides = in_model(table(Piece()), against_wall(1.0), alpha)
@@ -226,8 +227,8 @@ def test_so_does_a_nonlinear_one_whose_flights_last_as_energy_says(velocity: flo
     np.testing.assert_allclose(ran.rows[:, ROW_DURATION], float(lasts), rtol=1e-11)
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize("zero", [0.0, -0.0])
+@every("alpha", [0.0, 0.3])
+@every("zero", [0.0, -0.0])
 def test_off_a_wall_that_does_not_throw_it_back_it_rests_and_lifts_at_the_node(
     zero: float, alpha: float
 ) -> None:
@@ -290,9 +291,9 @@ def test_an_impulse_throws_a_block_at_rest_off_the_wall_and_one_in_flight_at_it(
     assert 0.25 * share < ran.end.velocity < 0.4 * share
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.25])
-@pytest.mark.parametrize("free", [1, -1])
-@pytest.mark.parametrize("restitution", [0.5, 0.0])
+@every("alpha", [0.0, 0.25])
+@every("free", [1, -1])
+@every("restitution", [0.5, 0.0])
 def test_an_impulse_at_the_instant_of_lift_off_strikes_the_wall(
     restitution: float, free: int, alpha: float
 ) -> None:
@@ -334,6 +335,7 @@ def test_where_the_base_falls_away_contact_is_lost_as_without_a_wall(angle: floa
 # ----------------------------------------------------------------------------------- the wall
 
 
+@pytest.mark.slow
 def test_chatter_is_never_ended_while_bounces_in_many_digits_go_on_at_uplift() -> None:
     rests = alive = 0
     for seed in range(sample_size(8, 3)):
@@ -410,8 +412,8 @@ def test_a_march_that_settles_lifts_where_one_that_bounces_on_does() -> None:
 # ----------------------------------------------------------------------------- mirror images
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.35])
-@pytest.mark.parametrize("seed", range(6))
+@every("alpha", [0.0, 0.35])
+@every("seed", range(6))
 def test_a_wall_on_the_other_side_gives_the_mirror_image_to_the_last_bit(
     seed: int, alpha: float
 ) -> None:
@@ -459,8 +461,8 @@ def test_a_wall_on_the_other_side_gives_the_mirror_image_to_the_last_bit(
     assert compared > 20
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.3])
-@pytest.mark.parametrize("phase", [0.3, 1.2, 2.9])
+@every("alpha", [0.0, 0.3])
+@every("phase", [0.3, 1.2, 2.9])
 def test_a_march_interrupted_within_a_flight_goes_on_as_if_it_had_not_been(
     phase: float, alpha: float
 ) -> None:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core.tables import OVERTURNED, ROW_DURATION, ROW_SIDE
 from rocksteady.kernels.march.replay import fill_states, last_crossing, recorded_peaks
+from tests.every import every
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
 from tests.strategies import sample_size
@@ -116,7 +117,7 @@ def test_the_highest_angle_and_speed_agree_with_dense_sampling() -> None:
         assert fastest == pytest.approx(speed, rel=1e-4)
 
 
-@pytest.mark.parametrize("velocity", [1.001, 1.3, 4.0])
+@every("velocity", [1.001, 1.3, 4.0])
 def test_when_a_block_thrown_over_passes_its_critical_angle(velocity: float) -> None:
     # y = 1 - cosh t + V sinh t on a still base: y = 1 where tanh t = 1/V.
     sides = both_sides(0.5)

@@ -235,6 +235,7 @@ def bounces_fit(
     return kappa < 1.0 and longest / (1.0 - kappa) <= window
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [4_000, pytest.param(20_000, marks=pytest.mark.slow)])
 def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift(count: int) -> None:
     # The proof itself: some window, no longer than the span, holds the sum of the bounds.

@@ -31,6 +31,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.march._samples import LONGEST, fly_through, make_stride
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import fill_states, recorded_peaks
+from tests.every import every
 from tests.kernels.tables import (
     PLENTY,
     Run,
@@ -74,7 +75,7 @@ def random_motion(rng: np.random.Generator) -> tuple[Floats, Floats]:
 # ------------------------------------------------------------------------------- the factors
 
 
-@pytest.mark.parametrize("h", [*np.geomspace(1e-8, 1.0, 33).tolist(), 1e-150, 0.25, 0.7071])
+@every("h", [*np.geomspace(1e-8, 1.0, 33).tolist(), 1e-150, 0.25, 0.7071])
 def test_the_factors_of_a_sample_are_those_of_50_digits(h: float) -> None:
     stride = make_stride(h)
     with mp.workdps(400):  # the plain formulae cancel
@@ -119,8 +120,8 @@ def test_a_run_marches_as_its_segments_one_by_one() -> None:
         assert min(compared.count(AT_REST), compared.count(OVERTURNED)) > 50
 
 
-@pytest.mark.parametrize("record", [el_centro, rinaldi])
-@pytest.mark.parametrize(("p", "uplift"), [(1.5, 2.5), (2.5, 1.5), (5.0, 2.0), (2.0, 1.0)])
+@every("record", [el_centro, rinaldi])
+@every(("p", "uplift"), [(1.5, 2.5), (2.5, 1.5), (5.0, 2.0), (2.0, 1.0)])
 def test_a_real_record_marches_as_its_segments_one_by_one(
     record: Callable[[], tuple[Floats, float]], p: float, uplift: float
 ) -> None:
@@ -153,7 +154,7 @@ def test_a_last_sample_of_another_length_is_marched_on_its_own() -> None:
     np.testing.assert_allclose(strong_impacts(fast), strong_impacts(slow), rtol=0.0, atol=1e-10)
 
 
-@pytest.mark.parametrize("step", [1.01 * LONGEST, 3.0, 40.0])
+@every("step", [1.01 * LONGEST, 3.0, 40.0])
 def test_samples_too_long_for_the_series_are_marched_one_by_one(step: float) -> None:
     # Near the balance of angle 0.5 under 0.5, where the block stays up for long.
     segments = sampled(np.array([0.5, 0.5, 0.50001, 0.5, 0.5, 0.7, -2.0, 0.0, 0.0]), step)
@@ -177,7 +178,7 @@ def test_a_block_thrown_back_from_far_out_is_not_given_up(velocity: float, statu
 # ---------------------------------------------------------------------------- 50 digits
 
 
-@pytest.mark.parametrize("seed", range(sample_size(6, 2)))
+@every("seed", range(sample_size(6, 2)))
 def test_impacts_are_those_of_50_digits(seed: int) -> None:
     rng = np.random.default_rng(seed)
     values = synthetic(rng, 120, 0.02, rng.uniform(1.4, 4.0))
@@ -237,8 +238,8 @@ def grazing_scale() -> float:
     return high
 
 
-@pytest.mark.parametrize("offset", [1e-13, 1e-11, 1e-8, 1e-5, 1e-3])
-@pytest.mark.parametrize("way", [-1, 1])
+@every("offset", [1e-13, 1e-11, 1e-8, 1e-5, 1e-3])
+@every("way", [-1, 1])
 def test_a_dip_that_just_touches_is_an_impact_and_one_that_just_does_not_is_none(
     offset: float, way: int
 ) -> None:
@@ -296,7 +297,7 @@ def test_the_mirrored_march_is_the_same_to_the_last_bit() -> None:
     np.testing.assert_array_equal(one.rows, mirrored)
 
 
-@pytest.mark.parametrize("limit", [1, 2, 57, 400, 1001])
+@every("limit", [1, 2, 57, 400, 1001])
 def test_the_limit_of_flights_is_kept(limit: int) -> None:
     rng = np.random.default_rng(5)
     segments = sampled(synthetic(rng, 1000, 0.02, 2.0), 0.02)
@@ -305,8 +306,8 @@ def test_the_limit_of_flights_is_kept(limit: int) -> None:
     np.testing.assert_array_equal(part.rows, whole.rows[:limit])
 
 
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("threshold", [0, 1])
+@every("sign", [1.0, -1.0])
+@every("threshold", [0, 1])
 def test_uplift_is_where_the_line_between_two_samples_crosses(sign: float, threshold: int) -> None:
     lean = 0.7 if threshold else 1.0
     sides = both_sides(0.8, (1.0, lean) if sign < 0.0 else (lean, 1.0))

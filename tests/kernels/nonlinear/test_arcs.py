@@ -10,6 +10,7 @@ from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.linear.arcs import Arc, make_arc
 from rocksteady.kernels.nonlinear.arcs import nonlinear_arc, nonlinear_extrema
 from rocksteady.kernels.nonlinear.drive import Drive
+from tests.every import every
 from tests.strategies import inner_sample_size
 
 CASES = (  # alpha, amplitude, frequency, first phase, duration
@@ -48,7 +49,7 @@ def flown(
     return np.asarray(run.y)
 
 
-@pytest.mark.parametrize("case", CASES)
+@every("case", CASES)
 def test_a_flight_from_the_start_of_an_arc_ends_on_the_floor_at_its_speed(
     case: tuple[float, ...],
 ) -> None:
@@ -60,7 +61,8 @@ def test_a_flight_from_the_start_of_an_arc_ends_on_the_floor_at_its_speed(
     assert -y[1, -1] == pytest.approx(arc.landing, abs=1e-12 * size + 1e-16)
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.slow
+@every("case", CASES)
 def test_each_derivative_of_an_arc_is_its_difference(case: tuple[float, ...]) -> None:
     alpha, amplitude, frequency, first, duration = case
     place = np.array([max(amplitude, 1e-3), frequency, first, first + frequency * duration])
@@ -133,7 +135,7 @@ def test_long_arcs_are_as_exact_as_short_ones() -> None:
     assert abs(arc.start_by_last) < 1e-11
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case[4] > 1e-3 and case[1] > 0.0])
+@every("case", [case for case in CASES if case[4] > 1e-3 and case[1] > 0.0])
 def test_extrema_of_an_arc_are_those_of_a_dense_flight(case: tuple[float, ...]) -> None:
     alpha, amplitude, frequency, first, duration = case
     arc = arc_of(alpha, amplitude, frequency, first, first + frequency * duration)
@@ -160,9 +162,10 @@ def test_what_is_no_arc_is_not_a_number() -> None:
     assert math.isnan(nonlinear_extrema(drive, -1.0, 1.0, 0.0, None)[0])
 
 
-@pytest.mark.parametrize("alpha", [0.0, 0.4])
-@pytest.mark.parametrize("duration", [1.3, -0.7, 6.0])
-@pytest.mark.parametrize("side", [1.0, -1.0])
+@pytest.mark.slow
+@every("alpha", [0.0, 0.4])
+@every("duration", [1.3, -0.7, 6.0])
+@every("side", [1.0, -1.0])
 def test_an_arc_under_a_series(alpha: float, duration: float, side: float) -> None:
     amplitude, frequency, first = 2.1, 1.9, 0.7
     last = first + frequency * duration

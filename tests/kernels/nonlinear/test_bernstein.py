@@ -20,6 +20,7 @@ from rocksteady.kernels.nonlinear._bernstein import (
     hull,
 )
 from rocksteady.kernels.nonlinear.series import HIGHEST, POINTS, TERMS, WORK_ROWS
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -45,8 +46,8 @@ def exact_points(coefficients: Floats, step: float, dropped: int) -> list[Fracti
     ]
 
 
-@pytest.mark.parametrize("seed", range(10))
-@pytest.mark.parametrize("dropped", [0, 1, 2])
+@every("seed", range(10))
+@every("dropped", [0, 1, 2])
 def test_control_points_are_those_of_fractions_within_what_is_stated(
     seed: int, dropped: int
 ) -> None:
@@ -65,7 +66,7 @@ def test_control_points_are_those_of_fractions_within_what_is_stated(
     )
 
 
-@pytest.mark.parametrize("seed", range(10))
+@every("seed", range(10))
 def test_the_polynomial_and_its_derivatives_stay_within_their_points(seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     curve = Polynomial(rng.normal(size=12))

@@ -11,6 +11,7 @@ from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
+from tests.every import every
 from tests.strategies import sample_size
 
 ALPHA = 0.3
@@ -37,8 +38,8 @@ def test_a_run_that_ends_beyond_the_point_of_no_return_has_overturned() -> None:
         assert min(np.count_nonzero(status == code) for code in (ROCKING, OVERTURNED)) > 1000
 
 
-@pytest.mark.parametrize("amplitude", [1e10, 1e20, 1e30, 1e40, 1e50])
-@pytest.mark.parametrize("alpha", [0.001, 0.3, 1.5])
+@every("amplitude", [1e10, 1e20, 1e30, 1e40, 1e50])
+@every("alpha", [0.001, 0.3, 1.5])
 def test_shaking_beyond_all_bounds_throws_a_block_over_at_once(
     amplitude: float, alpha: float
 ) -> None:
@@ -56,7 +57,7 @@ def test_shaking_beyond_all_bounds_throws_a_block_over_at_once(
     assert zero.time < 3.0 * least / math.cos(alpha)
 
 
-@pytest.mark.parametrize("velocity", [1e-300, 1e-60, 6.807969192843294e-34, 1e-20, 1e-12])
+@every("velocity", [1e-300, 1e-60, 6.807969192843294e-34, 1e-20, 1e-12])
 def test_a_bounce_without_acceleration_lands_by_the_slope_alone(velocity: float) -> None:
     """The acceleration starts at 0 to the last bit: y = v t - c t^3/6, back at sqrt(6 v/c)."""
     alpha, slope = 0.24497866312686414, -0.08484947470971271

@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.kernels.orbits.return_map import IMPACT, Section, next_passage
 from rocksteady.kernels.orbits.systems import System, make_system
+from tests.every import every
 
 
 def system_of(alpha: float, amplitude: float, frequency: float, restitution: float) -> System:
@@ -28,7 +29,7 @@ def drawn(seed: int) -> tuple[float, float, float, float, Section]:
     )
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_the_flow_keeps_the_area(seed: int) -> None:
     *parameters, state = drawn(seed)
     system = system_of(*parameters)
@@ -41,7 +42,7 @@ def test_the_flow_keeps_the_area(seed: int) -> None:
     assert j11 * j22 - j12 * j21 == pytest.approx(expected, abs=2e-13 * size)
 
 
-@pytest.mark.parametrize("seed", range(10))
+@every("seed", range(10))
 def test_the_derivative_is_that_of_differences(seed: int) -> None:
     *parameters, state = drawn(seed)
     system = system_of(*parameters)
@@ -61,7 +62,7 @@ def test_the_derivative_is_that_of_differences(seed: int) -> None:
     np.testing.assert_allclose(difference, jacobian, atol=1e-6 * np.abs(jacobian).max())
 
 
-@pytest.mark.parametrize("seed", range(10))
+@every("seed", range(10))
 def test_small_slenderness_is_the_linear_map(seed: int) -> None:
     _, *parameters, state = drawn(seed)
     amplitude, frequency, restitution = parameters

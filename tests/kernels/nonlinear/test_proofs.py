@@ -217,6 +217,7 @@ def test_upright_the_direction_decides() -> None:
         assert not falls_on_still_base(alpha, 1.0, -1e-300)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_motions_beside_the_border_go_where_the_verdict_says(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.replay import last_rise_of, peaks_of, stays_below
+from tests.every import every
 from tests.strategies import inner_sample_size
 
 
@@ -42,7 +43,7 @@ def test_flights_of_no_end_and_to_the_side_are_searched() -> None:
     assert not stays_below(drive, 2.1, 0.0, 0.01, 9.0, 9.0)
 
 
-@pytest.mark.parametrize("share", [1e-15, 1e-12, 1e-6, 0.1])
+@every("share", [1e-15, 1e-12, 1e-6, 0.1])
 def test_a_flight_of_no_end_that_falls_back_never_rises_through_the_top(share: float) -> None:
     """On a still base it needs ``2 sin(alpha/2)/alpha``; with less it turns, and passes 0 again."""
     drive = Drive(0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -53,6 +54,7 @@ def test_a_flight_of_no_end_that_falls_back_never_rises_through_the_top(share: f
         assert last_rise_of(drive, 0.0, 0.0, faster, math.inf, 1e-15, 1.0, 1.0) > 1.0
 
 
+@pytest.mark.slow
 def test_a_flight_of_ever_so_many_steps_has_no_peaks() -> None:
     """Hung up, with a weight of -1e12 M g, a block swings for ever about 1."""
     drive = Drive(0.3, 0.0, 0.0, 0.0, 0.0, -1e12, 0.0)

@@ -33,6 +33,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
+from tests.every import every
 from tests.kernels.tables import PLENTY, Run, both_sides, one_by_one, run, sampled
 from tests.records import el_centro, rinaldi, synthetic
 from tests.strategies import sample_size
@@ -133,6 +134,7 @@ def marches_alike(
     return fast
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lifted", [False, True])
 def test_a_run_marches_as_its_segments_one_by_one(lifted: bool) -> None:
     rng = np.random.default_rng(1994)
@@ -151,9 +153,9 @@ def test_a_run_marches_as_its_segments_one_by_one(lifted: bool) -> None:
         assert (compared.count(LOST_CONTACT) > 10) == lifted
 
 
-@pytest.mark.parametrize("lifted", [False, True])
-@pytest.mark.parametrize("record", [el_centro, rinaldi])
-@pytest.mark.parametrize(
+@every("lifted", [False, True])
+@every("record", [el_centro, rinaldi])
+@every(
     ("p", "uplift", "alpha"), [(1.5, 2.5, 0.25), (2.5, 1.5, 0.15), (5.0, 2.0, 0.2), (2.0, 2.2, 0.5)]
 )
 def test_a_real_record_marches_as_its_segments_one_by_one(
@@ -215,7 +217,7 @@ def test_the_mirrored_march_is_the_same_to_the_last_bit() -> None:
     assert compared > sample_size(5, 0)
 
 
-@pytest.mark.parametrize("limit", [1, 2, 57, 400, 1001])
+@every("limit", [1, 2, 57, 400, 1001])
 def test_the_limit_of_flights_is_kept(limit: int) -> None:
     rng = np.random.default_rng(5)
     segments = lifted_table(sampled(synthetic(rng, 1200, 0.02, 2.0), 0.02))
@@ -227,8 +229,8 @@ def test_the_limit_of_flights_is_kept(limit: int) -> None:
     assert peaks_of(segments, sides, limit)[:2] == (part.status, part.end)
 
 
-@pytest.mark.parametrize("alpha", [1e-4, 0.2, 1.2])
-@pytest.mark.parametrize("step", [0.01, 0.2, 0.6])
+@every("alpha", [1e-4, 0.2, 1.2])
+@every("step", [0.01, 0.2, 0.6])
 def test_without_loss_a_free_block_keeps_its_energy(alpha: float, step: float) -> None:
     # y'' = -sin(alpha (1 - y))/alpha keeps v^2/2 - 2 sin^2(alpha (1 - y)/2)/alpha^2.
     count = sample_size(20_000, 500)
@@ -244,8 +246,8 @@ def test_without_loss_a_free_block_keeps_its_energy(alpha: float, step: float) -
     np.testing.assert_allclose(kept, 0.245, rtol=0.0, atol=2e-15 * count)
 
 
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("lift", [0.0, 0.4, -0.4])
+@every("sign", [1.0, -1.0])
+@every("lift", [0.0, 0.4, -0.4])
 def test_uplift_is_where_the_line_between_two_samples_crosses(sign: float, lift: float) -> None:
     alpha = (0.3, 0.21)
     side = 0 if sign > 0.0 else 1
@@ -281,7 +283,7 @@ def test_a_base_that_falls_away_ends_the_run_where_the_weight_is_gone(
 # ----------------------------------------------------------------------- the tables of runs
 
 
-@pytest.mark.parametrize("share", [1.0, 0.5, 0.25, 2.0, 0.77, 1.31])
+@every("share", [1.0, 0.5, 0.25, 2.0, 0.77, 1.31])
 def test_runs_of_a_table_with_vertical_samples_are_alike_throughout(share: float) -> None:
     rng = np.random.default_rng(3)
     flat, heave = rng.normal(size=101), 0.3 * rng.normal(size=round(100 / share) + 1)

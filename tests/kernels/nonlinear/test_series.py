@@ -14,6 +14,7 @@ from rocksteady.kernels.nonlinear.series import (
     expand,
     root_of_parabola,
 )
+from tests.every import every
 
 mp = mpmath.mp.clone()
 mp.dps = 25
@@ -33,7 +34,7 @@ def drawn(seed: int) -> tuple[Drive, float, float, float]:
     return drive, rng.uniform(0.0, 1.5), rng.normal(), rng.uniform(0.0, 6.0)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@every("seed", range(6))
 def test_a_step_is_as_exact_as_asked_for(seed: int) -> None:
     drive, angle, velocity, phase = drawn(seed)
     work = np.zeros((WORK_ROWS, TERMS))
@@ -58,7 +59,7 @@ def test_a_step_is_as_exact_as_asked_for(seed: int) -> None:
         assert abs(v - state[1]) <= 4e-13 * scale / step
 
 
-@pytest.mark.parametrize("seed", range(12))
+@every("seed", range(12))
 def test_the_first_curvature_is_the_equation_of_motion(seed: int) -> None:
     drive, angle, velocity, phase = drawn(seed)
     work = np.zeros((WORK_ROWS, TERMS))
@@ -79,8 +80,8 @@ def test_short_steps_take_few_terms() -> None:
     assert degree <= 9
 
 
-@pytest.mark.parametrize("velocity", [1e-300, 1e-160, 6.8e-34, 1e-16, 1e-6])
-@pytest.mark.parametrize("angle", [0.0, 1e-200, 1e-50])
+@every("velocity", [1e-300, 1e-160, 6.8e-34, 1e-16, 1e-6])
+@every("angle", [0.0, 1e-200, 1e-50])
 def test_a_step_from_an_acceleration_of_zero_leads_on(velocity: float, angle: float) -> None:
     """What leaves the floor without acceleration has no parabola that leads back to it."""
     drive = Drive(0.24497866312686414, 1.0204970376156208, -0.08484947470971271, 0.0, 0.0, 0.0, 0.0)

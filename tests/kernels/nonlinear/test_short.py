@@ -20,6 +20,7 @@ from rocksteady.kernels.nonlinear._short import (
 )
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
+from tests.every import every
 from tests.strategies import inner_sample_size
 
 Floats = NDArray[np.float64]
@@ -111,7 +112,7 @@ def exact_coefficients(drive: Drive, angle: float, velocity: float, count: int) 
     return y
 
 
-@pytest.mark.parametrize("seed", range(40))
+@every("seed", range(40))
 def test_coefficients_are_those_of_50_digits(seed: int) -> None:
     rng = np.random.default_rng(seed)
     drive, angle, velocity = drawn(rng)
@@ -130,7 +131,7 @@ def test_coefficients_are_those_of_50_digits(seed: int) -> None:
         assert abs(found[n] - exact[n]) <= allowed
 
 
-@pytest.mark.parametrize("seed", range(20))
+@every("seed", range(20))
 def test_a_slender_side_without_vertical_motion_moves_by_the_linear_closed_form(seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     drive, angle, velocity = drawn(rng)
@@ -188,9 +189,9 @@ def test_an_accepted_step_leaves_out_hardly_more_than_it_may() -> None:
 
 # A base that keeps still, or whose slope is small, and a block at its turning point: the odd
 # derivatives are zero or nearly so, and with them every term of the first estimate.
-@pytest.mark.parametrize("velocity", [0.0, 1e-10, -1e-7])
-@pytest.mark.parametrize("slope", [0.0, 1e-6])
-@pytest.mark.parametrize(
+@every("velocity", [0.0, 1e-10, -1e-7])
+@every("slope", [0.0, 1e-6])
+@every(
     ("alpha", "shaking", "angle"),
     [
         (0.6, -0.0016, 1.66e-10),
@@ -217,7 +218,7 @@ def test_a_turning_point_is_no_reason_to_accept_a_long_step(
     assert 0 < refused < 60
 
 
-@pytest.mark.parametrize("seed", range(8))
+@every("seed", range(8))
 def test_longer_steps_than_the_longest_are_refused(seed: int) -> None:
     drive, angle, velocity = drawn(np.random.default_rng(seed))
     slender = Drive(1e-9, *drive[1:5], 0.0, 0.0)
@@ -226,7 +227,7 @@ def test_longer_steps_than_the_longest_are_refused(seed: int) -> None:
     assert stepped(slender, angle, velocity, 1e-3, 1e-12).exact
 
 
-@pytest.mark.parametrize("given", [(1e200, 0.3, 0.1), (math.nan, 0.3, 0.1), (0.5, 0.3, math.nan)])
+@every("given", [(1e200, 0.3, 0.1), (math.nan, 0.3, 0.1), (0.5, 0.3, math.nan)])
 def test_what_overflows_or_is_no_number_is_refused(given: tuple[float, float, float]) -> None:
     shaking, angle, velocity = given
     drive = Drive(0.3, shaking, 1.0, 0.0, 0.0, 0.0, 0.0)
@@ -242,7 +243,7 @@ def test_a_block_that_lifts_off_does_not_sink() -> None:
         assert short.third == pytest.approx(2.0 * math.cos(alpha) / 6.0, rel=1e-15)
 
 
-@pytest.mark.parametrize("seed", range(30))
+@every("seed", range(30))
 def test_the_bound_of_the_third_derivative_holds_and_state_and_rows_are_one_polynomial(
     seed: int,
 ) -> None:

@@ -35,6 +35,7 @@ from rocksteady.kernels.nonlinear.landing import lost_under_shaking
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
 from rocksteady.kernels.orbits.return_map import IMPACT, Section, highest_after, next_passage
 from rocksteady.kernels.orbits.systems import like_sides, make_system
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -88,7 +89,7 @@ def marched(
     return status, rows, peaks
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2, 3, 5, 6])  # not those that fall at once
+@every("seed", [0, 1, 2, 3, 5, 6])  # not those that fall at once
 def test_mirrored_sides_on_the_reversed_base_move_mirrored_to_the_last_bit(seed: int) -> None:
     rng = np.random.default_rng(seed)
     sides, segments = random_sides(rng), steps(rng)
@@ -138,7 +139,7 @@ def test_beyond_the_point_of_no_return_the_strongest_base_does_not_pull_a_side_b
     assert lost == pytest.approx(point_of_no_return(shaking(1.7, 4.0), 0, sides, side), rel=1e-15)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@every("seed", range(12))
 def test_passages_are_mirrored_and_have_the_determinant_of_their_side(seed: int) -> None:
     rng = np.random.default_rng(seed)
     sides = random_sides(rng)
@@ -175,7 +176,7 @@ def test_passages_are_mirrored_and_have_the_determinant_of_their_side(seed: int)
     np.testing.assert_allclose(near, jacobian, atol=1e-5 * np.abs(jacobian).max())
 
 
-@pytest.mark.parametrize("column", range(4))
+@every("column", range(4))
 def test_sides_are_alike_only_if_every_column_is(column: int) -> None:
     sides = np.tile([0.8, 1.0, 1.0, 0.3, 1e-15], (2, 1))
     assert like_sides(make_system(2.0, 4.0, sides))

@@ -18,6 +18,7 @@ from rocksteady.kernels.core.tables import (
     NONLINEAR_SIDE_COLUMNS,
     UNDECIDED,
 )
+from tests.every import every
 from tests.kernels.nonlinear.balls import BITS, Base, horner, natural_step, seen
 from tests.kernels.tables import Piece, both_sides, one_by_one, run, sampled, table
 from tests.records import synthetic
@@ -119,8 +120,9 @@ def drawn_motion(kind: str, rng: np.random.Generator) -> Floats:
     return lifted_table(flat, sampled(synthetic(rng, 120, 0.02, 0.5), 0.9 * step))
 
 
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("kind", ["harmonic", "pulse", "record", "lifted record"])
+@pytest.mark.slow
+@every("seed", range(3))
+@every("kind", ["harmonic", "pulse", "record", "lifted record"])
 def test_errors_of_impacts_stay_within_the_tolerance(kind: str, seed: int) -> None:
     rng = np.random.default_rng([seed, len(kind)])
     alpha = [0.02, 0.25, 0.9][seed] * rng.uniform(0.8, 1.2)

@@ -21,6 +21,7 @@ from rocksteady.kernels.nonlinear.series import (
     expand,
     third_bound,
 )
+from tests.every import every
 from tests.strategies import inner_sample_size, rest_slow
 
 Floats = NDArray[np.float64]
@@ -51,7 +52,7 @@ def sampled_zero(polynomial: Polynomial, step: float) -> float:
     return float(high)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@every("seed", range(60))
 def test_first_zeros_are_those_of_slow_sampling(seed: int) -> None:
     rng = np.random.default_rng(seed)
     for _ in range(10):
@@ -70,8 +71,8 @@ def test_first_zeros_are_those_of_slow_sampling(seed: int) -> None:
             assert abs(wild(found)) <= 1e-13 * np.abs(wild.coef).max()
 
 
-@pytest.mark.parametrize("depth", [1e-3, 1e-6, 1e-9, 1e-12, 1e-14])
-@pytest.mark.parametrize("place", [0.1, 0.37, 0.9])
+@every("depth", [1e-3, 1e-6, 1e-9, 1e-12, 1e-14])
+@every("place", [0.1, 0.37, 0.9])
 def test_a_graze_is_found_however_shallow_and_no_more_than_that(place: float, depth: float) -> None:
     # (t - place)^2 (1 + t + t^2) -+ depth: below the floor for an instant, or just above it.
     shape = Polynomial([-place, 1.0]) ** 2 * Polynomial([1.0, 1.0, 1.0])
@@ -85,13 +86,13 @@ def test_a_graze_is_found_however_shallow_and_no_more_than_that(place: float, de
             assert found == pytest.approx(place - half, abs=2.0 * depth + 0.05 * half + 1e-9)
 
 
-@pytest.mark.parametrize("speed", [1.0, 1e-4, 1e-8, 1e-16, 1e-80])
+@every("speed", [1.0, 1e-4, 1e-8, 1e-16, 1e-80])
 def test_a_bounce_keeps_its_digits_however_low(speed: float) -> None:
     work, degree = space(np.array([0.0, speed, -0.5]))
     assert first_zero_of(work, degree, 3.0) == pytest.approx(2.0 * speed, rel=1e-15)
 
 
-@pytest.mark.parametrize("rest", [0.0, 1e-300, 1e-22, 1e-16])
+@every("rest", [0.0, 1e-300, 1e-22, 1e-16])
 def test_lifting_off_where_nothing_pulls_yet_is_no_zero_either(rest: float) -> None:
     work, degree = space([0.0, 0.0, rest, 0.4, -0.3, 0.05])
     assert first_zero_of(work, degree, 0.8) == -1.0
@@ -105,7 +106,7 @@ def test_lifting_off_is_no_zero() -> None:
     assert first_zero_of(work, degree, 3.0) == pytest.approx(2.0, rel=1e-14)
 
 
-@pytest.mark.parametrize("seed", range(20))
+@every("seed", range(20))
 def test_levels_and_peaks_are_those_of_slow_sampling(seed: int) -> None:
     rng = np.random.default_rng(100 + seed)
     curve = Polynomial(rng.normal(size=9) / np.array([math.factorial(n) for n in range(9)]))
@@ -230,7 +231,8 @@ def test_first_zeros_of_flights_are_the_proved_ones(seed: int) -> None:
     assert min(hits, misses) > inner_sample_size(30, 3)
 
 
-@pytest.mark.parametrize("depth", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13, 1e-14])
+@pytest.mark.slow
+@every("depth", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13, 1e-14])
 def test_flights_that_graze_touch_or_pass_as_their_polynomials_do(depth: float) -> None:
     rng = np.random.default_rng(round(-100.0 * math.log10(depth)))
     verdicts: list[bool | None] = []

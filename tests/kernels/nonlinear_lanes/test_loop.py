@@ -338,6 +338,7 @@ def test_after_an_impact_without_rebound_the_side_lifts_that_the_base_lifts() ->
     assert np.count_nonzero(plain.impacts > 1) > count // 3
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="many bounces need compiled code")
 @pytest.mark.parametrize("over", [1.0 - 1e-9, 1.0 + 1e-7, 1.001, 1.1])
 @pytest.mark.parametrize("frequency", [0.05, 4.0, 100.0, 1e7])

@@ -1,11 +1,11 @@
 """Lengths of steps: as long as the rule of one flight allows, but for a few per cent."""
 
 import numpy as np
-import pytest
 
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._layout import LANES, SPEEDS, STEP, TERMS
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST, high_exp2, low_log2
+from tests.every import every
 from tests.kernels.nonlinear_lanes.flights import PART, field, in_flight, one_step, polynomials
 
 
@@ -36,7 +36,7 @@ def test_a_step_is_the_power_that_scales_the_terms() -> None:
         np.testing.assert_allclose(terms[i], speed * step**i / i, rtol=1e-13)
 
 
-@pytest.mark.parametrize("x", [1e-300, 1e-15, 0.3, 1.0, 1.7, 2.0, 3e5, 1e280])
+@every("x", [1e-300, 1e-15, 0.3, 1.0, 1.7, 2.0, 3e5, 1e280])
 def test_logarithms_and_powers_err_to_one_side(x: float) -> None:
     assert np.log2(x) - 0.0861 <= low_log2(-x) <= np.log2(x) + 1e-9
     y = min(max(np.log2(x), -500.0), 500.0)

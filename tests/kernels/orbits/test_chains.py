@@ -12,6 +12,7 @@ from rocksteady.kernels.orbits import chains, periodic
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.systems import System, make_system
+from tests.every import every
 from tests.kernels.passages import LOPSIDED
 from tests.kernels.tables import both_sides
 from tests.strategies import sample_size
@@ -179,8 +180,8 @@ def test_its_arcs_have_the_peaks_of_its_flights_and_none_dips() -> None:
 # -------------------------------------------------------------------- symmetric orbits, closed form
 
 
-@pytest.mark.parametrize("order", [1, 3, 5])
-@pytest.mark.parametrize("branch", [1, 2])
+@every("order", [1, 3, 5])
+@every("branch", [1, 2])
 def test_half_a_symmetric_orbit_is_an_odd_chain(order: int, branch: int) -> None:
     rng, checked = np.random.default_rng(10 * order + branch), 0
     while checked < sample_size(200, 40):
@@ -211,7 +212,7 @@ def test_half_a_symmetric_orbit_is_an_odd_chain(order: int, branch: int) -> None
         assert np.linalg.det(over) == pytest.approx(restitution**2, abs=blur * (1.0 + abs(trace)))
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "order", "trace"),
     [(2.0, 2.0, 1, -1.555331), (2.0, 6.0, 3, 0.011954), (4.0, 6.0, 3, -1.723601)],
 )
@@ -236,7 +237,7 @@ def test_it_run_through_twice_is_a_closed_chain_with_the_squares() -> None:
 # ------------------------------------------------------------------------------------ derivatives
 
 
-@pytest.mark.parametrize(
+@every(
     ("impacts", "lopsided"),
     [(1, False), (2, False), (3, False), (4, False), (7, False), (2, True), (4, True)],
 )

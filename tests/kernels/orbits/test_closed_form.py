@@ -16,6 +16,7 @@ from rocksteady.kernels.orbits.closed_form import (
     symmetric_orbit,
     symmetry_breaking,
 )
+from tests.every import every
 from tests.oracles import mp
 from tests.published import TW1
 from tests.strategies import frequency_ratios, restitutions, sample_size
@@ -170,7 +171,7 @@ def test_the_phase_is_in_its_range_and_never_a_negative_zero() -> None:
 # ------------------------------------------------------------------------------ printed numbers
 
 
-@pytest.mark.parametrize(("point", "phase", "velocity", "peak"), TW1)
+@every(("point", "phase", "velocity", "peak"), TW1)
 def test_table_1(
     point: tuple[float, float, float, int], phase: float, velocity: float, peak: float
 ) -> None:
@@ -181,7 +182,7 @@ def test_table_1(
     assert found.admissible[0, 0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "existence", "kind", "sign"),
     [
         ((0.5, 1, 4.0), 0.70825, 0.79129, 1.58816),
@@ -198,7 +199,7 @@ def test_table_2(
     assert found.boundaries[:, 0] == pytest.approx([existence, sign, kind], abs=6e-6)
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "order", "peaks"),
     [
         (1.0, 1, {2: 0.43188, 4: 0.12635, 8: 0.03298}),
@@ -231,7 +232,7 @@ def test_the_peaks_of_figure_7(frequency: float, order: int, peaks: tuple[float,
     assert found.peak[0] == pytest.approx(peaks, abs=6e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("point", "trace"),
     [
         ((2.0, 2.0, 0.8, 1), -1.555331),
@@ -457,7 +458,7 @@ def test_peak_extrema_and_admissibility_agree_with_dense_sampling() -> None:
     assert several > count // 20
 
 
-@pytest.mark.parametrize("order", [1, 3, 9])
+@every("order", [1, 3, 9])
 def test_long_half_cycles_keep_their_accuracy(order: int) -> None:
     # At Omega = .05 a half cycle lasts 63 n: e^63 is 10^27, e^565 is 10^245.
     w, r = 0.05, 0.8

@@ -11,6 +11,7 @@ from rocksteady.kernels.orbits.closed_form import (
     symmetric_orbit,
 )
 from rocksteady.kernels.orbits.return_map import IMPACT, next_passage
+from tests.every import every
 from tests.kernels.passages import even_system, state_at_phase
 from tests.strategies import sample_size
 
@@ -21,7 +22,7 @@ def least_amplitude(frequency: float, restitution: float, order: int) -> float:
     return (1 + frequency**2) * d * h * h / math.hypot(1.0, d * h * frequency)
 
 
-@pytest.mark.parametrize("order", [1, 3, 5])
+@every("order", [1, 3, 5])
 def test_its_determinant_and_trace_have_closed_forms(order: int) -> None:
     rng = np.random.default_rng(3)
     checked = 0

@@ -43,6 +43,7 @@ from rocksteady.kernels.orbits.return_map import (
     shifted,
 )
 from rocksteady.kernels.orbits.systems import System, make_system
+from tests.every import every
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
 from tests.kernels.tables import both_sides
 from tests.strategies import sample_size
@@ -159,7 +160,7 @@ ATTRACTING = [
 ]
 
 
-@pytest.mark.parametrize(("amplitude", "frequency", "sides", "passages", "periods"), ATTRACTING)
+@every(("amplitude", "frequency", "sides", "passages", "periods"), ATTRACTING)
 def test_where_a_long_run_settles_there_is_an_orbit_with_the_multipliers_of_its_map(
     amplitude: float, frequency: float, sides: Floats, passages: int, periods: int
 ) -> None:
@@ -305,7 +306,7 @@ def test_a_determinant_of_0_leaves_one_multiplier() -> None:
     assert multipliers(Jacobian(0.25, 0.0, 0.0, 0.0), 0.0) == (0.25, 0.0)
 
 
-@pytest.mark.parametrize("restitution", [0.3, 0.8, 1.0])
+@every("restitution", [0.3, 0.8, 1.0])
 def test_complex_multipliers_have_the_modulus_that_the_impacts_leave(restitution: float) -> None:
     determinant = restitution**4
     first, second = multipliers(Jacobian(0.05, -3.0, 1.0, 0.05), determinant)

@@ -43,6 +43,7 @@ from rocksteady.kernels.orbits.return_map import (
     shifted,
 )
 from rocksteady.kernels.orbits.systems import make_system
+from tests.every import every
 from tests.kernels.passages import (
     LOPSIDED,
     Case,
@@ -117,7 +118,7 @@ def test_a_fall_is_one_of_the_march() -> None:
             assert step.state.speed == pytest.approx(case.state.speed, rel=1e-15)
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "sides"),
     [
         (2.0, 4.0, both_sides(0.8)),
@@ -301,7 +302,7 @@ def test_the_mirror_image_of_a_passage_is_that_of_its_mirror_image_and_periods_d
         assert other.jacobian == here.jacobian or here.kind == GRAZE
 
 
-@pytest.mark.parametrize(("restitution", "lean", "rate"), LOPSIDED)
+@every(("restitution", "lean", "rate"), LOPSIDED)
 def test_a_block_whose_sides_are_exchanged_moves_as_the_mirror_image(
     restitution: tuple[float, float], lean: tuple[float, float], rate: tuple[float, float]
 ) -> None:
@@ -359,7 +360,7 @@ def test_a_lopsided_block_lifts_on_the_side_whose_threshold_comes_first() -> Non
     assert phase == pytest.approx(math.pi + math.asin(0.5 / 0.8), abs=1e-15)
 
 
-@pytest.mark.parametrize("amplitude", [0.0, 0.5, 0.999])
+@every("amplitude", [0.0, 0.5, 0.999])
 def test_without_uplift_chatter_ends_in_rest_for_ever(amplitude: float) -> None:
     system = even_system(amplitude, 4.0, 0.8)
     state = state_at_phase(1, 0.4, 1e-5)
@@ -368,7 +369,7 @@ def test_without_uplift_chatter_ends_in_rest_for_ever(amplitude: float) -> None:
     assert first_passage(system, 0, 0, 0.0, 0.0, 0.0).kind == STAY
 
 
-@pytest.mark.parametrize("speed", [1e-12, 5e-10, 1.2e-9, 1e-8])
+@every("speed", [1e-12, 5e-10, 1.2e-9, 1e-8])
 def test_a_bounce_off_a_base_that_lifts_the_other_side_grazes_below_a_speed(speed: float) -> None:
     # At phase 4 the base lifts the negative side; a bounce to the positive one is over at once.
     step = next_passage(even_system(2.0, 2.0, 0.8), state_at_phase(1, 4.0, speed), -1.0)

@@ -32,6 +32,7 @@ from rocksteady.kernels.orbits.settle import (
     settle,
 )
 from rocksteady.kernels.orbits.systems import System, make_system
+from tests.every import every
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
 from tests.kernels.tables import NONE, both_sides, harmonic
 from tests.strategies import sample_size
@@ -65,7 +66,7 @@ STABLE = [
 ]
 
 
-@pytest.mark.parametrize(("amplitude", "frequency", "restitution", "order"), STABLE)
+@every(("amplitude", "frequency", "restitution", "order"), STABLE)
 def test_near_a_stable_symmetric_orbit_a_motion_settles_to_it(
     amplitude: float, frequency: float, restitution: float, order: int
 ) -> None:
@@ -87,7 +88,7 @@ def test_near_a_stable_symmetric_orbit_a_motion_settles_to_it(
         assert found.lyapunov == pytest.approx(2.0 * math.log(root) / order, rel=1e-7)
 
 
-@pytest.mark.parametrize(
+@every(
     ("amplitude", "frequency", "order", "branch"),
     [(1.0, 2.0, 1, 2), (2.0, 5.0, 3, 2), (2.0, 1.9, 1, 1)],
 )
@@ -195,7 +196,7 @@ def test_what_a_motion_only_passes_by_it_does_not_arrive_at() -> None:
     assert not arrives(system, Section(1, 0, 1.0, 9.0), stable, 2, 0.7)
 
 
-@pytest.mark.parametrize("below", [1e-3, 1e-5, 1e-6])
+@every("below", [1e-3, 1e-5, 1e-6])
 def test_next_to_a_fold_the_unstable_branch_parts_what_arrives_from_what_does_not(
     below: float,
 ) -> None:
@@ -222,7 +223,7 @@ def larger(trace: float, restitution: float) -> float:
     return 0.5 * trace + math.sqrt(0.25 * trace * trace - restitution**2)
 
 
-@pytest.mark.parametrize("periods", [1, 3, 5])
+@every("periods", [1, 3, 5])
 def test_too_few_periods_leave_it_unsettled(periods: int) -> None:
     found, _ = settled_from(even_system(2.0, 4.0, 0.8), 0, 0.0, 0.0, 0.0, periods)
     assert found.outcome == UNSETTLED

@@ -17,6 +17,7 @@ from rocksteady.kernels.orbits.return_map import (
 )
 from rocksteady.kernels.orbits.symmetric_nonlinear import Half, symmetric_from, symmetric_near
 from rocksteady.kernels.orbits.systems import make_system
+from tests.every import every
 from tests.strategies import sample_size
 
 DELTA = 0.8
@@ -24,7 +25,7 @@ POINTS = [
     # amplitude, frequency ratio, order, branch; the last has half-cycle multipliers up to 1e6
     (2.0, 4.0, 1, 1), (1.0, 2.0, 1, 2), (2.0, 4.0, 3, 1), (2.0, 4.0, 3, 2), (1.2, 0.7, 3, 2),
 ]  # fmt: skip
-points = pytest.mark.parametrize(("a", "w", "order", "branch"), sample_size(POINTS, POINTS[:-1]))
+points = every(("a", "w", "order", "branch"), sample_size(POINTS, POINTS[:-1]))
 
 
 def table(alpha: float) -> np.ndarray:
@@ -39,7 +40,7 @@ def found(alpha: float, a: float, w: float, order: int, branch: int) -> Half:
 
 
 @points
-@pytest.mark.parametrize("alpha", [1e-3, 0.1, 0.3])
+@every("alpha", [1e-3, 0.1, 0.3])
 def test_half_a_cycle_takes_the_state_to_its_mirror_image(
     alpha: float, a: float, w: float, order: int, branch: int
 ) -> None:

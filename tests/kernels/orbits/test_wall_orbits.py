@@ -63,6 +63,7 @@ from rocksteady.kernels.orbits.return_map import (
 )
 from rocksteady.kernels.orbits.settle import MEMORY, PERIODIC, STAYS, Settled, settle
 from rocksteady.kernels.orbits.systems import System, like_sides, make_system
+from tests.every import every
 from tests.kernels.passages import state_at_phase
 from tests.kernels.tables import NONE, harmonic
 from tests.kernels.walls import against_wall, in_model
@@ -253,10 +254,8 @@ def test_an_orbit_without_rest_has_the_determinant_of_its_impacts_on_one_side() 
 # ------------------------------------------------------------------------------ closed forms
 
 
-@pytest.mark.parametrize(
-    ("amplitude", "frequency", "e", "n", "branch"), [(*case, 1) for case in STABLE] + UNSTABLE
-)
-@pytest.mark.parametrize("free", [1, -1])
+@every(("amplitude", "frequency", "e", "n", "branch"), [(*case, 1) for case in STABLE] + UNSTABLE)
+@every("free", [1, -1])
 def test_newtons_method_finds_the_simplest_orbits_with_their_multipliers(
     amplitude: float, frequency: float, e: float, n: int, branch: int, free: int
 ) -> None:
@@ -282,7 +281,7 @@ def test_newtons_method_finds_the_simplest_orbits_with_their_multipliers(
     assert table[0, OTHER_PEAK] == 0.0
 
 
-@pytest.mark.parametrize(("frequency", "e", "n"), [case[1:] for case in STABLE])
+@every(("frequency", "e", "n"), [case[1:] for case in STABLE])
 def test_they_meet_in_a_fold_and_the_stable_one_doubles_its_period(
     frequency: float, e: float, n: int
 ) -> None:
@@ -319,7 +318,7 @@ def test_they_meet_in_a_fold_and_the_stable_one_doubles_its_period(
     assert numbers[1] == pytest.approx(-e * e, abs=1e-7)
 
 
-@pytest.mark.parametrize(("amplitude", "frequency", "e", "n"), STABLE)
+@every(("amplitude", "frequency", "e", "n"), STABLE)
 def test_near_a_stable_one_a_motion_settles_to_it(
     amplitude: float, frequency: float, e: float, n: int
 ) -> None:
@@ -335,7 +334,7 @@ def test_near_a_stable_one_a_motion_settles_to_it(
     assert found.lyapunov == pytest.approx(math.log(largest) / n, rel=1e-6)
 
 
-@pytest.mark.parametrize(("amplitude", "frequency", "e", "n", "branch"), UNSTABLE)
+@every(("amplitude", "frequency", "e", "n", "branch"), UNSTABLE)
 def test_to_an_unstable_one_no_motion_settles(
     amplitude: float, frequency: float, e: float, n: int, branch: int
 ) -> None:
@@ -453,10 +452,8 @@ def test_cells_settle_as_each_does_alone_and_to_mirror_images(alpha: float) -> N
 # ------------------------------------------------------------------------------------- chains
 
 
-@pytest.mark.parametrize(
-    ("amplitude", "frequency", "e", "n", "branch"), [(*case, 1) for case in STABLE] + UNSTABLE
-)
-@pytest.mark.parametrize("free", [1, -1])
+@every(("amplitude", "frequency", "e", "n", "branch"), [(*case, 1) for case in STABLE] + UNSTABLE)
+@every("free", [1, -1])
 def test_the_simplest_orbit_is_a_chain_of_one_arc_in_whole_periods(
     amplitude: float, frequency: float, e: float, n: int, branch: int, free: int
 ) -> None:

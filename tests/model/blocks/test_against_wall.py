@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block, DimensionlessBlock, InputError, ModelError, named_block
 from rocksteady.model.facts import block_text, block_values, case_text, restitution_values
+from tests.every import every
 from tests.model.blocks.test_asymmetric import cloud, distances, heights, momentum, turned
 
 FACADE = Block.rectangle(width=0.3, height=3.0)
@@ -80,7 +81,7 @@ def test_a_slender_rectangle_keeps_half_and_the_stockiest_that_turns_back_nothin
     )
 
 
-@pytest.mark.parametrize("free", [FACADE, LEANING, named_block("gas-cylinder")])
+@every("free", [FACADE, LEANING, named_block("gas-cylinder")])
 def test_a_wall_changes_nothing_but_side_and_restitution(free: Block) -> None:
     block = free.against_wall(0.4)
     assert (block.alpha, block.radius, block.p) == (free.alpha, free.radius, free.p)
@@ -116,7 +117,7 @@ def test_blocks_that_differ_in_what_no_longer_counts_are_equal() -> None:
     assert one.against_wall(1.0).dimensionless().lossless
 
 
-@pytest.mark.parametrize("ratio", [-0.1, 1.1, math.nan, "0.5", None, True])
+@every("ratio", [-0.1, 1.1, math.nan, "0.5", None, True])
 def test_a_restitution_of_no_wall_is_refused(ratio: object) -> None:
     with pytest.raises(InputError, match="restitution"):
         FACADE.against_wall(ratio)  # type: ignore[arg-type]

@@ -19,6 +19,7 @@ from rocksteady import (
     housner_restitution,
     impact_restitution,
 )
+from tests.every import every
 from tests.strategies import logarithmic
 
 Floats = NDArray[np.float64]
@@ -173,14 +174,14 @@ def test_dimensionless_blocks_that_move_alike_are_equal() -> None:
     assert not DimensionlessBlock(restitution=1.0, negative_restitution=0.9).lossless
 
 
-@pytest.mark.parametrize("name", ["left", "right", "height", "gyration", "gravity"])
-@pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf, "0.3", True])
+@every("name", ["left", "right", "height", "gyration", "gravity"])
+@every("value", [0.0, -1.0, math.nan, math.inf, "0.3", True])
 def test_a_size_that_is_no_positive_number_is_refused(name: str, value: Any) -> None:
     with pytest.raises(InputError, match=name):
         Block.asymmetric(**{"left": 0.1, "right": 0.2, "height": 1.0, name: value})
 
 
-@pytest.mark.parametrize("value", [0.0, 1.2, (0.8,), (0.8, 0.9, 0.7), (0.8, 0.0), "Housner", None])
+@every("value", [0.0, 1.2, (0.8,), (0.8, 0.9, 0.7), (0.8, 0.0), "Housner", None])
 def test_a_restitution_that_is_none_is_refused(value: Any) -> None:
     with pytest.raises(InputError, match="restitution"):
         Block.asymmetric(left=0.1, right=0.2, height=1.0, restitution=value)
@@ -191,7 +192,7 @@ def test_a_block_too_stocky_to_rock_on_is_refused() -> None:
         Block.asymmetric(left=1.0, right=1.2, height=0.5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("sizes", "said"),
     [
         ({}, "are all missing: "),
@@ -224,7 +225,7 @@ def test_sides_of_no_one_body_are_refused() -> None:
     assert again.dimensionless().sides == ((0.9, 1.0, 1.0), (0.5, 1.0, 1.0))
 
 
-@pytest.mark.parametrize("name", ["alpha_ratio", "p_ratio", "negative_restitution"])
+@every("name", ["alpha_ratio", "p_ratio", "negative_restitution"])
 def test_a_ratio_outside_its_range_is_refused(name: str) -> None:
     for value in (0.0, -1.0, 1000.0, math.nan, "1"):
         arguments: dict[str, Any] = {"restitution": 0.8, name: value}

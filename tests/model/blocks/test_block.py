@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from rocksteady import Block, DimensionlessBlock, InputError, ModelError, Side, housner_restitution
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from tests.every import every
 from tests.strategies import logarithmic
 
 slender = st.floats(0.01, 0.9)  # Housner's value is positive up to 0.955 rad
@@ -100,9 +101,7 @@ def test_equation_26_of_a_block_that_is_no_rectangle() -> None:
     ).p == pytest.approx(math.sqrt(5.0 * 9.0 * 1.5 / 45.0))
 
 
-@pytest.mark.parametrize(
-    ("degrees", "expected"), [(10.0, 0.954769), (15.0, 0.899519), (20.0, 0.824533)]
-)
+@every(("degrees", "expected"), [(10.0, 0.954769), (15.0, 0.899519), (20.0, 0.824533)])
 def test_housners_restitution(degrees: float, expected: float) -> None:  # H2
     alpha = math.radians(degrees)
     assert housner_restitution(alpha) == pytest.approx(expected, abs=5e-7)
@@ -149,8 +148,8 @@ def test_no_body_has_less_inertia_than_a_point() -> None:
     assert point.p == pytest.approx(math.sqrt(STANDARD_GRAVITY))
 
 
-@pytest.mark.parametrize(("constructor", "argument"), arguments_of_constructors())
-@pytest.mark.parametrize("value", BAD_NUMBERS, ids=repr)
+@every(("constructor", "argument"), arguments_of_constructors())
+@every("value", BAD_NUMBERS)
 def test_a_bad_number_is_refused_by_its_name(
     constructor: str, argument: str, value: object
 ) -> None:
@@ -160,16 +159,16 @@ def test_a_bad_number_is_refused_by_its_name(
         make(**arguments)
 
 
-@pytest.mark.parametrize("constructor", ["from_radius", "from_p", "general"])
-@pytest.mark.parametrize("alpha", [0.5 * math.pi, 1.6, 10.0, math.degrees(0.2)])
+@every("constructor", ["from_radius", "from_p", "general"])
+@every("alpha", [0.5 * math.pi, 1.6, 10.0, math.degrees(0.2)])
 def test_an_angle_of_a_right_one_or_above_is_refused(constructor: str, alpha: float) -> None:
     make, values = CONSTRUCTORS[constructor]
     with pytest.raises(InputError, match=r"^alpha = .*\(0, 1\.57"):
         make(**{**values, "alpha": alpha, "restitution": 0.9})
 
 
-@pytest.mark.parametrize("constructor", CONSTRUCTORS)
-@pytest.mark.parametrize("value", BAD_RESTITUTIONS, ids=repr)
+@every("constructor", CONSTRUCTORS)
+@every("value", BAD_RESTITUTIONS)
 def test_a_bad_restitution_is_refused(constructor: str, value: Any) -> None:
     make, values = CONSTRUCTORS[constructor]
     with pytest.raises(InputError, match=r"^restitution = .*\(0, 1\]"):
@@ -178,8 +177,8 @@ def test_a_bad_restitution_is_refused(constructor: str, value: Any) -> None:
         DimensionlessBlock(restitution=value)
 
 
-@pytest.mark.parametrize("constructor", CONSTRUCTORS)
-@pytest.mark.parametrize("value", [1.0, 1, 0.5, 5e-324])
+@every("constructor", CONSTRUCTORS)
+@every("value", [1.0, 1, 0.5, 5e-324])
 def test_every_restitution_up_to_1_is_accepted(constructor: str, value: float) -> None:
     make, values = CONSTRUCTORS[constructor]
     restitution = make(**values, restitution=value).restitution
@@ -187,15 +186,15 @@ def test_every_restitution_up_to_1_is_accepted(constructor: str, value: float) -
     assert type(restitution) is float
 
 
-@pytest.mark.parametrize("constructor", CONSTRUCTORS)
+@every("constructor", CONSTRUCTORS)
 def test_constructors_take_keywords_only(constructor: str) -> None:
     make, values = CONSTRUCTORS[constructor]
     with pytest.raises(InputError, match="takes no arguments without a name"):
         make(*values.values())
 
 
-@pytest.mark.parametrize("name", SIDE)
-@pytest.mark.parametrize("value", [0.0, -1.0, math.nan, "1", True], ids=repr)
+@every("name", SIDE)
+@every("value", [0.0, -1.0, math.nan, "1", True])
 def test_a_side_is_validated_too(name: str, value: Any) -> None:
     with pytest.raises(InputError, match=f"^{name} = "):
         Side(**{**SIDE, name: value})

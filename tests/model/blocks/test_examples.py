@@ -8,9 +8,10 @@ import pytest
 
 from rocksteady import InputError, named_block
 from rocksteady.model.blocks.examples import SOURCES
+from tests.every import every
 
 
-@pytest.mark.parametrize("name", SOURCES)
+@every("name", SOURCES)
 def test_every_named_block_can_be_made_and_cites_its_year(name: str) -> None:
     block = named_block(name)
     assert 0.0 < block.restitution <= 1.0
@@ -44,7 +45,7 @@ def test_the_numbers_of_the_sources() -> None:
     assert cabinet.restitution == pytest.approx(1.0 - 1.5 * math.sin(cabinet.alpha) ** 2)
 
 
-@pytest.mark.parametrize("name", ["", "tso", "Tso-Wong-1989", None])
+@every("name", ["", "tso", "Tso-Wong-1989", None])
 def test_an_unknown_name_is_answered_with_the_known_ones(name: str) -> None:
     with pytest.raises(InputError) as caught:
         named_block(name)

@@ -6,11 +6,12 @@ import pytest
 
 from rocksteady import Block, InputError, housner_restitution, impact_restitution, named_block
 from rocksteady.model.blocks.housner_forms import form_of_text, ratio_words
+from tests.every import every
 
 MEASURED: Any = ("housner", 0.965)
 
 
-@pytest.mark.parametrize(
+@every(
     "make",
     [
         lambda e: Block.rectangle(width=0.4, height=1.6, restitution=e),
@@ -55,7 +56,7 @@ def test_descriptions_show_the_number_and_the_form() -> None:
     assert measured == Block.rectangle(width=0.4, height=1.6, restitution=measured.restitution)
 
 
-@pytest.mark.parametrize(
+@every(
     ("form", "words"),
     [
         (("housner", 1.2), "which the factor makes 1.094.*give a factor up to 1.0967"),

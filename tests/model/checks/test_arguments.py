@@ -29,6 +29,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.checks.arguments import checked
+from tests.every import every
 from tests.public.junk import Quantity
 
 BLOCK = Block.rectangle(width=0.4, height=1.2)
@@ -38,7 +39,7 @@ RECORD = Record(acceleration_m_s2=np.array([0.0, 1.0, -1.0]), dt_s=0.01)
 MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
 
 
-@pytest.mark.parametrize(
+@every(
     ("call", "words"),
     [
         (
@@ -78,7 +79,7 @@ def test_what_is_no_such_thing_is_refused_in_one_line(call: Any, words: list[str
         assert word in line
 
 
-@pytest.mark.parametrize(
+@every(
     "call",
     [
         lambda x: Record(acceleration_m_s2=x, dt_s=0.01),
@@ -102,7 +103,7 @@ def test_a_mask_a_unit_and_no_number_are_refused_everywhere(call: Any) -> None:
             call(array)
 
 
-@pytest.mark.parametrize("within", [5, "ab", (1.9,), (1.0, 2.0, 3.0)])
+@every("within", [5, "ab", (1.9,), (1.0, 2.0, 3.0)])
 def test_what_is_no_pair_is_refused_with_a_pair(within: Any) -> None:
     block, motion = DimensionlessBlock(restitution=0.8), Harmonic(amplitude=2.0, frequency_ratio=4)
     with pytest.raises(InputError, match=r"within = .* 2 values; give a pair, as \(1.0, 2.0\)$"):
@@ -178,7 +179,7 @@ def test_a_doctest_finder_sees_through_the_check() -> None:
     assert function.__globals__ is globals()
 
 
-@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, partial(np.array, dtype=np.int8)])
+@every("kind", [np.int8, np.uint8, np.int16, partial(np.array, dtype=np.int8)])
 def test_integers_of_small_types_are_plain_ones(kind: Any) -> None:
     @checked
     def taken(cycles: int, width: float, most: int | None = None) -> tuple[object, ...]:
@@ -189,9 +190,7 @@ def test_integers_of_small_types_are_plain_ones(kind: Any) -> None:
     assert {type(number) for number in found} == {int}
 
 
-@pytest.mark.parametrize(
-    "kind", [np.float16, np.longdouble, Fraction, partial(np.array, dtype=np.float32)]
-)
+@every("kind", [np.float16, np.longdouble, Fraction, partial(np.array, dtype=np.float32)])
 def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
     @checked
     def taken(width: float, *, pair: tuple[float, float]) -> tuple[object, ...]:
@@ -202,7 +201,7 @@ def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
     assert {type(number) for number in found} == {float}
 
 
-@pytest.mark.parametrize(
+@every(
     "call",
     [
         lambda number: Harmonic(amplitude=2.0, frequency_ratio=number),

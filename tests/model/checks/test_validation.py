@@ -20,6 +20,7 @@ from rocksteady.model.checks.validation import (
     positive,
     whole_number,
 )
+from tests.every import every
 
 Validator = Callable[[object], float]
 
@@ -60,19 +61,18 @@ def unit(value: object, ends: Ends = "(]") -> float:
     return in_range("restitution", value, 0.0, 1.0, ends, hint="give a ratio")
 
 
-@pytest.mark.parametrize("validator", [*FLOATS.values(), *INTEGERS.values()])
-@pytest.mark.parametrize("value", NOT_REAL, ids=repr)
+@every("validator", [*FLOATS.values(), *INTEGERS.values()])
+@every("value", NOT_REAL)
 def test_what_is_not_a_finite_real_number_is_refused(validator: Validator, value: object) -> None:
     with pytest.raises(InputError) as caught:
         validator(value)
     assert caught.value.value is value
 
 
-@pytest.mark.parametrize("validator", FLOATS.values(), ids=FLOATS)
-@pytest.mark.parametrize(
+@every("validator", FLOATS.values())
+@every(
     "value",
     [2, 2.0, Fraction(2), np.float32(2.0), np.int8(2), np.longdouble(2.0), np.array(2.0)],
-    ids=repr,
 )
 def test_any_real_number_comes_back_as_a_plain_float(validator: Validator, value: object) -> None:
     result = validator(value)
@@ -80,8 +80,8 @@ def test_any_real_number_comes_back_as_a_plain_float(validator: Validator, value
     assert type(result) is float
 
 
-@pytest.mark.parametrize("validator", FLOATS.values(), ids=FLOATS)
-@pytest.mark.parametrize("value", [10**400, Fraction(10**400), -(10**400)], ids=["i", "f", "neg"])
+@every("validator", FLOATS.values())
+@every("value", [10**400, Fraction(10**400), -(10**400)])
 def test_a_number_beyond_the_largest_float_is_refused(validator: Validator, value: object) -> None:
     with pytest.raises(InputError):
         validator(value)
@@ -105,7 +105,7 @@ def test_each_validator_accepts_exactly_its_own_numbers(value: float) -> None:
     assert accepts(lambda v: unit(v, "()")) is (0.0 < value < 1.0)
 
 
-@pytest.mark.parametrize(
+@every(
     ("ends", "zero", "one"),
     [("[]", True, True), ("(]", False, True), ("[)", True, False), ("()", False, False)],
 )
@@ -129,7 +129,7 @@ def test_minus_zero_becomes_zero() -> None:
     assert math.copysign(1.0, FLOATS["non_negative"](-0.0)) == 1.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("validator", "value", "message"),
     [
         (FLOATS["finite"], "a", "width = 'a' is not valid: it must be a finite number; "),
@@ -178,13 +178,13 @@ def test_an_even_order_is_told_why() -> None:
     )
 
 
-@pytest.mark.parametrize("value", [0, -1, -3, 3.0, np.float64(3.0), Fraction(3)])
+@every("value", [0, -1, -3, 3.0, np.float64(3.0), Fraction(3)])
 def test_an_order_is_a_whole_number_above_zero(value: object) -> None:
     with pytest.raises(InputError):
         odd_order(value)
 
 
-@pytest.mark.parametrize("value", [3, np.int64(3), np.uint8(3), np.array(3)])
+@every("value", [3, np.int64(3), np.uint8(3), np.array(3)])
 def test_an_order_comes_back_as_a_plain_int(value: object) -> None:
     result = odd_order(value)
     assert result == 3

@@ -24,6 +24,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.history.base_motion import base_acceleration, impulses
 from rocksteady.dynamics.history.lowering import segment_table
+from tests.every import every
 
 NOISE = BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1)
 MANY = 200
@@ -107,7 +108,7 @@ MOTIONS: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("name", MOTIONS)
+@every("name", MOTIONS)
 def test_the_sum_is_the_sum_of_both_at_any_time(name: str) -> None:
     motion = MOTIONS[name]
     total = segment_table(add_noise(motion, NOISE, block=BLOCK))
@@ -123,7 +124,7 @@ def test_the_sum_is_the_sum_of_both_at_any_time(name: str) -> None:
     np.testing.assert_allclose(base_acceleration(total, later), rest, atol=1e-9)
 
 
-@pytest.mark.parametrize("name", MOTIONS)
+@every("name", MOTIONS)
 def test_noise_of_rms_0_leaves_the_motion_as_it_is(name: str) -> None:
     motion = MOTIONS[name]
     quiet = add_noise(motion, NOISE.realisation(0, rms=0.0), block=BLOCK)

@@ -26,6 +26,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.lowering import segment_table
+from tests.every import every
 from tests.model.motions.test_pulses import Floats, acceleration
 
 SINE = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0)
@@ -77,6 +78,7 @@ def test_joined() -> None:
         join_motions(Harmonic(amplitude=1.0, frequency_ratio=2.0), SINE)
 
 
+@pytest.mark.slow
 @given(st.lists(motions, max_size=4))
 @settings(max_examples=60)
 def test_sums_of_one_frequency_are_exact(parts: list[Piecewise]) -> None:
@@ -87,7 +89,7 @@ def test_sums_of_one_frequency_are_exact(parts: list[Piecewise]) -> None:
     assert len(total.segments()) <= 1 + sum(len(part.segments()) for part in parts)
 
 
-@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
+@every("tolerance", [1e-2, 1e-4, 1e-6])
 def test_sums_of_several_frequencies_keep_their_tolerance(tolerance: float) -> None:
     later = delay_motion(Pulse(shape="type-c1", amplitude=1.0, frequency_ratio=7.0), 0.5)
     total = add_motions(SINE, later, TRIANGLE, tolerance=tolerance)

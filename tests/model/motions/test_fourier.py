@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rocksteady as rs
+from tests.every import every
 
 WAVES = st.lists(
     st.tuples(st.integers(1, 12), st.floats(-2.0, 2.0), st.floats(-7.0, 7.0)),
@@ -100,7 +101,7 @@ def test_a_sum_of_two_harmonics_is_one_segment() -> None:
         )
 
 
-@pytest.mark.parametrize(
+@every(
     ("harmonics", "words"),
     [
         ((), "a sequence of triples"),

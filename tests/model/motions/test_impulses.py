@@ -9,6 +9,7 @@ import pytest
 from rocksteady import Block, Impulses, InputError, Segment
 from rocksteady.dynamics.history.base_motion import displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
+from tests.every import every
 
 BLOCK = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)
 
@@ -32,7 +33,7 @@ def test_impulses_in_si() -> None:
     np.testing.assert_allclose(place * unit / 3.0, [0.0, 0.3, 0.3 + 0.1 / 3.0], atol=1e-15)
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "name"),
     [
         ({"velocities": ()}, "times"),

@@ -13,6 +13,7 @@ from rocksteady import Block, InputError, ModelError, Pulse, scale_motion
 from rocksteady.dynamics.history.base_motion import base_acceleration, displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.model.motions.pulses import PULSES
+from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE, GAMMA, NU, centred, type_c_phase
 from tests.strategies import logarithmic
 
@@ -44,7 +45,7 @@ def test_every_name_has_a_formula_here() -> None:
     assert {*FORMULAE, *WAVELETS} - {"type-c12"} == set(PULSES)
 
 
-@pytest.mark.parametrize("name", FORMULAE)
+@every("name", FORMULAE)
 @given(a=logarithmic(1e-6, 1e6), w=logarithmic(0.02, 500.0))
 @settings(max_examples=20)
 def test_a_shape_is_its_formula(name: str, a: float, w: float) -> None:
@@ -58,8 +59,8 @@ def test_a_shape_is_its_formula(name: str, a: float, w: float) -> None:
     assert len(pulse.segments()) <= 2
 
 
-@pytest.mark.parametrize("name", WAVELETS)
-@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
+@every("name", WAVELETS)
+@every("tolerance", [1e-2, 1e-4, 1e-6])
 def test_a_wavelet_is_its_formula_within_its_tolerance(name: str, tolerance: float) -> None:
     a, w = 2.0, 3.0
     pulse = made(name, a, w, tolerance=tolerance)
@@ -73,14 +74,14 @@ def test_a_wavelet_is_its_formula_within_its_tolerance(name: str, tolerance: flo
         assert error[inside].max() > 0.8 * tolerance * a, "no finer than it was asked to be"
 
 
-@pytest.mark.parametrize("name", [*FORMULAE, *WAVELETS])
+@every("name", [*FORMULAE, *WAVELETS])
 def test_the_amplitude_is_the_largest_acceleration(name: str) -> None:
     pulse = made(name, 2.0, 3.0)
     s = np.linspace(0.0, pulse.duration, 200_001)[:-1]
     assert np.abs(acceleration(pulse, s)).max() == pytest.approx(2.0, abs=5e-6)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "velocity", "displacement"),
     [
         ("rectangle", 2.0 * math.pi / 3.0, 2.0 * (math.pi / 3.0) ** 2 / 2.0),
@@ -134,15 +135,15 @@ def test_the_spectrum_of_a_ricker_wavelet_is_largest_at_its_frequency(name: str)
     assert ratios[int(np.argmax(size))] == pytest.approx(3.0, abs=0.005)
 
 
-@pytest.mark.parametrize("name", [*FORMULAE, *WAVELETS])
+@every("name", [*FORMULAE, *WAVELETS])
 def test_lasting_sets_the_duration(name: str) -> None:
     pulse = Pulse.lasting(1.7, shape=name, amplitude=2.0)
     assert pulse.duration == pytest.approx(1.7, rel=1e-12)
     assert (pulse.shape, pulse.amplitude) == (name, 2.0)
 
 
-@pytest.mark.parametrize("name", [*FORMULAE, *WAVELETS])
-@pytest.mark.parametrize("w", [0.01, 5000.0])
+@every("name", [*FORMULAE, *WAVELETS])
+@every("w", [0.01, 5000.0])
 def test_every_shape_has_the_whole_range_of_frequencies(name: str, w: float) -> None:
     assert made(name, w=w).duration > 0.0
 
@@ -167,7 +168,7 @@ def test_a_pulse_without_size_shakes_nothing() -> None:
         assert not acceleration(pulse, np.linspace(0.0, pulse.duration, 50)).any()
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "kind", "words"),
     [
         (
@@ -218,7 +219,7 @@ def test_a_wavelet_that_would_need_too_many_lines_says_what_would_do() -> None:
     assert 15_000 < len(enough) <= 20_000, "so many that ten times as many are the most"
 
 
-@pytest.mark.parametrize("shape", ["one-sine", "triangle", "type-c2", "ricker"])
+@every("shape", ["one-sine", "triangle", "type-c2", "ricker"])
 def test_a_reversed_pulse_is_its_mirror_image(shape: str) -> None:
     pulse = Pulse(shape=shape, amplitude=2.0, frequency_ratio=3.0)
     turned = dataclasses.replace(pulse, reverse=True)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, Record
+from tests.every import every
 
 VALUES = [0.0, 1.5, -3.0, 0.5]
 
@@ -51,7 +52,7 @@ def test_equal_records_are_equal_and_have_one_hash() -> None:
     assert pickle.loads(pickle.dumps(one)) == one
 
 
-@pytest.mark.parametrize(
+@every(
     ("value", "why"),
     [
         ([], "two samples or more"),
@@ -73,7 +74,7 @@ def test_bad_samples_are_refused(value: Any, why: str) -> None:
         Record(acceleration_m_s2=value, dt_s=0.02)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value"),
     [("dt_s", 0.0), ("dt_s", -0.01), ("dt_s", math.nan), ("dt_s", "0.01"), ("name", 3)],
 )
@@ -83,7 +84,7 @@ def test_a_bad_interval_or_name_is_refused(name: str, value: Any) -> None:
         Record(**arguments)
 
 
-@pytest.mark.parametrize("factor", [0.0, 5e-324, -1e-60, math.inf, math.nan, "2"])
+@every("factor", [0.0, 5e-324, -1e-60, math.inf, math.nan, "2"])
 def test_a_bad_factor_is_refused(factor: Any) -> None:
     with pytest.raises(InputError, match=r"^factor = "):
         Record(acceleration_m_s2=np.array(VALUES), dt_s=0.02).scaled(factor)

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import Block, Harmonic, InputError, ModelError, Piecewise, Segment, Still
+from tests.every import every
 from tests.strategies import logarithmic
 
 BLOCK = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)
@@ -34,7 +35,7 @@ def test_a_frequency_out_of_range_is_reported_in_hertz() -> None:
         Harmonic.from_si(BLOCK, acceleration_m_s2=1.0, frequency_hz=1e-5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value"),
     [
         ("amplitude", -1.0),
@@ -61,7 +62,7 @@ def test_bad_shaking_is_refused(name: str, value: Any) -> None:
         Harmonic(**arguments)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value"), [("acceleration_m_s2", -1.0), ("frequency_hz", 0.0), ("frequency_hz", -1.0)]
 )
 def test_bad_shaking_in_si_is_refused(name: str, value: float) -> None:
@@ -91,7 +92,7 @@ def test_a_negative_amplitude_is_the_positive_one_half_a_cycle_on(
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "kind", "name"),
     [
         ({"duration": 0.0}, InputError, "duration"),
@@ -132,10 +133,9 @@ def test_pieces_may_be_any_sequence_and_are_kept_as_a_tuple() -> None:
     assert motion.segments() == (Segment(duration=1.0),)
 
 
-@pytest.mark.parametrize(
+@every(
     "motion",
     [Harmonic(amplitude=2.0, frequency_ratio=4.0), Segment(duration=1.0), Piecewise()],
-    ids=lambda motion: type(motion).__name__,
 )
 def test_motions_are_frozen_and_keyword_only(motion: Any) -> None:
     name = dataclasses.fields(motion)[0].name

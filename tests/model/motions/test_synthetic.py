@@ -9,6 +9,7 @@ import pytest
 from rocksteady import Block, InputError, SyntheticMotion
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.lowering import segment_table
+from tests.every import every
 from tests.model.motions.test_pulses import Floats
 
 
@@ -35,7 +36,7 @@ def test_the_motion_is_straight_between_its_samples() -> None:
     assert float(base_acceleration(table, 30.001)) == 0.0
 
 
-@pytest.mark.parametrize("seed", range(5))
+@every("seed", range(5))
 def test_the_base_ends_with_velocity_0(seed: int) -> None:
     one = motion(seed)
     end = float(np.trapezoid(one.samples))
@@ -87,7 +88,7 @@ def test_in_si() -> None:
     assert len(one.samples) == 2001
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "value"),
     [
         ("rms", -1.0),

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.tables import THREE, G, read
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "size"),
     [
         ("acc (milli g)", 1e-3 * G),
@@ -38,7 +39,7 @@ def test_units_with_factors_are_understood_as_a_whole(
     np.testing.assert_allclose(found.record.acceleration_m_s2, np.array(THREE) * size, rtol=1e-14)
 
 
-@pytest.mark.parametrize(
+@every(
     "name",
     [
         *("acc (cm/s2 x 10)", "1000*acc (g)", "acc x 1000 (g)", "acc (x1000) (g)", "acc (g x 10)"),
@@ -63,7 +64,7 @@ def test_what_is_not_understood_as_a_whole_is_refused(tmp_path: Path, name: str)
     assert given.record.acceleration_m_s2[0] == pytest.approx(1e-3 * G)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "step"),
     [
         *[("time (min)", 60.0), ("time (h)", 3600.0), ("time (us)", 1e-6), ("time (cs)", 0.01)],
@@ -77,7 +78,7 @@ def test_units_of_time(tmp_path: Path, name: str, step: float) -> None:
     assert found.record.dt_s == pytest.approx(10.0 * step, rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     "name",
     [
         *("acc (g)", "a_g", "accNS (g)", "AccelX (g)", "Acceleration Ch 1 (g)", "acc. X [g]"),
@@ -97,7 +98,7 @@ def test_names_of_known_words(tmp_path: Path, name: str) -> None:
     assert found.record.acceleration_m_s2.tolist() == [G * value for value in THREE]
 
 
-@pytest.mark.parametrize(
+@every(
     "name",
     [
         *(

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError, Recording, read_recordings
+from tests.every import every
 from tests.records import FOLDER
 from tests.records.writers import (
     at2,
@@ -51,12 +52,12 @@ def read(tmp_path: Path, text: str, **given: object) -> tuple[Recording, ...]:
     return read_recordings(path, **given)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("name", FILES)
+@every("name", FILES)
 def test_whole_files_are_not_doubted(tmp_path: Path, name: str) -> None:
     assert [one.warnings for one in read(tmp_path, FILES[name])] == [()]
 
 
-@pytest.mark.parametrize("name", STATED)
+@every("name", STATED)
 def test_a_surplus_is_named(tmp_path: Path, name: str) -> None:
     old, new = STATED[name]
     assert old in FILES[name]
@@ -68,7 +69,7 @@ def test_a_surplus_is_named(tmp_path: Path, name: str) -> None:
     assert words + f"{len(whole) - kept} are left out" in found.warnings[0]
 
 
-@pytest.mark.parametrize("name", INTERVALS)
+@every("name", INTERVALS)
 def test_an_interval_that_does_not_fit_is_named(tmp_path: Path, name: str) -> None:
     old, new = INTERVALS[name]
     assert old in FILES[name]
@@ -77,7 +78,7 @@ def test_an_interval_that_does_not_fit_is_named(tmp_path: Path, name: str) -> No
     assert "right" in " ".join(found.warnings)
 
 
-@pytest.mark.parametrize("name", ["peer", "esm", "knet", "smc"])
+@every("name", ["peer", "esm", "knet", "smc"])
 def test_a_cut_inside_the_last_number_is_refused(tmp_path: Path, name: str) -> None:
     text = FILES[name].rstrip()
     last = text.split()[-1]
@@ -87,7 +88,7 @@ def test_a_cut_inside_the_last_number_is_refused(tmp_path: Path, name: str) -> N
             read(tmp_path, text[:at])
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "given"),
     [
         (csv(samples(403)), {}),
@@ -139,7 +140,7 @@ def test_counts_above_tables(tmp_path: Path) -> None:
     assert "header states 40 s" in read(tmp_path, lasting)[0].warnings[0]
 
 
-@pytest.mark.parametrize(
+@every(
     "text",
     ["time,acc (g)\n", "Time (s)  Acc (g)", "t;a\n", "acc (g)\n", "# made by hand\ntime\tacc_g\n"],
 )

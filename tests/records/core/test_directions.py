@@ -10,6 +10,7 @@ import pytest
 from rocksteady import RecordSet, pair_records, read_recordings
 from rocksteady.records.core.directions import pointing, pointing_of_name
 from rocksteady.records.pairing import pair_doubts
+from tests.every import every
 from tests.records import FOLDER
 from tests.records.writers import (
     at2,
@@ -32,16 +33,14 @@ UP = ["UP", "Up", "u", "upwards", "acc_up", "vertical, positive upwards"]
 NO_SENSE = ["U-D", "UD", "up-down", "V", "vert", "HNZ", "BLZ", "acc_z"]
 
 
-@pytest.mark.parametrize(
-    ("names", "down"), [(DOWN, True), (UP, False), (NO_SENSE, None)], ids=["down", "up", "none"]
-)
+@every(("names", "down"), [(DOWN, True), (UP, False), (NO_SENSE, None)])
 def test_words(names: list[str], down: bool | None) -> None:
     for name in names:
         found = pointing(name)
         assert (found.orientation, found.down) == ("vertical", down), name
 
 
-@pytest.mark.parametrize(
+@every(
     "name",
     [
         *("D-U", "-U-D", "DU", "-UD", "UD-", "Z-", "-Z", "-UP", "-DWN", "Down-Up", "acc -UD"),
@@ -60,15 +59,13 @@ def test_a_sense_that_is_not_understood_as_a_whole(tmp_path: Path, name: str) ->
         assert not any("sign changed" in note for note in found.processing)
 
 
-@pytest.mark.parametrize(
-    "name", ["U-D (down positive)", "Acc UD down positive", "DWN (positive down)", "-"]
-)
+@every("name", ["U-D (down positive)", "Acc UD down positive", "DWN (positive down)", "-"])
 def test_a_sense_in_more_words(name: str) -> None:
     assert pointing(name).down is (True if name != "-" else None)
     assert not pointing(name).unclear
 
 
-@pytest.mark.parametrize("name", ["down hole NS", "backup", "090", "updated", "HNZ"])
+@every("name", ["down hole NS", "backup", "090", "updated", "HNZ"])
 def test_no_sense_is_seen_in_other_words(name: str) -> None:
     assert not pointing(name).unclear
 
@@ -125,7 +122,7 @@ FILES = {
 }
 
 
-@pytest.mark.parametrize("name", FILES)
+@every("name", FILES)
 def test_every_reader_turns_what_is_positive_downwards(tmp_path: Path, name: str) -> None:
     paths = [tmp_path / "first.txt", tmp_path / "second.txt"]
     for path, text in zip(paths, FILES[name], strict=True):
@@ -139,7 +136,7 @@ def test_every_reader_turns_what_is_positive_downwards(tmp_path: Path, name: str
     assert not any("sign" in note for note in plain.processing)
 
 
-@pytest.mark.parametrize("end", ["-DWN", "_DOWN", "DWN", ".down", "_dn"])
+@every("end", ["-DWN", "_DOWN", "DWN", ".down", "_dn"])
 def test_the_name_of_a_file_that_states_nothing(tmp_path: Path, end: str) -> None:
     (tmp_path / f"HUT{end}.txt").write_text("1.0\n-2.5\n0.5\n")
     (found,) = read_recordings(tmp_path / f"HUT{end}.txt", units="m/s^2", dt_s=0.01)
@@ -166,7 +163,7 @@ def test_the_header_goes_before_the_name_of_the_file(tmp_path: Path) -> None:
         assert first == pytest.approx(sign * 9.80665, rel=1e-6)
 
 
-@pytest.mark.parametrize(
+@every(
     ("azimuth", "label", "words"),
     [
         (400, "340 deg", "'340 deg', horizontal, and its code in the header states vertical"),

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError, Recording, read_record, read_recordings
+from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc
 
 ROWS = "0,1.0\n0.01,-2.5\n0.02,0.5\n"
@@ -21,7 +22,7 @@ def read(tmp_path: Path, text: str, **given: object) -> Recording:
     return found
 
 
-@pytest.mark.parametrize(
+@every(
     "words",
     [
         *("acceleration in cm/s2", "acc (cm/s2)", "units: gal", "acc in g x 10", "values x 10"),
@@ -35,7 +36,7 @@ def test_words_that_contradict_the_names_are_refused(tmp_path: Path, words: str)
         read(tmp_path, text)
 
 
-@pytest.mark.parametrize(
+@every(
     ("words", "size"),
     [
         *[("time in ms", 1e-3), ("time [ms]", 1e-3), ("time: ms", 1e-3), ("t in minutes", 60.0)],
@@ -47,7 +48,7 @@ def test_the_unit_of_times_in_words(tmp_path: Path, words: str, size: float) -> 
     assert found.record.dt_s == pytest.approx(0.01 * size, rel=1e-12)
 
 
-@pytest.mark.parametrize("words", ["time in fortnights", "time in s or ms", "time (Hz)"])
+@every("words", ["time in fortnights", "time in s or ms", "time (Hz)"])
 def test_a_unit_of_times_that_is_not_understood(tmp_path: Path, words: str) -> None:
     with pytest.raises(RecordFileError, match="line 1, "):
         read(tmp_path, f"# {words}\ntime,acc (g)\n{ROWS}")
@@ -66,7 +67,7 @@ def test_words_that_are_not_understood_beside_a_name_are_warned_about(tmp_path: 
     assert "'acc y' states no unit: that of its neighbour is taken" in second.warnings[0]
 
 
-@pytest.mark.parametrize(
+@every(
     "words",
     [
         *("was in g, now m/s2", "acc in g or m/s2", "not in g", "acc m/s2 cm/s2", "acc in 10 g"),
@@ -80,7 +81,7 @@ def test_two_units_in_one_statement_are_refused(tmp_path: Path, words: str) -> N
     assert found.record.dt_s == 0.005
 
 
-@pytest.mark.parametrize(
+@every(
     "words",
     [
         *("dt 0.01 or 0.02 s", "sampling interval 0.02 s, resampled to 0.01 s", "dt = 0.01-0.02 s"),
@@ -92,16 +93,14 @@ def test_two_intervals_are_refused(tmp_path: Path, words: str) -> None:
         read(tmp_path, f"# {words}\n{ALONE}", units="g")
 
 
-@pytest.mark.parametrize(("words", "dt"), [("dt,0.02", 0.02), ("50 sps", 0.02), ("100 Hz", 0.01)])
+@every(("words", "dt"), [("dt,0.02", 0.02), ("50 sps", 0.02), ("100 Hz", 0.01)])
 def test_intervals_in_few_words(tmp_path: Path, words: str, dt: float) -> None:
     assert read(tmp_path, f"# {words}\n{ALONE}", units="g").record.dt_s == dt
     found = read(tmp_path, f"# {words}\ntime (s),acc (g)\n{ROWS}")
     assert ("its times are 0.01 s apart" in " ".join(found.warnings)) == (dt != 0.01)
 
 
-@pytest.mark.parametrize(
-    "words", ["samples 400", "N = 400", "400 points", "points: 400", "400 samples"]
-)
+@every("words", ["samples 400", "N = 400", "400 points", "points: 400", "400 samples"])
 def test_counts_that_the_rows_contradict(tmp_path: Path, words: str) -> None:
     with pytest.raises(RecordFileError, match="states 400"):
         read(tmp_path, f"# {words}\ntime (s),acc (g)\n{ROWS}")
@@ -109,7 +108,7 @@ def test_counts_that_the_rows_contradict(tmp_path: Path, words: str) -> None:
     assert not found.warnings
 
 
-@pytest.mark.parametrize(
+@every(
     ("old", "new"),
     [
         ("UNITS OF G", "UNITS OF G OR CM/S2"),
@@ -130,7 +129,7 @@ def test_two_values_in_a_file_of_peer(tmp_path: Path, old: str, new: str) -> Non
 KNET = knet(np.rint(1e5 * samples(800)).astype(np.int64))
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "key", "value"),
     [
         (KNET, "Scale Factor", "7840(gal)/6182761"),
@@ -207,10 +206,10 @@ ODD_FACTORS = (
 )
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("places", "odd"),
     [(TIMES, ODD_TIMES), (COUNTS, ODD_COUNTS), (FACTORS, ODD_FACTORS)],
-    ids=["times", "counts", "factors"],
 )
 def test_a_number_of_a_header_is_one_number_or_refused_with_its_line(
     tmp_path: Path, places: tuple[tuple[str, str, str], ...], odd: tuple[str, ...]
@@ -226,7 +225,7 @@ def test_a_number_of_a_header_is_one_number_or_refused_with_its_line(
                 pytest.fail(f"{new!r} with {written!r} is read: {read(tmp_path, changed, **given)}")
 
 
-@pytest.mark.parametrize("unit", ["mins", "hours", "furlongs"])
+@every("unit", ["mins", "hours", "furlongs"])
 def test_a_duration_of_cosmos_in_another_unit(tmp_path: Path, unit: str) -> None:
     text = cosmos_channel(samples(403, peak=150.0), raw_dt=0.01)
     assert " secs" in text

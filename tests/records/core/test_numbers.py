@@ -1,15 +1,15 @@
 """Numbers as Fortran writes them: exact, in place, and never a guess."""
 
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.records.core.numbers import number, numbers, samples
+from tests.every import every
 
 FINITE = st.floats(-1e12, 1e12, allow_nan=False)
 
 
-@pytest.mark.parametrize(
+@every(
     ("written", "value"),
     [
         ("1", 1.0),
@@ -24,7 +24,7 @@ def test_a_number(written: str, value: float) -> None:
     assert number(written) == value
 
 
-@pytest.mark.parametrize(
+@every(
     "written",
     ["", "nan", "inf", "1_0", "0x10", "1.2.3", "1e", "--1", "\N{ARABIC-INDIC DIGIT ONE}", "1e999"],
 )
@@ -51,9 +51,7 @@ def test_numbers_that_run_together_without_a_sign_need_their_width() -> None:
     assert numbers("-262.345678-275.155934  1.000000", 10) == [-262.345678, -275.155934, 1.0]
 
 
-@pytest.mark.parametrize(
-    "line", ["1.0 ******* 2.0", "1.0 abc", "1..2", "1.0 1e5e5", "1,5", "x" * 5000]
-)
+@every("line", ["1.0 ******* 2.0", "1.0 abc", "1..2", "1.0 1e5e5", "1,5", "x" * 5000])
 def test_a_line_with_anything_else_holds_no_numbers(line: str) -> None:
     assert numbers(line) is None
     assert numbers(line, 7) is None

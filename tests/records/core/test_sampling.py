@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from rocksteady import RecordFileError, Recording, read_recordings
 from rocksteady.records.core.sampling import places
+from tests.every import every
 
 
 def table(folder: Path, times: list[str]) -> Recording:
@@ -23,7 +24,8 @@ def table(folder: Path, times: list[str]) -> Recording:
     return found
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("dt", "count", "form", "certain"),
     [
         (0.00125, 32000, "%g", True),
@@ -41,7 +43,7 @@ def table(folder: Path, times: list[str]) -> Recording:
         (0.005, 2000, "%.17g", True),
     ],
 )
-@pytest.mark.parametrize("start", [0.0, 12.5])
+@every("start", [0.0, 12.5])
 def test_times_of_few_digits(
     tmp_path: Path, dt: float, count: int, form: str, certain: bool, start: float
 ) -> None:
@@ -52,7 +54,7 @@ def test_times_of_few_digits(
     assert found.processing == ()
 
 
-@pytest.mark.parametrize(("dt", "decimals"), [(0.00125, 4), (0.00125, 3), (1 / 128, 4), (0.005, 2)])
+@every(("dt", "decimals"), [(0.00125, 4), (0.00125, 3), (1 / 128, 4), (0.005, 2)])
 def test_times_that_are_cut_off(tmp_path: Path, dt: float, decimals: int) -> None:
     scale = 10.0**decimals
     times = [f"{math.floor(k * dt * scale + 1e-9) / scale:.{decimals}f}" for k in range(5000)]
@@ -73,8 +75,8 @@ def test_any_rate_in_any_digits(
     assert found.record.dt_s == pytest.approx(1 / rate, rel=1e-9) or found.warnings
 
 
-@pytest.mark.parametrize("gap", [20, 500, 998])
-@pytest.mark.parametrize("dt", [0.005, 0.01, 0.00125])
+@every("gap", [20, 500, 998])
+@every("dt", [0.005, 0.01, 0.00125])
 def test_a_lost_row_is_no_printing(tmp_path: Path, gap: int, dt: float) -> None:
     times = [f"{k * dt:g}" for k in range(1000)]
     del times[gap]
@@ -82,8 +84,8 @@ def test_a_lost_row_is_no_printing(tmp_path: Path, gap: int, dt: float) -> None:
         table(tmp_path, times)
 
 
-@pytest.mark.parametrize("form", ["%.2f", "%g"])
-@pytest.mark.parametrize("each", [6, 7, 9, 10, 11, 14, 20, 50])
+@every("form", ["%.2f", "%g"])
+@every("each", [6, 7, 9, 10, 11, 14, 20, 50])
 def test_rows_that_are_missing_evenly(tmp_path: Path, each: int, form: str) -> None:
     times = [form % (0.01 * k) for k in range(1000) if (k + 1) % each]
     with pytest.raises(RecordFileError, match="ask for resampling"):

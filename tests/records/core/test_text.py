@@ -6,11 +6,12 @@ import pytest
 
 from rocksteady import RecordFileError, read_recordings
 from rocksteady.records.core.text import LARGEST_FILE
+from tests.every import every
 from tests.records.writers import at2, samples
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
-@pytest.mark.parametrize("ends", ["\n", "\r\n", "\r", "\r\r\n"])
+@every("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+@every("ends", ["\n", "\r\n", "\r", "\r\r\n"])
 def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> None:
     path = tmp_path / "hut.AT2"
     text = at2(samples(40)).replace("Hut", "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte")
@@ -20,7 +21,7 @@ def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> No
     assert found.station == "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte - Far, West"
 
 
-@pytest.mark.parametrize("data", [b"", b"\n \n", b"\x00" * 5000, b"\x1a"])
+@every("data", [b"", b"\n \n", b"\x00" * 5000, b"\x1a"])
 def test_an_empty_file(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "empty"
     path.write_bytes(data)

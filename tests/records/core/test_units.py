@@ -5,6 +5,7 @@ import pytest
 from rocksteady import InputError
 from rocksteady.records.core.directions import direction
 from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2, in_seconds
+from tests.every import every
 
 # Standard gravity and the foot are exact by definition (BIPM, SI brochure; NIST SP 811).
 EXACT = {
@@ -24,7 +25,7 @@ def test_the_table_is_exact() -> None:
     assert UNITS == EXACT
 
 
-@pytest.mark.parametrize(
+@every(
     ("written", "unit"),
     [
         ("G", "g"),
@@ -50,7 +51,7 @@ def test_spellings(written: str, unit: str) -> None:
     assert in_m_s2(written) == EXACT[unit]
 
 
-@pytest.mark.parametrize(
+@every(
     ("written", "size"),
     [
         *[("milli g", 9.80665e-3), ("% of g", 9.80665e-2), ("10^-3 g", 9.80665e-3)],
@@ -64,7 +65,7 @@ def test_sizes_with_factors_prefixes_and_powers(written: str, size: float) -> No
     assert in_m_s2(written) == pytest.approx(size, rel=1e-14)
 
 
-@pytest.mark.parametrize(
+@every(
     ("written", "size"),
     [
         *[("s", 1.0), ("ms", 1e-3), ("\u03bcs", 1e-6), ("min", 60.0), ("hours", 3600.0)],
@@ -76,7 +77,7 @@ def test_times_and_rates(written: str, size: float | None) -> None:
     assert in_seconds(written) == (None if size is None else pytest.approx(size, rel=1e-14))
 
 
-@pytest.mark.parametrize(
+@every(
     "written",
     [
         *["cm/s", "cm", "s", "", "km/s^2", "counts", "volts", "m/s^3", "g^2", "cm/s2 x 10", "g 10"],
@@ -102,7 +103,7 @@ def test_what_is_no_acceleration(written: str) -> None:
         in_m_s2(written)
 
 
-@pytest.mark.parametrize(
+@every(
     ("component", "azimuth"),
     [
         ("000", 0.0),
@@ -128,11 +129,11 @@ def test_horizontal(component: str, azimuth: float | None) -> None:
     assert direction(component) == ("horizontal", azimuth)
 
 
-@pytest.mark.parametrize("component", ["UP", "DWN", "Up", "U-D", "V", "vert", "HNZ", "BLZ"])
+@every("component", ["UP", "DWN", "Up", "U-D", "V", "vert", "HNZ", "BLZ"])
 def test_vertical(component: str) -> None:
     assert direction(component) == ("vertical", None)
 
 
-@pytest.mark.parametrize("component", [None, "", "acc (g)", "400", "HN3", "ax", "1", "3"])
+@every("component", [None, "", "acc (g)", "400", "HN3", "ax", "1", "3"])
 def test_unknown(component: str | None) -> None:
     assert direction(component) == (None, None)

@@ -9,11 +9,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import InputError, RecordFileError, read_record
+from tests.every import every
 from tests.records.tables import THREE, G, read
 from tests.records.writers import csv, samples
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "unit"),
     [
         ("time,acc (g)\n0,1.0\n0.01,-2.5\n0.02,0.5\n", "g"),
@@ -38,7 +39,7 @@ def test_tables_with_times_and_units(tmp_path: Path, text: str, unit: str) -> No
     assert (found.record.dt_s, found.units_in_file) == (0.01, unit)
 
 
-@pytest.mark.parametrize(
+@every(
     "text",
     [
         "1.0\n-2.5\n0.5\n",
@@ -61,7 +62,7 @@ def test_samples_alone(tmp_path: Path, text: str) -> None:
         read(tmp_path, text, dt_s=0.01)
 
 
-@pytest.mark.parametrize(
+@every(
     ("head", "dt"),
     [
         ("dt = 0.005 s", 0.005),
@@ -91,7 +92,7 @@ def test_an_interval_may_be_any_number(tmp_path: Path) -> None:
     assert found.record.dt_s == 0.005
 
 
-@pytest.mark.parametrize(
+@every(
     ("head", "dt"),
     [
         *[("dt = 0.01 hours", 36.0), ("sampling rate 100 kHz", 1e-5), ("dt: 10 msec", 0.01)],
@@ -113,7 +114,7 @@ def test_intervals_with_their_units(tmp_path: Path, head: str, dt: float | None)
         assert read(tmp_path, text)[0].record.dt_s == pytest.approx(dt, rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     ("head", "unit"),
     [
         *[("units: milli g", "mg"), ("units of acceleration: cm/s/s", "cm/s^2")],
@@ -172,7 +173,7 @@ def test_a_single_column_is_the_first_and_no_other(tmp_path: Path) -> None:
         read(tmp_path, text, units="g", dt_s=0.01, column=2)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "message"),
     [
         ("1.0\nabc\n2.0\n3.0\n", "line 2, 'abc'"),
@@ -291,7 +292,7 @@ def test_milliseconds_by_their_other_name(tmp_path: Path) -> None:
     assert found.record.dt_s == 0.01
 
 
-@pytest.mark.parametrize(
+@every(
     ("head", "unit"),
     [
         ("Acceleration in m/s^2, PGA = 0.35 g", "m/s^2"),
@@ -317,7 +318,7 @@ def test_a_title_above_a_count_is_no_component(tmp_path: Path) -> None:
     assert found.record.acceleration_m_s2.tolist() == THREE
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "line"),
     [
         ("t,acc (g)\n0.00,NaN\n0.01,2.0\n0.02,3.0\n0.03,1.0\n", 2),

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import cosmos_channel, samples
 
 
-@pytest.mark.parametrize(
+@every(
     "form",
     [
         ("{:10.5f}", "8F10.5", 8),
@@ -76,7 +77,7 @@ def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
         read(tmp_path, cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)"))
 
 
-@pytest.mark.parametrize("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
+@every("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
 def test_cosmos_units_that_contradict_their_code(tmp_path: Path, units: str) -> None:
     with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
         read(tmp_path, cosmos_channel(CM, units=units))

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import esm
 
@@ -35,7 +36,7 @@ def test_esm_of_another_quantity_is_refused(tmp_path: Path) -> None:
         read(tmp_path, esm(CM, data_type="VELOCITY"))
 
 
-@pytest.mark.parametrize("units", ["cm/s^2 * 10", "cm/s", "counts", "G/CM"])
+@every("units", ["cm/s^2 * 10", "cm/s", "counts", "G/CM"])
 def test_esm_units_are_understood_as_a_whole(tmp_path: Path, units: str) -> None:
     with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
         read(tmp_path, esm(CM, UNITS=units))

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.formats.networks import close, read
 from tests.records.writers import knet, samples
 
@@ -15,7 +16,7 @@ def counts_of(in_cm: np.ndarray, offset: int = -12085) -> np.ndarray:
     return np.rint(in_cm * 6182761 / 3920).astype(np.int64) + offset
 
 
-@pytest.mark.parametrize("offset", [0, -12085, 13190])
+@every("offset", [0, -12085, 13190])
 def test_knet_takes_the_offset_off_and_says_so(tmp_path: Path, offset: int) -> None:
     in_cm = samples(800, peak=4.0)
     in_cm -= in_cm.mean()
@@ -29,7 +30,7 @@ def test_knet_takes_the_offset_off_and_says_so(tmp_path: Path, offset: int) -> N
     assert noted == pytest.approx(offset * 3920 / 6182761 * 0.01, abs=1e-5)
 
 
-@pytest.mark.parametrize(
+@every(
     ("direction", "component", "place"),
     [("1", "N-S", "borehole"), ("3", "U-D", "borehole"), ("5", "E-W", "surface")],
 )
@@ -59,7 +60,7 @@ def test_knet_that_is_cut_or_has_no_scale_is_refused(tmp_path: Path) -> None:
         read(tmp_path, text.replace("100Hz", "Hz"))
 
 
-@pytest.mark.parametrize("key", ["Scale Factor", "Sampling Freq(Hz)", "Duration Time(s)"])
+@every("key", ["Scale Factor", "Sampling Freq(Hz)", "Duration Time(s)"])
 def test_counts_without_their_scale_do_not_pass_for_a_table(tmp_path: Path, key: str) -> None:
     text = knet(counts_of(samples(800)))
     with pytest.raises(RecordFileError, match="its header has no line"):

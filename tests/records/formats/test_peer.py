@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import RecordFileError, read_record, read_recordings
+from tests.every import every
 from tests.records.writers import at2, samples
 
 G = 9.80665
@@ -34,8 +35,8 @@ def written(tmp_path: Path, text: str) -> Path:
     return path
 
 
-@pytest.mark.parametrize("counts", HEADERS)
-@pytest.mark.parametrize("count", [2, 5, 403])
+@every("counts", HEADERS)
+@every("count", [2, 5, 403])
 def test_every_header(tmp_path: Path, counts: str, count: int) -> None:
     values = samples(403)[:count]
     (found,) = read_recordings(written(tmp_path, at2(values, counts=counts)))
@@ -138,7 +139,7 @@ def test_a_letter_among_the_samples_is_refused_with_its_line(tmp_path: Path) -> 
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize(
+@every(
     "quantity",
     [
         "VELOCITY TIME SERIES IN UNITS OF CM/S",
@@ -171,7 +172,7 @@ def test_units_of_the_file_those_asked_for_and_those_given(tmp_path: Path) -> No
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("counts", "dt"),
     [
         *[("NPTS= {count}, DT= 10 MSEC", 0.01), ("NPTS= {count}, DT (MS)= 10", 0.01)],
@@ -190,7 +191,7 @@ def test_units_of_the_interval(tmp_path: Path, counts: str, dt: float | None) ->
         assert read_recordings(path)[0].record.dt_s == pytest.approx(dt, rel=1e-15)
 
 
-@pytest.mark.parametrize(
+@every(
     "quantity",
     [
         "ACCELERATION TIME HISTORY IN UNITS OF G (MULTIPLIED BY 981)",
@@ -215,7 +216,7 @@ def test_units_that_are_not_understood_as_a_whole(tmp_path: Path, quantity: str)
     assert read_recordings(written(tmp_path, same))[0].units_in_file == "mg"
 
 
-@pytest.mark.parametrize("odd", ["1.0E+06", "1.0E+307", "-9.9E+300"])
+@every("odd", ["1.0E+06", "1.0E+307", "-9.9E+300"])
 def test_numbers_that_no_record_holds_are_refused(tmp_path: Path, odd: str) -> None:
     lines = at2(samples(40)).split("\n")
     lines[6] = f" {odd}" * 5
@@ -228,7 +229,7 @@ def test_a_peak_beyond_belief_is_doubted(tmp_path: Path) -> None:
     assert "more than any earthquake has caused" in found.warnings[0]
 
 
-@pytest.mark.parametrize("dt", ["0.0", "-.01", "x"])
+@every("dt", ["0.0", "-.01", "x"])
 def test_an_interval_that_is_none_is_refused(tmp_path: Path, dt: str) -> None:
     text = at2(samples(40)).replace("DT= 0.01000", f"DT= {dt}")
     with pytest.raises(RecordFileError):

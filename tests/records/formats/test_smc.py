@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import smc
 
@@ -39,7 +40,7 @@ def test_smc_of_times_and_samples_in_turn(tmp_path: Path) -> None:
     assert found.record.peak_acceleration_m_s2 == pytest.approx(1.5, rel=0.2)
 
 
-@pytest.mark.parametrize("first", ["3 VELOCITY", "4 DISPLACEMENT", "5 RESPONSE SPECTRA"])
+@every("first", ["3 VELOCITY", "4 DISPLACEMENT", "5 RESPONSE SPECTRA"])
 def test_smc_of_another_quantity_is_refused(tmp_path: Path, first: str) -> None:
     with pytest.raises(RecordFileError, match=r"line 1, .*must be an accelerogram"):
         read(tmp_path, smc(CM, first=first))

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from rocksteady import RecordFileError
+from tests.every import every
 from tests.records.formats.networks import CM, read
 from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc
 
@@ -20,7 +20,7 @@ DAMAGES = {
 }
 
 
-@pytest.mark.parametrize("name", DAMAGES)
+@every("name", DAMAGES)
 def test_a_damaged_header_makes_no_table(tmp_path: Path, name: str) -> None:
     text, head = DAMAGES[name]
     lines = text.split("\n")

@@ -159,6 +159,7 @@ def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
     assert found.remedies[0].words in found.sentence
 
 
+@pytest.mark.slow
 def test_where_runs_about_the_demand_give_less_than_the_curve_remedies_change_something() -> None:
     wide = described(
         {"target_probability": 0.11},
@@ -385,6 +386,7 @@ def test_the_demand_is_the_middle_of_the_levels_of_a_case() -> None:
     assert levels_about(level)[THE_DEMAND] == pytest.approx(PGV)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["width", "ballast"])
 def test_a_remedy_is_the_least_change_to_one_part_in_a_hundred(name: str) -> None:
     """Less of it by up to 1 % was run, and is above the target."""

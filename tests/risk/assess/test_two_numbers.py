@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from rocksteady import Block, InputError, assess_two_numbers
 from rocksteady.risk.assess.two_numbers import share_words
 from tests.descriptions import as_json, fits
+from tests.every import every
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 
@@ -83,7 +84,7 @@ def test_enough_friction_and_none_give_the_same_probability() -> None:
     assert "friction is not given" in unknown.remarks[0]
 
 
-@pytest.mark.parametrize(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01), (35.0, 40.0)])
+@every(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01), (35.0, 40.0)])
 def test_a_ratio_that_no_ground_has_is_remarked_on(pga: float, pgv: float) -> None:
     found = assess_two_numbers(BLOCK, pga, pgv, 99.0)
     assert any("are the units right?" in remark for remark in found.remarks)
@@ -121,7 +122,7 @@ def test_json_has_the_keys_of_the_contract_and_the_text_fits_a_page() -> None:
     assert fits(found.summary())
 
 
-@pytest.mark.parametrize(
+@every(
     ("changed", "name"),
     [
         ({"pga_g": 0.0}, "pga_g"),

@@ -42,6 +42,7 @@ def test_levels_without_vertical_motion_are_the_usual_ones() -> None:
     assert np.isinf(contact_levels(MEASURE, STATUE, rs.make_synthetic_suite(3))).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("vertical", [0.3, 0.6])
 def test_an_assessment_with_strong_vertical_motion_has_an_answer(vertical: float) -> None:
     statue = rs.ObjectFile(

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady import InputError, RocksteadyError, read_survey
+from tests.every import every
 
 HEADER = "name,width_m,height_m,base,outcome,reversed,photo\n"
 GOOD = (
@@ -35,7 +36,7 @@ def test_a_table_is_read(tmp_path: Path) -> None:
     assert survey.outcomes.tolist() == [0.0, 1.0, 1.0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         ("", "cemetery.csv"),

@@ -121,6 +121,7 @@ def test_predict_holds_training_tests_out_and_others_not(found: Calibration) -> 
     assert (other.held_out, other.p[0]) == ((True,), row.p[1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("fell", "side", "gain"), [(True, "upper", 0.8), (False, "lower", 1.2)])
 def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -> None:
     many = Sampling(draws=1500, gains=3, rounds=3)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, InputError, RestitutionBand
+from tests.every import every
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
 
@@ -47,7 +48,7 @@ def test_ends_may_be_factors_of_each_sides_own_housner_value() -> None:
         RestitutionBand(low=0.95, high="housner").ratios(own)
 
 
-@pytest.mark.parametrize(
+@every(
     "wrong",
     [
         {"low": "housner", "high": ("housner", 0.9)},

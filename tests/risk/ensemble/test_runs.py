@@ -28,6 +28,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
+from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 SYMMETRIC = Block.rectangle(width=0.4, height=1.6)
@@ -211,7 +212,7 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
         np.testing.assert_array_equal(found[name].isel(vertical=0, draw=0), other[name])
 
 
-@pytest.mark.parametrize(
+@every(
     "run",
     [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
 )

@@ -3,10 +3,10 @@
 import functools
 
 import numpy as np
-import pytest
 import xarray
 
 from rocksteady import Block, RestitutionBand, Run, Stripes, run_ensemble
+from tests.every import every
 from tests.seismic.grounds import ground
 
 BLOCKS = (
@@ -59,7 +59,7 @@ def test_a_seed_gives_its_own_draws_and_the_same_again() -> None:
     assert other.attrs["seed"] == "1"
 
 
-@pytest.mark.parametrize(
+@every(
     "run",
     [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
 )

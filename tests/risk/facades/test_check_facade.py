@@ -21,6 +21,7 @@ from rocksteady.risk.facades.facade_check import Check, FacadeCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from tests.every import every
 
 WALL = Facade(name="front", thickness_m=0.3, height_m=3.0)
 
@@ -90,7 +91,7 @@ def test_without_a_demand_there_are_capacities_alone() -> None:
     assert "No demand is given for SLD, SLV and SLC: capacity alone." in found.describe().notes
 
 
-@pytest.mark.parametrize(
+@every(
     ("share", "state", "demand", "satisfied"),
     [
         ([0.1] * 6 + [0.8], "SLV", 0.2 * 0.2, True),  # mean 1.4/7 = .2 of d0 = .2 m

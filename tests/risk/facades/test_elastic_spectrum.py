@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.facades.elastic_spectrum import SOIL_FACTORS, ElasticSpectrum, Soil
+from tests.every import every
 
 SITE: dict[str, Any] = {"ag_g": 0.2, "f0": 2.5, "tc_star_s": 0.3}
 
@@ -41,7 +42,7 @@ def test_displacement_is_constant_beyond_td() -> None:
     assert site.displacement_m(3.9, 0.05) == pytest.approx(site.displacement_m(2.4, 0.05))
 
 
-@pytest.mark.parametrize(
+@every(
     ("soil", "low", "high", "middle"),
     [("A", 1.0, 1.0, 1.0), ("B", 1.0, 1.2, 1.15), ("C", 1.0, 1.5, 1.325),
      ("D", 0.9, 1.8, 1.4625), ("E", 1.0, 1.6, 1.3125)],
@@ -117,14 +118,14 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("keys", "line"), WRONG)
+@every(("keys", "line"), WRONG)
 def test_what_is_wrong_is_named(keys: dict[str, Any], line: str) -> None:
     with pytest.raises(RocksteadyError) as refusal:
         ElasticSpectrum(**{**SITE, **keys})
     assert line in str(refusal.value)
 
 
-@pytest.mark.parametrize(("period", "damping"), [(-0.1, 0.05), (61.0, 0.05), (1.0, 0.0), (1.0, 8)])
+@every(("period", "damping"), [(-0.1, 0.05), (61.0, 0.05), (1.0, 0.0), (1.0, 8)])
 def test_periods_and_dampings_out_of_range_are_refused(period: float, damping: float) -> None:
     with pytest.raises(RocksteadyError):
         ElasticSpectrum(**SITE, soil="A").sa_g(period, damping)

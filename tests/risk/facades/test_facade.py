@@ -9,6 +9,7 @@ import pytest
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.facade import Facade
+from tests.every import every
 
 SIZES: dict[str, Any] = {"name": "front", "thickness_m": 0.5, "height_m": 6.0}
 LOAD: dict[str, Any] = {"name": "roof", "weight_kn": 5.0, "x_m": 0.2, "z_m": 3.0}
@@ -77,7 +78,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("keys", "line"), WRONG)
+@every(("keys", "line"), WRONG)
 def test_what_is_wrong_is_named_in_one_line(keys: dict[str, Any], line: str) -> None:
     with pytest.raises(RocksteadyError) as refusal:
         Facade(**{**SIZES, **keys})
@@ -85,7 +86,7 @@ def test_what_is_wrong_is_named_in_one_line(keys: dict[str, Any], line: str) -> 
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("kind", "keys", "line"),
     [
         (Load, {**LOAD, "weight_kn": 0.0}, "weight_kn of load roof = 0.0 is not valid"),
@@ -115,7 +116,7 @@ def test_a_parapet_against_something_takes_loads() -> None:
     )
 
 
-@pytest.mark.parametrize("name", ["\0", "a\x1b[2J", "a\u202eb", "a\u2028b", "a\rb", "a\tb"])
+@every("name", ["\0", "a\x1b[2J", "a\u202eb", "a\u2028b", "a\rb", "a\tb"])
 def test_a_name_has_no_characters_that_do_not_print(name: str) -> None:
     with pytest.raises(RocksteadyError, match="printable"):
         Facade(name=name, thickness_m=0.5, height_m=6.0)

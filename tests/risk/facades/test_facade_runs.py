@@ -23,6 +23,7 @@ from rocksteady import (
     run_facade,
     simulate,
 )
+from tests.every import every
 from tests.risk.facades.lagrange import largest_tilt
 from tests.risk.facades.suites import BARE, LOADED, motion, motions
 
@@ -38,8 +39,8 @@ def simulated(facade: Facade, record: Record, model: Nonlinear | Linear) -> tupl
     return run.status, run.peak
 
 
-@pytest.mark.parametrize("model", MODELS, ids=["nonlinear", "linear"])
-@pytest.mark.parametrize("facade", [BARE, LOADED, PARAPET], ids=lambda each: str(each.name))
+@every("model", MODELS)
+@every("facade", [BARE, LOADED, PARAPET])
 def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear) -> None:
     records = [motion(seed, 5.0 * G * facade.mechanism.uplift_g) for seed in range(8)]
     found = run_facade(facade, records, model=model)
@@ -57,8 +58,9 @@ def test_cells_are_what_simulate_finds(facade: Facade, model: Nonlinear | Linear
     assert found.model.name == model.name
 
 
-@pytest.mark.parametrize(("seed", "times"), [(0, 1.2), (1, 2.4), (2, 3.0), (4, 2.0)])
-@pytest.mark.parametrize("factor", [1.0, 1.35])
+@pytest.mark.slow
+@every(("seed", "times"), [(0, 1.2), (1, 2.4), (2, 3.0), (4, 2.0)])
+@every("factor", [1.0, 1.35])
 def test_a_bare_wall_follows_its_equation_of_motion(seed: int, times: float, factor: float) -> None:
     wall = replace(BARE, confidence_factor=factor)
     record = motion(seed, times * G * wall.mechanism.uplift_g)
@@ -69,9 +71,7 @@ def test_a_bare_wall_follows_its_equation_of_motion(seed: int, times: float, fac
     assert tilt.tolist() == pytest.approx(expected, rel=1e-6)
 
 
-@pytest.mark.parametrize(
-    ("seed", "times", "near"), [(0, 1.2, 1e-3), (1, 2.4, 2e-3), (2, 3.6, 0.03)]
-)
+@every(("seed", "times", "near"), [(0, 1.2, 1e-3), (1, 2.4, 2e-3), (2, 3.6, 0.03)])
 def test_a_loaded_wall_is_near_its_equation_of_motion(seed: int, times: float, near: float) -> None:
     """Loads, ties and pushing masses are kept to the order of theta^2."""
     record = motion(seed, times * G * LOADED.mechanism.uplift_g)
@@ -177,7 +177,7 @@ def test_levels_are_factors_or_peaks() -> None:
         run_facade(BARE, suite, pga_g=0.3, scale=1.5)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
+@every("value", [0.0, -1.0, math.nan, math.inf])
 def test_a_level_is_above_zero(value: float) -> None:
     with pytest.raises(InputError):
         run_facade(BARE, motion(0, 1.0), scale=value)
@@ -208,7 +208,7 @@ def test_a_base_that_falls_away_counts_as_beyond() -> None:
     assert "could not be decided" in found.summary()
 
 
-@pytest.mark.parametrize("run", [Run(executor="serial"), Run(workers=1), Run(workers=3)])
+@every("run", [Run(executor="serial"), Run(workers=1), Run(workers=3)])
 def test_the_same_bits_for_any_workers(run: Run) -> None:
     suite = motions(7, 0.3 * G)
     first, again = run_facade(LOADED, suite), run_facade(LOADED, suite, run=run)

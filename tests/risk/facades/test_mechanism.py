@@ -14,6 +14,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.risk.facades.actions import Load, Moments, PushingMass, Thrust, Tie, unfavourable
 from rocksteady.risk.facades.facade import Facade, Kind
 from rocksteady.risk.facades.mechanism import Mechanism
+from tests.every import every
 
 
 def wall(thickness: float = 0.3, height: float = 3.0, factor: float = 1.0) -> Mechanism:
@@ -140,7 +141,7 @@ def test_alpha0_balances_the_work_of_a_small_rotation_and_theta0_that_of_a_finit
     assert moment(found.theta0_rad, 0.0) == pytest.approx(0.0, abs=1e-6 * scale)
 
 
-@pytest.mark.parametrize(("thickness", "height"), [(0.3, 3.0), (0.05, 8.0), (2.0, 3.5), (1.1, 50)])
+@every(("thickness", "height"), [(0.3, 3.0), (0.05, 8.0), (2.0, 3.5), (1.1, 50)])
 def test_a_bare_wall_is_the_rectangle(thickness: float, height: float) -> None:
     found = wall(thickness, height)
     block, same = found.block(), Block.rectangle(width=thickness, height=height).against_wall()

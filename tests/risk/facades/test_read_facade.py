@@ -12,6 +12,7 @@ from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.read_facade import EXAMPLE, FacadeFile, read_facade
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
+from tests.every import every
 
 SIZES = "thickness_m = 0.5\nheight_m = 6\n"
 HEAD = f'[facade]\nname = "x"\n{SIZES}'
@@ -140,7 +141,7 @@ WRONG = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "line"), WRONG)
+@every(("text", "line"), WRONG)
 def test_what_is_wrong_is_named_in_one_line(text: str, line: str, tmp_path: Path) -> None:
     with pytest.raises(RocksteadyError) as refusal:
         read(text, tmp_path)

@@ -8,6 +8,7 @@ import pytest
 from scipy.signal import lsim
 
 from rocksteady import InputError, Record, RecordDemand
+from tests.every import every
 from tests.risk.facades.suites import motion, motions
 
 G = 9.80665
@@ -25,6 +26,7 @@ def swing(record: Record, period_s: float, damping: float) -> float:
     return float(np.abs(u).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damping", [0.08, 0.10])
 def test_the_demand_is_the_mean_of_the_largest_ordinate_of_each_record(damping: float) -> None:
     end = 1.6
@@ -45,6 +47,7 @@ def test_a_longer_range_demands_no_less_and_damping_no_more() -> None:
     assert (DEMAND.displacements_m(1.5, 0.10) < demands[1]).all()
 
 
+@pytest.mark.slow
 def test_the_demand_is_proportional_to_the_records() -> None:
     twice = RecordDemand(records=tuple(each.scaled(2.0) for each in DEMAND.records))
     assert twice.displacement_m(1.2, 0.08) == pytest.approx(2.0 * DEMAND.displacement_m(1.2, 0.08))
@@ -63,7 +66,7 @@ def test_a_mean_needs_seven_records() -> None:
         RecordDemand(records=tuple(motions(6, 1.0)))
 
 
-@pytest.mark.parametrize("period", [-0.1, math.nan, math.inf])
+@every("period", [-0.1, math.nan, math.inf])
 def test_a_period_is_a_number(period: float) -> None:
     for ask in (DEMAND.displacement_m, DEMAND.sa_g):
         with pytest.raises(InputError):

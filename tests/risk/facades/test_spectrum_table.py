@@ -10,6 +10,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.facades.spectrum_table import SpectrumTable, read_spectrum_table
+from tests.every import every
 
 ROWS: dict[str, Any] = {"periods_s": [0.0, 0.2, 0.8, 3.2], "values_g": [0.3, 1.2, 0.6, 0.075]}
 
@@ -69,7 +70,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("keys", "line"), WRONG)
+@every(("keys", "line"), WRONG)
 def test_what_is_no_table_is_refused(keys: dict[str, Any], line: str) -> None:
     with pytest.raises(RocksteadyError) as refusal:
         SpectrumTable(**{**ROWS, "damping": 0.05, **keys})
@@ -96,7 +97,7 @@ def test_a_column_of_dampings_makes_a_curve_of_each(tmp_path: Path) -> None:
     assert found.sa_g(0.5, 0.2) == pytest.approx(0.3)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "damping", "line"),
     [
         ("period_s,sa_g\n0,0.3\n1,x\n", 0.05, "floor.csv: line 3, sa_g = 'x' is not valid"),
@@ -121,7 +122,7 @@ def test_a_fault_of_a_file_is_named_in_one_line(
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("rows", "named"),
     [
         ("0,0.3\n0.5,0_1.7_5\n4,0.1", "line 3, sa_g = '0_1.7_5'"),

@@ -8,6 +8,7 @@ import pytest
 from scipy import stats
 
 from rocksteady import Bands, FragilityCurve, fit_curve
+from tests.every import every
 from tests.risk.fits.suites import MEDIAN, TOTAL_BETA, coverage, make_suite
 
 
@@ -157,7 +158,7 @@ def test_bands_of_56_records_cover_what_they_promise(within: float) -> None:
     assert TOTAL_BETA > 0.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("options", "name"),
     [
         ({"confidence": 1.0}, "confidence"),

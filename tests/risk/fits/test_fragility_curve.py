@@ -9,6 +9,7 @@ import statsmodels.api as sm
 from scipy import stats
 
 from rocksteady import Bands, FragilityCurve, InputError, fit_curve
+from tests.every import every
 
 DISTRIBUTIONS: dict[str, Any] = {"lognormal": stats.norm, "logistic": stats.logistic}
 LINKS = {"lognormal": sm.families.links.Probit, "logistic": sm.families.links.Logit}
@@ -30,8 +31,9 @@ def overlapping(at: np.ndarray, failures: np.ndarray, trials: np.ndarray) -> boo
     return bool(at[failures > 0].min() < at[failures < trials].max())
 
 
-@pytest.mark.parametrize("grouped", [True, False])
-@pytest.mark.parametrize("family", ["lognormal", "logistic"])
+@pytest.mark.slow
+@every("grouped", [True, False])
+@every("family", ["lognormal", "logistic"])
 def test_fits_are_those_of_statsmodels(family: Any, grouped: bool) -> None:
     compared = 0
     for seed in range(25):
@@ -144,8 +146,8 @@ STEPS: list[tuple[list[float], list[int], str, tuple[float, float] | None]] = [
 ]
 
 
-@pytest.mark.parametrize("family", ["lognormal", "logistic"])
-@pytest.mark.parametrize(("at", "failures", "status", "step"), STEPS)
+@every("family", ["lognormal", "logistic"])
+@every(("at", "failures", "status", "step"), STEPS)
 def test_data_without_a_curve_have_a_status(
     at: list[float], failures: list[int], status: str, step: Any, family: Any
 ) -> None:
@@ -208,7 +210,7 @@ def test_small_data_of_any_kind_have_the_status_of_a_search_over_all_steps() -> 
     assert seen == {"always", "never", "separated", "fitted", "not-rising"}
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "name", "words"),
     [
         (([], []), "intensity", "row of numbers"),

@@ -17,6 +17,7 @@ def p_values(suites: list[Suite]) -> np.ndarray:
     return np.array([p for p in found if p is not None])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("draws", "within"), [(1, 0.0), (5, 0.5)])
 def test_p_values_of_the_right_family_are_about_uniform(draws: int, within: float) -> None:
     """Of 56 records; 200 suites, shares held to three standard deviations and .03."""

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from rocksteady import Bands, InputError, TwoStageCurve, fit_curve, fit_two_stages
+from tests.every import every
 
 AT = np.geomspace(0.1, 4.0, 20)
 GATE, MEDIAN, BETA = 0.33, 0.35, 0.8
@@ -81,7 +82,7 @@ def test_a_separated_gate_is_a_step_and_the_product_fits_better_than_one_curve()
     assert "uplift: failures and survivals are separated" in found.summary()
 
 
-@pytest.mark.parametrize("gate_beta", [0.0, 0.2, 0.6])
+@every("gate_beta", [0.0, 0.2, 0.6])
 def test_a_quantile_is_a_root_of_the_product(gate_beta: float) -> None:
     found = fitted(gate_beta=gate_beta)
     for p in (0.01, 0.3, 0.5, 0.7, 0.99):
@@ -292,6 +293,7 @@ def test_the_likelier_of_both_forms_is_kept() -> None:
     assert "in PGA, at least as likely as in the excess" in " ".join(found.summary().split())
 
 
+@pytest.mark.slow
 @given(
     gate=st.floats(0.02, 1.2),
     median=st.floats(0.05, 2.0),

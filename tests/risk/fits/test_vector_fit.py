@@ -9,6 +9,7 @@ import statsmodels.api as sm
 from scipy import stats
 
 from rocksteady import InputError, fit_curve, fit_vector
+from tests.every import every
 
 
 def made(seed: int, width: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -22,7 +23,7 @@ def made(seed: int, width: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return np.exp(logs), rng.binomial(trials, stats.norm.cdf(eta)), trials
 
 
-@pytest.mark.parametrize("width", [1, 2, 3])
+@every("width", [1, 2, 3])
 def test_fits_are_those_of_statsmodels(width: int) -> None:
     for seed in range(8):
         at, failures, trials = made(seed, width)
@@ -74,7 +75,7 @@ def test_products_of_powers_have_the_same_likelihood() -> None:
     assert second.probability(other) == pytest.approx(first.probability(at), rel=1e-6)
 
 
-@pytest.mark.parametrize(
+@every(
     ("points", "failures", "status"),
     [
         ([[1, 1], [2, 1], [1, 2], [2, 2.5]], [0, 0, 1, 1], "separated"),

@@ -5,12 +5,13 @@ import pytest
 
 from rocksteady import DamageState, Fitting, InputError, Status
 from rocksteady.risk.fragility.damage_states import exceeding
+from tests.every import every
 
 CODES = np.array([Status.AT_REST, Status.AT_REST, Status.ROCKING, Status.OVERTURNED])
 PEAKS = np.array([0.0, 0.5, 1.2, 0.9])
 
 
-@pytest.mark.parametrize(
+@every(
     ("state", "exceeded"),
     [
         (DamageState("uplift"), [False, True, True, True]),

@@ -72,6 +72,7 @@ def changed(**values: np.ndarray) -> xarray.Dataset:
     return found
 
 
+@pytest.mark.slow
 def test_points_are_the_counts_of_the_runs() -> None:
     runs = ensemble()
     rules = {
@@ -133,6 +134,7 @@ def test_the_gain_is_the_likelihood_of_the_failures_in_two_stages_above_that_of_
     assert fragility().state("uplift").gain is None
 
 
+@pytest.mark.slow
 def test_a_measure_has_one_curve_in_all_answers() -> None:
     kept = [measure for measure in kept_measures(ensemble()) if measure.scales]
     used = set()

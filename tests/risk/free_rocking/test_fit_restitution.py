@@ -24,6 +24,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Model
+from tests.every import every
 from tests.risk.free_rocking.decays import decay
 
 Floats = NDArray[np.float64]
@@ -32,8 +33,8 @@ BLOCK = Block.rectangle(width=0.05, height=0.5)
 UNLIKE = Block.asymmetric(left=0.15, right=0.25, height=1.2, restitution=(0.87, 0.93))
 
 
-@pytest.mark.parametrize("linear", [False, True])
-@pytest.mark.parametrize("e", [0.6, 0.95, 0.999])
+@every("linear", [False, True])
+@every("e", [0.6, 0.95, 0.999])
 def test_closed_form_peaks_give_their_restitution_back(e: float, *, linear: bool) -> None:
     alpha = None if linear else BLOCK.alpha
     peaks = BLOCK.alpha * free_rocking_peaks(0.7, e, 15, alpha=alpha)
@@ -63,8 +64,8 @@ def _turning_points(block: Block, model: Model, impacts: int) -> tuple[Floats, F
     return np.array(times) / block.p, block.alpha * np.array(angles)
 
 
-@pytest.mark.parametrize(("model", "close"), [(Linear(), 1e-10), (Nonlinear(), 1e-8)])
-@pytest.mark.parametrize("block", [BLOCK.with_restitution(0.93), UNLIKE])
+@every(("model", "close"), [(Linear(), 1e-10), (Nonlinear(), 1e-8)])
+@every("block", [BLOCK.with_restitution(0.93), UNLIKE])
 def test_a_simulated_motion_shows_the_restitution_of_its_block(
     block: Block, model: Model, close: float
 ) -> None:
@@ -129,6 +130,7 @@ def test_intervals_of_nine_in_ten_hold_restitution_and_scatter(tau: float, sigma
         assert np.mean([fit.scatter for fit in fits]) == pytest.approx(true, rel=0.1)
 
 
+@pytest.mark.slow
 def test_scatter_and_measuring_error_are_told_apart() -> None:
     rng = np.random.default_rng(11)
     bare = [_drawn(rng, 0.03, 4e-4, 24) for _ in range(6)]
@@ -196,7 +198,7 @@ def test_a_block_too_stocky_for_housner_has_a_restitution_and_no_factor() -> Non
     assert "so stocky a block" in fit.summary()
 
 
-@pytest.mark.parametrize(
+@every(
     ("peaks", "words"),
     [
         ([0.05], "needs the peaks before and after it"),
@@ -228,7 +230,7 @@ def test_two_peaks_give_a_value_and_no_error() -> None:
     assert "cannot be estimated" in fit.warnings[0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("wrong", "words"),
     [
         ({"sides": [1, -1]}, "there are 3 peaks"),

@@ -10,6 +10,7 @@ from scipy.integrate import quad
 from scipy.stats import norm
 
 from rocksteady import Block, HazardCurve, InputError, compute_risk, reject_branches
+from tests.every import every
 
 K, MEDIAN, BETA = 2.2, 0.4, 0.5
 
@@ -28,8 +29,8 @@ def test_a_sure_alpha_rejects_at_the_confidence_of_age_and_rate() -> None:
     assert found.rejected.tolist() == [False, False, True]
 
 
-@pytest.mark.parametrize("cv", [0.05, 0.2])
-@pytest.mark.parametrize("age", [300.0, 10_000.0])
+@every("cv", [0.05, 0.2])
+@every("age", [300.0, 10_000.0])
 def test_survival_is_averaged_over_alpha(cv: float, age: float) -> None:
     """Under a power law the rate goes with alpha^-k: one integral, by adaptive quadrature."""
     rate = 1e-4 * MEDIAN**-K * math.exp(0.5 * (K * BETA) ** 2)
@@ -90,7 +91,7 @@ def test_the_text_says_what_does_not_follow() -> None:
     assert [row["rejected"] for row in rows] == [True, False]
 
 
-@pytest.mark.parametrize(
+@every(
     ("changed", "line"),
     [
         ({"branches": []}, "there must be one or more"),

@@ -14,6 +14,7 @@ from scipy.special import expit, ndtr
 from rocksteady import HazardCurve
 from rocksteady.risk.hazard._convolution import convolve
 from rocksteady.risk.hazard._fragile import Converted, Lognormal
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -71,8 +72,8 @@ def test_a_bent_curve_is_exact_to_twelve_digits() -> None:
     assert rate(median, beta, BENT) == pytest.approx(float(total), rel=1e-12)
 
 
-@pytest.mark.parametrize("beta", [0.0, 1e-9, 1e-6])
-@pytest.mark.parametrize("median", [0.021, 0.1, 0.17, 0.8, 1.99])
+@every("beta", [0.0, 1e-9, 1e-6])
+@every("median", [0.021, 0.1, 0.17, 0.8, 1.99])
 def test_a_step_fails_at_the_rate_of_its_median(median: float, beta: float) -> None:
     assert rate(median, beta, BENT) == pytest.approx(
         float(BENT.rate(median)), rel=2e-5 * (beta > 0) + 1e-12

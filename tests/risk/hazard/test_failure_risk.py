@@ -28,6 +28,7 @@ from rocksteady import (
     fit_curve,
     fit_two_stages,
 )
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -53,7 +54,7 @@ def test_the_cabinet_of_the_brief() -> None:
     assert risk.survival + risk.probability == pytest.approx(1.0, rel=1e-15)
 
 
-@pytest.mark.parametrize(("beta_r", "beta_u"), [(0.592, 0.0), (0.3, 0.25), (0.0, 0.0)])
+@every(("beta_r", "beta_u"), [(0.592, 0.0), (0.3, 0.25), (0.0, 0.0)])
 def test_the_capacity_of_high_confidence_and_low_probability(beta_r: float, beta_u: float) -> None:
     risk = compute_risk((0.4653, beta_r), HAZARD, beta_u=beta_u)
     assert risk.hclpf == pytest.approx(0.4653 * math.exp(-1.645 * (beta_r + beta_u)), rel=1e-12)
@@ -344,7 +345,7 @@ def test_rows_and_json_add_up() -> None:
     assert told["contributing"] == sorted(told["contributing"])
 
 
-@pytest.mark.parametrize(
+@every(
     ("options", "line"),
     [
         ({"measure": "pga_g"}, "fit the fragility over sa_g:1.0"),

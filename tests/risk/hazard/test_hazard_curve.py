@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import HazardCurve, InputError
+from tests.every import every
 
 LEVELS = [0.05, 0.1, 0.4, 1.2]
 RATES = [0.1, 0.02, 0.001, 0.00001]
@@ -45,7 +46,7 @@ def test_a_power_law_is_itself_between_its_points(
     assert power.slopes == pytest.approx(np.full(at.size - 1, k), rel=1e-6)
 
 
-@pytest.mark.parametrize("level", [0.049, 1.21, 0.0, -1.0, np.nan, np.inf])
+@every("level", [0.049, 1.21, 0.0, -1.0, np.nan, np.inf])
 def test_beyond_its_ends_a_curve_is_unknown(level: float) -> None:
     with pytest.raises(InputError, match=r"reaches from 0\.05 to 1\.2 g"):
         curve().rate(level)
@@ -59,7 +60,7 @@ def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
     assert curve().extended().rate(2.4) == pytest.approx(RATES[-1] * 2.0**fitted, rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     ("changed", "line"),
     [
         ({"levels": [0.1, 0.1, 0.2, 0.3]}, "it follows 0.1, and levels must rise"),

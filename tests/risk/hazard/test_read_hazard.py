@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rocksteady import HazardCurve, InputError, read_hazard_curves
+from tests.every import every
 
 NEW = (
     "#,,,,,\"generated_by='OpenQuake engine 3.16.0', start_date='2024-06-03T09:36:04', "
@@ -45,7 +46,7 @@ def test_probabilities_in_a_year_are_rates(file: Any) -> None:
     assert (of(curve), curve.site, curve.name) == ("pga_g", (0.0, 45.5), "")
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "second"),
     [
         ("rate per 50 years", 0.01 / 50.0),
@@ -62,14 +63,14 @@ def test_rates_of_several_years_and_per_cents_are_counted_as_such(
     assert curve.rates[1] == pytest.approx(second, rel=1e-14)
 
 
-@pytest.mark.parametrize("name", ["rate per month", "annual rate [%]", "return period [ka]"])
+@every("name", ["rate per month", "annual rate [%]", "return period [ka]"])
 def test_rates_of_other_times_and_in_per_cent_are_refused(file: Any, name: str) -> None:
     with pytest.raises(InputError, match=re.escape(repr(name))):
         read_hazard_curves(file(f"PGA [g], {name}\n0.1,100\n0.2,10\n"))
 
 
-@pytest.mark.parametrize("kind", ["mean", "quantile-0.15", "rlz-000"])
-@pytest.mark.parametrize("years", [1.0, 50.0])
+@every("kind", ["mean", "quantile-0.15", "rlz-000"])
+@every("years", [1.0, 50.0])
 def test_kind_time_and_sites_are_those_of_the_file(file: Any, kind: str, years: float) -> None:
     header = NEW.format(kind, years, "SA(1.0)")
     curves = read_hazard_curves(file(header + NAMES + SITE + "9.5,46,0.0,.4,.3,.2\n"))
@@ -96,7 +97,7 @@ def test_infinite_rates_and_none_are_left_out_with_a_remark(file: Any) -> None:
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("header", "levels", "measure"),
     [
         ("PGA [g], annual rate", [0.1, 0.4], "pga_g"),
@@ -121,7 +122,7 @@ def test_names_and_units_of_two_columns(
     assert of(curve) == measure
 
 
-@pytest.mark.parametrize(
+@every(
     ("header", "values", "options"),
     [
         ("PGA [g],return period [years]", (50, 1000), {}),
@@ -138,7 +139,7 @@ def test_probabilities_and_return_periods_of_two_columns(
     assert curve.rates == pytest.approx([0.02, 0.001], rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     "content",
     [
         b"\xef\xbb\xbfPGA [g],rate\r\n0.1,0.02\r\n0.4,0.001\r\n",
@@ -159,7 +160,7 @@ def test_marks_line_ends_separators_commas_and_orders(file: Any, content: bytes)
     assert (curve.levels.tolist(), curve.rates.tolist()) == ([0.1, 0.4], [0.02, 0.001])
 
 
-@pytest.mark.parametrize(
+@every(
     ("content", "line"),
     [
         (".1,.02\n.4,.001\n", "the columns have no names, as PGA, PGV and Sa(PERIOD)"),
@@ -221,7 +222,7 @@ def test_arguments_give_what_a_file_leaves_open(file: Any) -> None:
     assert bare.rates[0] == pytest.approx(0.6030892, abs=9e-8)
 
 
-@pytest.mark.parametrize(
+@every(
     ("content", "options", "line"),
     [
         ("PGA [g],rate\n.1,.02\n.4,.001\n", {"measure": "pgv_m_s"}, "measure = 'pgv_m_s'"),
@@ -288,6 +289,7 @@ PIECES = st.sampled_from(
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @settings(max_examples=400, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.one_of(

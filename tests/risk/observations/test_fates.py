@@ -28,6 +28,7 @@ from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.risk.observations import fates as module
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
+from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 NAMES = ("status", "peak_angle", "impacts")
@@ -203,11 +204,11 @@ def test_tests_blocks_draws_and_seeds_draw_their_own_numbers() -> None:
     assert not set(other.peak_angle.values.ravel()) & set(found.peak_angle.values.ravel())
 
 
-@pytest.mark.parametrize(
+@every(
     "run",
     [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
 )
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+@every("model", [Linear(), Nonlinear()])
 def test_workers_do_not_change_a_bit(run: Run, model: Model) -> None:
     tests = TESTS if isinstance(model, Linear) else LIFTED
     scatter = Scatter(0.08, draws=3, seed=9)
@@ -285,7 +286,7 @@ def test_each_object_has_its_own_blocks_and_deviation() -> None:
 COLUMN = BLOCKS[:2]
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "words"),
     [
         ({"tests": []}, "tests"),
@@ -336,7 +337,7 @@ def test_the_linear_model_has_no_vertical_motion() -> None:
         fates_on_records(COLUMN, LIFTED, model=Linear())
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "words"),
     [
         ({"deviation": -0.1}, "deviation"),

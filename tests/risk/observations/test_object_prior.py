@@ -12,6 +12,7 @@ from rocksteady.errors import InputError, ModelError, RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import impact_restitution
 from rocksteady.risk.observations.object_prior import ObjectPrior
+from tests.every import every
 
 EXACT: dict[str, Any] = {"housner_factor": 1.0, "scatter": 0.0}
 
@@ -54,7 +55,7 @@ def test_an_offset_moves_the_mass_centre_to_the_right_of_the_middle() -> None:
     assert right.restitution == pytest.approx(impact_restitution(angles, radii, gyration=k))
 
 
-@pytest.mark.parametrize(
+@every(
     ("sizes", "oracle"),
     [
         ({"alpha_rad": 0.2, "p_rad_s": 3.0}, lambda: Block.from_p(alpha=0.2, p=3.0)),
@@ -164,7 +165,7 @@ def test_what_is_not_given_is_a_default_that_others_replace() -> None:
     }  # fmt: skip
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "kind", "line"),
     [
         ({}, ModelError, "has no size"),
@@ -218,7 +219,7 @@ def test_every_block_of_a_wide_prior_exists() -> None:
     assert all(0.0 < block.negative.restitution < 1.0 for block in blocks)
 
 
-@pytest.mark.parametrize("values", [[0.3], [[0.3, 0.1, 0.2]], [[]]])
+@every("values", [[0.3], [[0.3, 0.1, 0.2]], [[]]])
 def test_rows_have_a_value_for_each_parameter(values: Any) -> None:
     prior = ObjectPrior(name="a", alpha_rad="0.2:0.3", p_rad_s=3, restitution=0.9)
     for method in (prior.log_density, prior.scatter_of, prior.blocks, prior.sides, prior.draw):

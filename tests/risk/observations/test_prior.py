@@ -11,6 +11,7 @@ from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.prior import Noise, Prior, read_prior
 from rocksteady.risk.observations.spread import Spread
+from tests.every import every
 
 
 def written(tmp_path: Path, text: str | bytes) -> Path:
@@ -40,7 +41,7 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
     assert dict(prior.defaults) == {}
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "line"),
     [
         ("[nois]\n", "prior.toml: nois is unknown: the tables are [noise] and [object]"),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, read_peaks
+from tests.every import every
 
 
 def _read(folder: Path, text: str, encoding: str = "utf-8") -> list:  # type: ignore[type-arg]
@@ -15,9 +16,7 @@ def _read(folder: Path, text: str, encoding: str = "utf-8") -> list:  # type: ig
     return read_peaks(file)
 
 
-@pytest.mark.parametrize(
-    ("column", "scale"), [("peak_rad", 1.0), ("peak_deg", math.pi / 180.0), ("peak_mrad", 1e-3)]
-)
+@every(("column", "scale"), [("peak_rad", 1.0), ("peak_deg", math.pi / 180.0), ("peak_mrad", 1e-3)])
 def test_each_unit_is_read_as_radians(column: str, scale: float, tmp_path: Path) -> None:
     (release,) = _read(tmp_path, f"{column}\n0.9\n0.7\n0.5\n")
     assert release.peaks_rad == pytest.approx(scale * np.array([0.9, 0.7, 0.5]), rel=1e-15)
@@ -38,7 +37,7 @@ def test_all_columns_are_read_and_others_are_not(tmp_path: Path) -> None:
     assert (one.name, two.name) == ("a", "b")
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         ("", "is empty"),

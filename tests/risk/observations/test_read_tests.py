@@ -277,6 +277,7 @@ def test_files_that_are_none_are_refused(folder: Path) -> None:
     assert "it must be" in refusal(folder, text.replace("shock", "shock.csv"), units="furlongs")
 
 
+@pytest.mark.slow
 def test_many_faults_of_chance_are_one_line_each(folder: Path) -> None:
     chance = random.Random(7)
     head = f"{HEAD},gain,sigma_ln,peak_rad,sigma_rad,reversed,channel,vertical"

@@ -9,6 +9,7 @@ import pytest
 from rocksteady.errors import InputError, ModelError, RocksteadyError
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.observations.shaking_test import ShakingTest
+from tests.every import every
 
 RECORD = Record(acceleration_m_s2=np.array([0.0, 3.0, -1.0, -2.0, 0.0]), dt_s=0.02, name="run 7")
 WHOLE: dict[str, Any] = {"name": "t", "record": RECORD, "object": "column", "fell": False}
@@ -35,7 +36,7 @@ def test_tests_of_a_record_stay_together_unless_they_have_another_group() -> Non
     assert ShakingTest(**{**WHOLE, "record": unnamed}, group="g").group == "g"
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "kind", "line"),
     [
         ({"name": " "}, InputError, "name = ' ' is not valid"),

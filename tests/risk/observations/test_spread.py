@@ -11,6 +11,7 @@ from scipy.integrate import quad
 
 from rocksteady.errors import InputError
 from rocksteady.risk.observations.spread import Spread
+from tests.every import every
 
 SHARES = np.linspace(0.0, 1.0, 41)
 
@@ -23,7 +24,7 @@ def test_a_uniform_spread_is_that_of_scipy() -> None:
     np.testing.assert_allclose(spread.log_density(at), oracle.logpdf(at), rtol=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     ("mean", "sd", "low", "high"),
     [(0.4, 0.05, 0.0, 1.0), (0.02, 0.05, 0.0, 1.0), (0.9, 0.4, 0.05, 1.0), (3.0, 1e-3, 2.5, 3.5)],
 )
@@ -59,7 +60,7 @@ def test_a_density_integrates_to_one_and_its_quantiles_rise(
     assert spread.low <= values[0] <= values[-1] <= spread.high
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "numbers"),
     [
         ("0.25", (0.25, 0.25, None, None)),
@@ -77,7 +78,7 @@ def test_a_text_is_read_and_written_again(text: str, numbers: tuple[float, ...])
     assert Spread.parse(str(spread)) == spread
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "line"),
     [
         ("", "it must be a number, a range as 0.3:0.5, or mean"),
@@ -120,7 +121,7 @@ def test_a_value_without_spread_has_all_its_mass_there() -> None:
     assert spread.log_density([0.3, 0.31]).tolist() == [0.0, -math.inf]
 
 
-@pytest.mark.parametrize("share", [-0.1, 1.1, math.nan])
+@every("share", [-0.1, 1.1, math.nan])
 def test_a_share_lies_between_0_and_1(share: float) -> None:
     with pytest.raises(InputError, match="uniforms"):
         Spread.between(0.0, 1.0).quantile([0.5, share])

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, Demand, InputError, Record, measure_intensity, screen_block
+from tests.every import every
 
 
 def test_a_record_gives_its_peaks_and_its_spectrum() -> None:
@@ -41,7 +42,7 @@ def test_a_row_at_period_zero_is_the_pga_where_none_is_given() -> None:
     assert screens.demand.pga_g == stronger.with_peak().pga_g == 0.9
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "name"),
     [
         ({"pga_g": 0.0}, "pga_g"),

@@ -9,6 +9,7 @@ import pytest
 
 from rocksteady import Block, Demand, InputError, Record, Screens, screen_block
 from tests.descriptions import as_json, fits
+from tests.every import every
 
 BLOCK = Block.rectangle(width=0.32, height=1.8)
 PEAKS = Demand(pga_g=0.35, pgv_m_s=0.4)
@@ -110,7 +111,7 @@ def test_the_asce_row_solves_its_equation() -> None:
     assert roots[-1] == t
 
 
-@pytest.mark.parametrize(
+@every(
     ("level", "verdict", "passes"),
     [(0.001, "no rotation", True), (1.0, "rocks up to", True), (9.0, "overturns", False)],
 )

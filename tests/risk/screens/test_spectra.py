@@ -15,6 +15,7 @@ from rocksteady.risk.screens.spectra import (
     spectrum_of,
     tabulated,
 )
+from tests.every import every
 
 G = 9.80665
 TABLE = [[0.0, 0.3], [0.1, 0.75], [0.5, 0.75], [2.0, 0.1875]]
@@ -49,7 +50,7 @@ def test_between_two_dampings_both_logarithms_are_interpolated() -> None:
     assert turned.at_damping(0.04, 4.0)[0] == chain
 
 
-@pytest.mark.parametrize(("damping", "factor"), [(0.02, 1.19523), (0.1, 0.81650), (0.5, 0.55)])
+@every(("damping", "factor"), [(0.02, 1.19523), (0.1, 0.81650), (0.5, 0.55)])
 def test_outside_the_rule_of_eurocode_8_scales_all_but_the_peak_acceleration(
     damping: float, factor: float
 ) -> None:
@@ -84,7 +85,7 @@ def test_without_a_damping_a_table_is_checked_and_not_used() -> None:
     assert spectrum_of(TABLE, None) is None
 
 
-@pytest.mark.parametrize(
+@every(
     ("table", "damping", "words"),
     [
         ([[0.1, 0.3]], 0.05, "two rows"),
@@ -109,7 +110,7 @@ def test_what_is_no_spectrum_is_refused(table: object, damping: object, words: s
     assert words in str(refusal.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "dampings"),
     [
         ("0.1 0.3\n0.2, 0.4\n", None),
@@ -136,7 +137,7 @@ def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path)
     assert found == (0.02, 0.05, 0.1)
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "words"),
     [
         ("", "no rows"),

@@ -77,6 +77,7 @@ def test_housners_intensity_is_the_area_below_the_pseudo_velocity() -> None:
     assert measure_intensity(record).housner_intensity_m == pytest.approx(area, rel=5e-3)
 
 
+@pytest.mark.slow
 @settings(max_examples=10)
 @given(st.integers(0, 1000), st.floats(0.1, 10.0))
 def test_how_the_measures_grow_with_the_record(seed: int, factor: float) -> None:

@@ -15,6 +15,7 @@ from rocksteady import (
     average_spectral_acceleration,
     compute_response_spectrum,
 )
+from tests.every import every
 from tests.records import el_centro
 from tests.seismic.sines import Floats, noise, refined
 
@@ -45,8 +46,8 @@ def integrated(record: Record, period: float, damping: float) -> Floats:
     return best
 
 
-@pytest.mark.parametrize("period", [0.004, 0.015, 0.05, 0.4, 3.0, 30.0])
-@pytest.mark.parametrize("damping", [0.0, 0.05, 0.6])
+@every("period", [0.004, 0.015, 0.05, 0.4, 3.0, 30.0])
+@every("damping", [0.0, 0.05, 0.6])
 def test_peaks_are_those_of_an_adaptive_integrator(period: float, damping: float) -> None:
     record = noise(4, samples=15)
     found = compute_response_spectrum(record, [period], damping=damping)
@@ -104,9 +105,7 @@ def test_pseudo_spectra_are_the_displacement_in_other_units() -> None:
     np.testing.assert_allclose(found.acceleration_m_s2, found.pseudo_acceleration_m_s2, rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("period", "inches", "g"), [(0.5, 2.67, 1.09), (1.0, 5.97, 0.610), (2.0, 7.47, 0.191)]
-)
+@every(("period", "inches", "g"), [(0.5, 2.67, 1.09), (1.0, 5.97, 0.610), (2.0, 7.47, 0.191)])
 def test_el_centro_as_chopra_prints_it(period: float, inches: float, g: float) -> None:
     """Dynamics of Structures, figs 6.4.1 and 6.6.2: 2 % damping, El Centro, north-south, 1940."""
     values, step = el_centro()
@@ -143,7 +142,7 @@ def test_the_average_is_a_geometric_mean() -> None:
     assert average_spectral_acceleration(record, 0.7) == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "name"),
     [
         ({"periods_s": [0.0]}, "periods_s"),

@@ -15,6 +15,7 @@ from rocksteady import (
     measure_scalar,
 )
 from rocksteady.seismic.measures.scalar import MEASURES
+from tests.every import every
 from tests.seismic.grounds import ground
 
 G = 9.80665
@@ -49,7 +50,7 @@ def test_spectral_measures_are_those_of_the_oscillators() -> None:
     assert default == average_spectral_acceleration(RECORD, period) / G
 
 
-@pytest.mark.parametrize("name", MEASURES)
+@every("name", MEASURES)
 def test_scaling_changes_what_scales_in_proportion_and_nothing_else(name: str) -> None:
     one, double = (measure_scalar(RECORD.scaled(f), name, BLOCK) for f in (1.0, 2.0))
     assert double / one == pytest.approx(2.0 if Intensity(name).scales else 1.0, rel=1e-12)

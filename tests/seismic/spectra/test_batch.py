@@ -23,6 +23,7 @@ from rocksteady.seismic.spectra.batch import (
     shaken_fates,
     sides_in_si,
 )
+from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 BLOCKS = (
@@ -56,9 +57,7 @@ def history(
     return simulate(block, BaseMotion(record.scaled(factor), lifted), model=model)
 
 
-@pytest.mark.parametrize(
-    ("model", "vertical"), [(Linear(), None), (Nonlinear(), None), (Nonlinear(), lifting())]
-)
+@every(("model", "vertical"), [(Linear(), None), (Nonlinear(), None), (Nonlinear(), lifting())])
 def test_blocks_of_any_kind_fare_as_in_time_histories(
     model: Model, vertical: Record | None
 ) -> None:
@@ -79,6 +78,7 @@ def test_a_base_that_falls_away_is_told() -> None:
     assert found.status.tolist() == [Status.AT_REST, Status.LOST_CONTACT]
 
 
+@pytest.mark.slow
 def test_a_block_without_loss_is_followed_for_long_and_no_longer() -> None:
     block = Block.rectangle(width=0.4, height=1.6, restitution=1.0)
     found = fared(GroundShaking(record=ground(peak=2.6)), (block,), (1.0,), Linear())
@@ -88,8 +88,8 @@ def test_a_block_without_loss_is_followed_for_long_and_no_longer() -> None:
     assert found.peak_angle[0] == pytest.approx(run.peak, rel=1e-9)
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("restitution", ["housner", 0.8])
+@every("model", [Linear(), Nonlinear()])
+@every("restitution", ["housner", 0.8])
 def test_rectangles_are_blocks_from_alpha_and_p_to_the_last_bit(
     model: Model, restitution: float
 ) -> None:
@@ -157,9 +157,7 @@ def test_what_a_device_leaves_over_is_followed_on_the_host(model: Model) -> None
         np.testing.assert_array_equal(one, other)
 
 
-@pytest.mark.parametrize(
-    ("model", "vertical"), [(Linear(), None), (Nonlinear(), None), (Nonlinear(), lifting())]
-)
+@every(("model", "vertical"), [(Linear(), None), (Nonlinear(), None), (Nonlinear(), lifting())])
 def test_without_peaks_the_fates_are_the_same(model: Model, vertical: Record | None) -> None:
     """Also of blocks of two gravities, whose vertical motion counts in their own."""
     record = ground(peak=9.0)
@@ -216,7 +214,7 @@ def test_scatter_is_drawn_by_key_in_any_order_of_cells(model: Model) -> None:
     assert len(set(one.peak_velocity.tolist())) == count // 2
 
 
-@pytest.mark.parametrize(
+@every(
     ("deviation", "keys", "name"),
     [
         (-0.1, 0, "deviation"),

@@ -24,6 +24,7 @@ from rocksteady import (
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
+from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
 G = 9.80665
@@ -72,7 +73,7 @@ def shaken(*, linear: bool, vertical: bool) -> tuple[list[Record | BaseMotion], 
     return motions, simulate_many(BLOCKS, motions, pga_g=LEVELS, reverse="both", model=model)
 
 
-@pytest.mark.parametrize(("linear", "vertical"), [(True, False), (False, False), (False, True)])
+@every(("linear", "vertical"), [(True, False), (False, False), (False, True)])
 def test_each_cell_is_a_time_history(*, linear: bool, vertical: bool) -> None:
     motions, result = shaken(linear=linear, vertical=vertical)
     assert dict(result.sizes) == {"block": 4, "record": 3, "direction": 2, "level": 3}
@@ -89,7 +90,7 @@ def test_each_cell_is_a_time_history(*, linear: bool, vertical: bool) -> None:
     assert {Status.AT_REST, Status.OVERTURNED} <= set(result.status.values.ravel().tolist())
 
 
-@pytest.mark.parametrize(("linear", "vertical"), [(True, False), (False, False), (False, True)])
+@every(("linear", "vertical"), [(True, False), (False, False), (False, True)])
 def test_each_cell_of_a_block_against_a_wall_is_a_time_history(
     *, linear: bool, vertical: bool
 ) -> None:
@@ -112,6 +113,7 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(
     assert "negative_alpha" not in found.coords
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_without_loss_at_the_wall_each_status_is_that_of_a_time_history(model: Model) -> None:
     # It rocks on for p t = 1e4, through a thousand impacts that magnify what rounding does.
@@ -217,7 +219,7 @@ def test_the_summary_of_a_suite_counts_those_that_fall() -> None:
     assert 0.0 < float(fell.mean()) < 1.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "words"),
     [
         ({"blocks": []}, "list of them"),
@@ -245,8 +247,8 @@ def test_the_linear_model_has_no_vertical_motion() -> None:
         simulate_many(BLOCKS[0], BaseMotion(SUITE[0], lifting()), model=Linear())
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("wall", [False, True])
+@every("model", [Linear(), Nonlinear()])
+@every("wall", [False, True])
 def test_a_crest_that_just_touches_uplift_is_decided(model: Model, *, wall: bool) -> None:
     """To the last bits of the level a block lifts or not, and never stays between the two."""
     block = Block.rectangle(width=0.4, height=2.0)

@@ -20,6 +20,7 @@ from rocksteady import (
 )
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
+from tests.every import every
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
 
@@ -43,7 +44,7 @@ def falls(block: Block, motion: Record | BaseMotion, scale: float, model: Model)
     return simulate(block, motion.scaled(scale), model=model).status is Status.OVERTURNED
 
 
-@pytest.mark.parametrize(
+@every(
     ("block", "motion", "model"),
     [
         (BLOCK, RECORD, Linear()),
@@ -54,16 +55,6 @@ def falls(block: Block, motion: Record | BaseMotion, scale: float, model: Model)
         (WALL, RECORD, Linear()),
         (WALL, RECORD.reversed(), Nonlinear()),
         (LEANING.against_wall(0.0), LIFTED, Nonlinear()),
-    ],
-    ids=[
-        "linear",
-        "nonlinear",
-        "two sides",
-        "two sides, reversed",
-        "vertical",
-        "wall, linear",
-        "wall, reversed",
-        "wall without rebound, vertical",
     ],
 )
 def test_time_histories_agree_with_the_windows(
@@ -80,8 +71,9 @@ def test_time_histories_agree_with_the_windows(
     assert sum(one is not other for one, other in zip(told, fates, strict=True)) <= 3
 
 
-@pytest.mark.parametrize("motion", [WAVE, BaseMotion(WAVE, WAVE.scaled(0.2))])
-@pytest.mark.parametrize("block", [BLOCK, LEANING, WALL], ids=["symmetric", "two sides", "wall"])
+@pytest.mark.slow
+@every("motion", [WAVE, BaseMotion(WAVE, WAVE.scaled(0.2))])
+@every("block", [BLOCK, LEANING, WALL])
 def test_every_fate_under_a_short_motion_agrees(block: Block, motion: Record | BaseMotion) -> None:
     found = find_overturning_scales(block, motion, within=(0.5, 4.0))
     scales = np.geomspace(0.5, 4.0, 2001).tolist()

@@ -25,6 +25,7 @@ from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.seismic.spectra.describe import describe as described
+from tests.every import every
 from tests.records import FOLDER, peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
 from tests.seismic.grounds import ALPHAS, PERIODS, ground, lifting
@@ -54,8 +55,8 @@ def test_each_cell_is_a_time_history(model: Model) -> None:
     assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("ratio", ["housner", ("housner", 0.9), 0.0, 0.6])
+@every("model", [Linear(), Nonlinear()])
+@every("ratio", ["housner", ("housner", 0.9), 0.0, 0.6])
 def test_each_cell_against_a_wall_is_a_time_history(model: Model, ratio: Any) -> None:
     found = compute_rocking_spectrum(
         [ground(), ground().reversed()],
@@ -122,7 +123,7 @@ def test_suite_scale_vertical_gravity_and_restitution_reach_the_block() -> None:
 # ------------------------------------------------------------------------------- published
 
 
-@pytest.mark.parametrize(("name", "p", "alpha", "theta"), PEAKS)
+@every(("name", "p", "alpha", "theta"), PEAKS)
 def test_published_peaks_under_real_records(
     name: str, p: float, alpha: float, theta: float
 ) -> None:
@@ -133,7 +134,7 @@ def test_published_peaks_under_real_records(
     assert alpha * float(found.peak_angle) == pytest.approx(theta, rel=1e-5)
 
 
-@pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
+@every(("degrees", "period", "falls"), AT_PACOIMA_DAM)
 def test_where_pacoima_dam_topples_blocks(degrees: float, period: float, falls: bool) -> None:
     alpha = math.radians(degrees)
     found = compute_rocking_spectrum(
@@ -244,7 +245,7 @@ def test_single_values_are_no_dimensions_but_stay() -> None:
 # --------------------------------------------------------------------------------- refusals
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "words"),
     [
         ({"alpha": 0.2, "periods_s": -2.0}, "periods_s = -2.0"),

@@ -56,6 +56,7 @@ def names(folder: Path) -> list[str]:
     return sorted(each.name for each in folder.iterdir())
 
 
+@pytest.mark.slow
 def test_every_file_is_there_and_reads_back(rocking: Assessment, tmp_path: Path) -> None:
     read = tmp_path / "read.toml"
     read.write_bytes(b"name = 'x'")
@@ -114,6 +115,7 @@ def test_the_description_for_loss_tools_names_the_object_once(
         assert len(re.findall(r"B(?:ü|\\u00fc)ste, 3 \(Saal\)", text)) == 1, name
 
 
+@pytest.mark.slow
 def test_the_same_answer_gives_the_same_bytes(rocking: Assessment, tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_assessment(rocking, tmp_path / name)
@@ -121,6 +123,7 @@ def test_the_same_answer_gives_the_same_bytes(rocking: Assessment, tmp_path: Pat
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
 
 
+@pytest.mark.slow
 def test_an_object_that_slides_leaves_its_inputs_alone(
     sliding: Assessment, rocking: Assessment, tmp_path: Path
 ) -> None:

@@ -72,6 +72,7 @@ def _slides() -> Assessment:
     return assess_object(statue(friction=0.1), SUITE[:3])
 
 
+@pytest.mark.slow
 def test_it_is_one_page_that_runs_and_fetches_nothing(page: Page) -> None:
     check_alone(page)
     assert page.tags["h1"] == 1
@@ -120,6 +121,7 @@ def test_the_median_is_given_as_a_peak_velocity(found: Assessment, page: Page) -
     assert f"{number(found.curve.median)} m/s of PGV" in page.text
 
 
+@pytest.mark.slow
 def test_the_same_assessment_gives_the_same_bytes(found: Assessment, html: str) -> None:
     assert page_of(replace(found, seconds=found.seconds + 1.0)) == html
 
@@ -164,6 +166,7 @@ def test_motions_from_random_numbers_are_named_so(page: Page, slides: Assessment
     assert "synthetic" not in page_of(slides)  # none was run
 
 
+@pytest.mark.slow
 def test_names_of_any_kind_are_shown_and_never_run(page: Page) -> None:
     record = Record(
         acceleration_m_s2=SUITE[0].acceleration_m_s2, dt_s=SUITE[0].dt_s, name="<b>&amp;$x$"
@@ -219,6 +222,7 @@ def test_headings_stand_over_content_alone(found: Assessment) -> None:
     assert "none needed" in page.text
 
 
+@pytest.mark.slow
 def test_an_object_that_no_run_topples_has_a_page_without_a_median() -> None:
     squat = statue(
         geometry={"width_m": 1.0, "height_m": 0.8}, demand={"pga_g": 0.9, "pgv_m_s": 0.1}
@@ -233,6 +237,7 @@ def test_an_object_that_no_run_topples_has_a_page_without_a_median() -> None:
     assert "nan" not in page.text.lower().split()
 
 
+@pytest.mark.slow
 def test_few_motions_have_no_band_and_the_page_says_none() -> None:
     found = assess_object(statue(), SUITE[:3])
     page = Page(page_of(found))
@@ -241,6 +246,7 @@ def test_few_motions_have_no_band_and_the_page_says_none() -> None:
     assert "90 % band" not in page.text
 
 
+@pytest.mark.slow
 def test_two_sides_that_differ_have_a_table() -> None:
     shape = {"width_m": 0.4, "height_m": 1.6, "offset_m": 0.05}
     page = Page(page_of(assess_object(statue(geometry=shape), SUITE[:3])))

@@ -62,6 +62,7 @@ def test_what_is_read_back_predicts_to_the_last_bit(tmp_path: Path) -> None:
     assert np.array_equal(again.p, found.validation.predictions.p)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("found", [pytest.param(calibrated, marks=pytest.mark.slow), unscored])
 def test_the_same_calibration_gives_the_same_bytes(found: "object", tmp_path: Path) -> None:
     assert callable(found)

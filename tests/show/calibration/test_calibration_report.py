@@ -11,6 +11,7 @@ from rocksteady import Calibration
 from rocksteady.results.numbers import number
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.manifest import make_manifest
+from tests.every import every
 from tests.show.assessment.pages import Page, check_alone
 from tests.show.calibrated import HOSTILE, calibrated, hostile, unscored
 
@@ -37,6 +38,7 @@ def page(kind: str) -> str:
     return calibration_html(made[kind], make_manifest(command="rocksteady calibrate --tests x"))
 
 
+@pytest.mark.slow
 def test_every_section_and_picture_is_there() -> None:
     read = Page(page("usual"))
     headings = [re.sub(r"^\d+", "", text) for level, text in read.headings if level == 2]
@@ -78,6 +80,7 @@ def test_numbers_are_those_of_the_result() -> None:
     assert "rocksteady calibrate --tests x" in text
 
 
+@pytest.mark.slow
 def test_no_name_is_markup() -> None:
     whole = page("hostile")
     assert "<script>" not in whole
@@ -97,13 +100,14 @@ def test_without_scores_the_page_says_so() -> None:
     assert not any(name in "".join(headings) for name in ("Residuals", "Temper", "Learning"))
 
 
+@pytest.mark.slow
 def test_the_page_is_the_same_twice() -> None:
     assert page("unscored") == calibration_html(
         unscored(), make_manifest(command="rocksteady calibrate --tests x")
     )
 
 
-@pytest.mark.parametrize("promise", ["only alpha is identified", "0.42 g", "is Bayesian", "0.09"])
+@every("promise", ["only alpha is identified", "0.42 g", "is Bayesian", "0.09"])
 def test_what_is_not_promised_stands_on_every_page(promise: str) -> None:
     text = Page(page("unscored")).text.replace("α", "alpha")
     assert promise in text

@@ -69,6 +69,7 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
     assert made["settings"] == {"language": "it"}
 
 
+@pytest.mark.slow
 def test_the_same_check_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_facade_folder(alone(), tmp_path / name)

@@ -9,11 +9,12 @@ from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.facade._facade_page import facade_html
 from rocksteady.show.plots.facades.languages import TABLES, language_of
+from tests.every import every
 from tests.show.assessment.pages import Page, check_alone
 from tests.show.facade.checked_facades import SUITE, alone, thin, tied
 
 CHECKS = {"tied": tied, "thin": thin, "alone": alone}
-BOTH = pytest.mark.parametrize("name", CHECKS)
+BOTH = every("name", CHECKS)
 NAMES = {"fronte", "timpano", "copertura", "volta", "catene", "puntoni", "synthetic"}
 
 
@@ -29,8 +30,9 @@ def words_in(text: str) -> set[str]:
     return {word.lower() for word in re.findall(r"[A-Za-zÀ-ÿ]{4,}", plain)}
 
 
+@pytest.mark.slow
 @BOTH
-@pytest.mark.parametrize("language", ["en", "it"])
+@every("language", ["en", "it"])
 def test_it_is_one_page_that_runs_and_fetches_nothing(name: str, language: str) -> None:
     page, html = page_of(name, language)
     check_alone(page)
@@ -43,6 +45,7 @@ def test_it_is_one_page_that_runs_and_fetches_nothing(name: str, language: str) 
     assert all(len(alt) > 40 for alt in pictures)
 
 
+@pytest.mark.slow
 @BOTH
 def test_no_english_is_left_on_the_italian_page(name: str) -> None:
     """Words of the English page that the Italian table does not have are nowhere on it."""

@@ -25,6 +25,7 @@ from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style import palette
+from tests.every import every
 from tests.show.drawn_maps import (
     AXES,
     BLOCK,
@@ -102,7 +103,8 @@ def test_axes_with_one_value_and_selected_values_stand_in_the_title() -> None:
     assert axes.get_title(loc="left") == "restitution = 0.7"
 
 
-@pytest.mark.parametrize("count", [2, 3, 5, 12])
+@pytest.mark.slow
+@every("count", [2, 3, 5, 12])
 def test_a_third_axis_becomes_panels_with_one_legend(count: int) -> None:
     values = np.linspace(0.7, 0.9, count)
     data = random_map(
@@ -147,7 +149,7 @@ def of_axes(*counts: int) -> xarray.Dataset:
     return drawn_up({name: np.arange(1.0, n + 1.0) for name, n in zip(AXES, counts, strict=False)})
 
 
-@pytest.mark.parametrize(
+@every(
     ("data", "line"),
     [
         (of_axes(1, 1), "needs an axis with two values or more"),

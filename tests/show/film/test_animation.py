@@ -168,6 +168,7 @@ def test_endless_runs_are_refused_and_not_drawn() -> None:
         animate(simulate(elastic, Still(), start=State(angle=0.5, velocity=0.0)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("run", "words"),
     [
@@ -262,6 +263,7 @@ def test_nothing_of_the_picture_is_cut_off() -> None:
             assert text.get_window_extent().x1 <= width, text.get_text()
 
 
+@pytest.mark.slow
 def test_animate_returns_an_animation_that_matplotlib_can_save(tmp_path: Path) -> None:
     run = simulate(
         Block.rectangle(width=0.5, height=2.0),
@@ -299,6 +301,7 @@ def test_a_gif_plays_for_ever_at_its_speed_and_holds_its_end(tmp_path: Path) -> 
         assert picture.convert("RGB").getpixel((2, 2)) == (255, 255, 255)
 
 
+@pytest.mark.slow
 def test_the_gif_shows_what_the_figure_shows(tmp_path: Path) -> None:
     """Its background is drawn once; a frame has to look like one that is drawn whole."""
     slow = simulate(BARE, Harmonic(amplitude=0.9, frequency_ratio=0.25), cycles=1)

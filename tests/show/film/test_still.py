@@ -108,6 +108,7 @@ def test_corners_are_a_rotation_about_the_pivot_in_the_complex_plane(
     assert corners[:, 1].min() >= -1e-12 * radius, "no corner is below the ground"
 
 
+@pytest.mark.slow
 def test_the_drawn_block_keeps_its_size_and_stands_on_its_pivot() -> None:
     run = falling()
     b = BLOCK.radius * math.sin(BLOCK.alpha)

@@ -30,6 +30,7 @@ from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.film.animation import film_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.line_colours import inks_of
+from tests.every import every
 
 FREE = Block.rectangle(width=0.3, height=3.0)
 FACADE = FREE.against_wall()
@@ -53,8 +54,8 @@ def walls(axes: Axes) -> list[Rectangle]:
     return [patch for patch in found if patch.get_facecolor() == ground and patch.get_y() == 0.0]
 
 
-@pytest.mark.parametrize("paper", ["white", "black"])
-@pytest.mark.parametrize("block", [FACADE, LEANING, BARE])
+@every("paper", ["white", "black"])
+@every("block", [FACADE, LEANING, BARE])
 def test_the_wall_stands_at_the_edge_on_which_the_block_does_not_turn(
     block: Block | DimensionlessBlock, paper: str
 ) -> None:
@@ -101,8 +102,8 @@ def hatched(axes: Axes) -> int:
     return sum(bool(patch.get_hatch()) for patch in axes.patches)
 
 
-@pytest.mark.parametrize("start", [0.3, 0.9, 1.4])
-@pytest.mark.parametrize("paper", ["white", "black"])
+@every("start", [0.3, 0.9, 1.4])
+@every("paper", ["white", "black"])
 def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
     run = simulate(FACADE, Still(), start=State(angle=start, velocity=0.0))
     axes = plot_trajectory(run, new_axes(paper))

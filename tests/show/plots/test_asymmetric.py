@@ -25,6 +25,7 @@ from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.film.animation import film_of
+from tests.every import every
 
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 UNLIKE = DimensionlessBlock(restitution=0.85, negative_restitution=0.75, alpha_ratio=1.8)
@@ -49,8 +50,8 @@ def mass_centre(scene: BlockScene) -> tuple[float, float]:
     return x, y
 
 
-@pytest.mark.parametrize("side", [-1, 1])
-@pytest.mark.parametrize("block", [BLOCK, UNLIKE], ids=["sized", "dimensionless"])
+@every("side", [-1, 1])
+@every("block", [BLOCK, UNLIKE])
 def test_where_it_balances_its_mass_centre_is_drawn_above_the_pivot(
     block: Block | DimensionlessBlock, side: int
 ) -> None:

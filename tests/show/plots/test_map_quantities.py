@@ -19,6 +19,7 @@ from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import map_cells
 from rocksteady.show.plots.map_quantities import MOST_PERIODS, shade_of, with_values
 from rocksteady.show.style import palette
+from tests.every import every
 from tests.show.drawn_maps import BLOCK, drawn_up, found
 
 PLANE = {"amplitude": np.arange(1.0, 5.0), "frequency_ratio": np.arange(1.0, 7.0)}
@@ -136,7 +137,7 @@ def test_what_a_map_does_not_have_is_refused() -> None:
         plot_map(drawn_up(PLANE), Figure().add_subplot(), by="lyapunov")
 
 
-@pytest.mark.parametrize("by", ["period", "lyapunov", "peak"])
+@every("by", ["period", "lyapunov", "peak"])
 def test_over_one_axis_the_quantity_is_a_diagram(by: Any) -> None:
     line = found().sel(amplitude=2.0, method="nearest")
     axes = plot_map(line, Figure().add_subplot(), by=by)

@@ -22,6 +22,7 @@ from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import picked, spacing_of
+from tests.every import every
 from tests.show.drawn_maps import (
     AXES,
     BLOCK,
@@ -41,7 +42,7 @@ def test_each_cell_has_the_fill_of_its_class_at_its_place() -> None:
     assert len(map_cells(found()).shares()) >= 4
 
 
-@pytest.mark.parametrize(
+@every(
     "spread",
     [
         (np.linspace(0.5, 2.0, 7), np.linspace(1.0, 9.0, 5)),
@@ -53,9 +54,8 @@ def test_each_cell_has_the_fill_of_its_class_at_its_place() -> None:
         (np.linspace(2.0, 0.5, 7), np.array([3.0, 1.0, 9.0, 5.0])),
         (np.array([1.0, 2.0]), np.array([3.0, 1.0])),
     ],
-    ids=["even", "log up", "log right", "log", "uneven", "uneven log", "in any order", "two"],
 )
-@pytest.mark.parametrize("turned", [False, True], ids=["as given", "turned"])
+@every("turned", [False, True])
 def test_every_spacing_and_order_is_drawn_where_it_belongs(
     spread: tuple[NDArray[np.float64], NDArray[np.float64]], turned: bool
 ) -> None:
@@ -71,7 +71,7 @@ def test_every_spacing_and_order_is_drawn_where_it_belongs(
         assert 0.0 <= limits[0] < min(values) < max(values) < limits[1]
 
 
-@pytest.mark.parametrize(("up", "right"), [(a, b) for a in (0.1, 0.0) for b in (0.2, 0.0)])
+@every(("up", "right"), [(a, b) for a in (0.1, 0.0) for b in (0.2, 0.0)])
 def test_the_picture_itself_has_each_cell_where_the_axes_say(up: float, right: float) -> None:
     """Through the renderer: on logarithmic axes an image is easily put elsewhere."""
     spaced = {
@@ -125,7 +125,7 @@ def test_without_a_frequency_the_first_axis_goes_upwards() -> None:
     assert_drawn(axes, data, "frequency_hz", "acceleration_m_s2")
 
 
-@pytest.mark.parametrize("name", AXES)
+@every("name", AXES)
 def test_every_axis_of_a_map_has_a_label(name: str) -> None:
     label = palette.axis_label(name)
     assert label in palette.LABELS.values()

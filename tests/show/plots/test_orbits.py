@@ -31,6 +31,7 @@ from rocksteady import (
 )
 from rocksteady.show.figures.single import cloud_figure, orbit_figure, orbits_figure
 from rocksteady.show.style import palette
+from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 CHAOTIC = (DimensionlessBlock(restitution=0.25), Harmonic(amplitude=6.0, frequency_ratio=6.0))
@@ -59,7 +60,7 @@ PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
     "nothing": lambda ax: plot_section([], ax),
     "no multipliers": lambda ax: plot_multipliers([], ax),
 }
-plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+plots = every("draw", PLOTS.values())
 
 
 @plots
@@ -254,7 +255,7 @@ def test_multipliers_of_a_rest_lie_at_0() -> None:
 # -------------------------------------------------------------------- a period as a course
 
 
-@pytest.mark.parametrize(("amplitude", "ratio"), [(2.0, 1.9), (2.0, 4.0), (1.2, 0.7), (1.2, 1.9)])
+@every(("amplitude", "ratio"), [(2.0, 1.9), (2.0, 4.0), (1.2, 0.7), (1.2, 1.9)])
 def test_the_course_of_any_orbit_closes_and_has_its_peaks(amplitude: float, ratio: float) -> None:
     listed = [orbit for orbit in found(ratio, amplitude) if orbit.admissible]
     for orbit in [*listed, *(orbit.mirrored for orbit in listed)]:

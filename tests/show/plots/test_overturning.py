@@ -31,6 +31,7 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
+from tests.every import every
 
 
 @cache
@@ -47,9 +48,10 @@ PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
     "free": lambda ax: plot_free_rocking([0.9, 0.7], ax),
     "bare": lambda ax: plot_free_rocking((), ax),
 }
-plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+plots = every("draw", PLOTS.values())
 
 
+@pytest.mark.slow
 @plots
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     draw: Callable[[Axes | None], Axes],
@@ -61,6 +63,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
+@pytest.mark.slow
 @plots
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],

@@ -26,6 +26,7 @@ from rocksteady.dynamics.history import base_motion
 from rocksteady.model.equations import Linear
 from rocksteady.show.film._playback import FEWEST_A_PERIOD
 from rocksteady.show.film.animation import film_of
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -47,7 +48,7 @@ def arrows(axes: Axes, marker: str) -> tuple[Floats, Floats]:
     return heads[0] if heads else (np.empty(0), np.empty(0))
 
 
-@pytest.mark.parametrize("name", ["rectangle", "decaying-ramp", "one-cosine", "type-c1"])
+@every("name", ["rectangle", "decaying-ramp", "one-cosine", "type-c1"])
 def test_a_step_of_the_base_is_drawn_upright(name: str) -> None:
     run = under(name, 3.0, 40.0)
     axes = plot_base(run, Figure().add_subplot())
@@ -60,7 +61,7 @@ def test_a_step_of_the_base_is_drawn_upright(name: str) -> None:
     assert base[at - 1] == expected
 
 
-@pytest.mark.parametrize("w", [2.0, 50.0, 5000.0])
+@every("w", [2.0, 50.0, 5000.0])
 def test_a_pulse_is_drawn_smooth_however_quick(w: float) -> None:
     run = under("one-sine", 2.0, w)
     axes = plot_base(run, Figure().add_subplot())
@@ -107,7 +108,7 @@ def test_the_axes_have_units(block: Block | DimensionlessBlock, label: str) -> N
     assert axes.get_ylabel() == r"base  $a/(\alpha g)$"
 
 
-@pytest.mark.parametrize("name", ["triangle", "ricker", "mavroeidis-papageorgiou", "one-sine"])
+@every("name", ["triangle", "ricker", "mavroeidis-papageorgiou", "one-sine"])
 def test_a_film_names_the_pulse_and_shows_it(name: str) -> None:
     run = under(name, 2.0, 9.0, BLOCK)
     film = film_of(run)

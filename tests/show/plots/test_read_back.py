@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 import rocksteady as rs
+from tests.every import every
 from tests.public.things import things
 
 G = 9.80665
@@ -330,7 +331,7 @@ CASES: dict[str, Case] = {
 """Arguments and expected numbers of each picture, by the function that draws it."""
 
 
-@pytest.mark.parametrize("name", CASES)
+@every("name", CASES)
 def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any]) -> None:
     given, expected = CASES[name](t)
     draw = getattr(rs, name.split(maxsplit=1)[0])

@@ -23,6 +23,7 @@ from rocksteady import (
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.show.figures.single import record_figure
+from tests.every import every
 from tests.seismic.sines import noise, sine
 
 PERIODS = np.geomspace(0.05, 5.0, 30)
@@ -32,7 +33,7 @@ def axes() -> Axes:
     return Figure().add_subplot()
 
 
-@pytest.mark.parametrize(
+@every(
     ("quantity", "label", "size"),
     [
         ("acceleration", "acceleration [g]", 2.0 / 9.80665),
@@ -40,7 +41,7 @@ def axes() -> Axes:
         ("displacement", "displacement [m]", 1.0 / math.pi),
     ],
 )
-@pytest.mark.parametrize("sign", [1.0, -1.0])
+@every("sign", [1.0, -1.0])
 def test_the_course_has_its_peak_marked(
     quantity: Literal["acceleration", "velocity", "displacement"],
     label: str,

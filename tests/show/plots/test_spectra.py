@@ -30,6 +30,7 @@ from rocksteady.model.equations import Linear
 from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 from rocksteady.show.plots.spectra import MOST_CURVES, Quantity
 from rocksteady.show.style import palette
+from tests.every import every
 from tests.seismic.grounds import ground
 
 PERIODS = np.linspace(0.6, 6.0, 28)
@@ -60,7 +61,7 @@ PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
     "suite": lambda ax: plot_suite_spectrum(summary().isel(alpha=0), ax),
     "share": lambda ax: plot_overturned_share(summary().isel(alpha=0), ax),
 }
-plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+plots = every("draw", PLOTS.values())
 
 
 @plots
@@ -164,7 +165,7 @@ def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:
     assert len(suite_figure(summary().isel(alpha=0)).axes) == 2
 
 
-@pytest.mark.parametrize(
+@every(
     ("draw", "words"),
     [
         (lambda: plot_rocking_spectrum(summary()), "result of compute_rocking_spectrum"),

@@ -38,6 +38,7 @@ from rocksteady import (
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.show.style import palette
 from rocksteady.show.style.line_colours import DARK, LIGHT, Inks, inks_of, luminance
+from tests.every import every
 from tests.show.drawn_figures import resting, rocking, shock, vertical_too
 from tests.show.drawn_maps import found
 from tests.show.plots.branches.test_bifurcations import over_frequency, sweeps
@@ -122,8 +123,8 @@ def test_the_difference_of_colours_is_that_of_its_authors() -> None:
     assert ciede2000(one, other) == pytest.approx(1.2644, abs=5e-5)
 
 
-@pytest.mark.parametrize("inks", [LIGHT, DARK], ids=["light", "dark"])
-@pytest.mark.parametrize("sight", SIGHTS)
+@every("inks", [LIGHT, DARK])
+@every("sight", SIGHTS)
 def test_lines_of_one_picture_are_told_apart_by_any_sight(inks: Inks, sight: str) -> None:
     together = {
         "curves": (*inks.lines, inks.ink),
@@ -187,8 +188,9 @@ def plots() -> dict[str, object]:
     }
 
 
-@pytest.mark.parametrize("name", list(plots()))
-@pytest.mark.parametrize("paper", ["black", "#1e1e1e", "#ffffff", "#0b2545", "#fdf6e3"])
+@pytest.mark.slow
+@every("name", list(plots()))
+@every("paper", ["black", "#1e1e1e", "#ffffff", "#0b2545", "#fdf6e3"])
 def test_lines_and_text_are_legible_on_anybodys_paper(name: str, paper: str) -> None:
     dark = luminance(to_hex(paper)) < 0.18
     with plt.style.context("dark_background" if dark else "default"):

@@ -19,6 +19,7 @@ from rocksteady import InputError, plot_map, plot_trajectory
 from rocksteady.show.export.files import figure_bytes, save_figure
 from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page, width_mm_of
+from tests.every import every
 from tests.show.drawn_figures import NAMES, TITLE, makers, texts_of
 
 
@@ -27,12 +28,14 @@ def legends(figure: Figure) -> list[Legend]:
     return found
 
 
+@pytest.mark.slow
 def test_every_kind_of_figure_is_here() -> None:
     assert set(NAMES) == set(makers())
 
 
-@pytest.mark.parametrize("width", [84.0, 174.0])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
+@every("width", [84.0, 174.0])
+@every("name", NAMES)
 def test_nothing_is_cut_off_or_too_small_at_any_width(name: str, width: float) -> None:
     figure = makers()[name](Page(width_mm=width))
     figure.draw_without_rendering()
@@ -52,8 +55,9 @@ def test_nothing_is_cut_off_or_too_small_at_any_width(name: str, width: float) -
     assert covered.mean() > 0.55, "axes, not a legend, have the width"
 
 
-@pytest.mark.parametrize("place", PLACES)
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
+@every("place", PLACES)
+@every("name", NAMES)
 def test_every_legend_goes_where_it_is_wanted(name: str, place: str) -> None:
     figure = makers()[name](Page(width_mm=174.0, legend=place))  # type: ignore[arg-type]
     if place == "none":
@@ -114,7 +118,7 @@ def test_of_a_place_that_is_none_one_line_tells() -> None:
             plot_trajectory(rocking(), Figure().add_subplot(), legend=legend)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "width"),
     [("84mm", 84.0), (" 8.4 cm ", 84.0), ("3.5in", 88.9), ("6.85in", 173.99), ("100.mm", 100.0)],
 )
@@ -122,7 +126,7 @@ def test_a_width_has_its_unit(text: str, width: float) -> None:
     assert width_mm_of(text) == pytest.approx(width)
 
 
-@pytest.mark.parametrize(
+@every(
     "text",
     ["84", "-5mm", "1e9mm", "abc", "", "mm", "nanmm", "infmm", "84 MM", "84mm2", "8,4cm", "0in",
      "59mm", "1001mm", "84m", "84pt", "\u0661\u0662\u0660mm", "8" * 400 + "mm"],
@@ -135,12 +139,13 @@ def test_of_a_width_that_is_none_one_line_tells(text: str) -> None:
     assert "\n" not in message
 
 
-@pytest.mark.parametrize("width", [0, -84, float("nan"), float("inf"), "84mm", True, 59.0, 1e9])
+@every("width", [0, -84, float("nan"), float("inf"), "84mm", True, 59.0, 1e9])
 def test_a_width_in_millimetres_has_its_range(width: object) -> None:
     with pytest.raises(InputError, match=r"\[60, 1000\]"):
         Page(width_mm=width)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_the_fonts_of_a_pdf_are_embedded_as_true_type(tmp_path: Path) -> None:
     file = tmp_path / "figure.pdf"
     save_figure("--plot", file, makers()["simulation"](Page()))

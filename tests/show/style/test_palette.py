@@ -35,6 +35,7 @@ def settings_left_as_they_were() -> Iterator[None]:
     assert dict(mpl.rcParams) == settings
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("theme", [*THEMES, HOSTILE], ids=[*THEMES, "hostile"])
 def test_a_whole_figure_is_the_same_under_any_theme(theme: str | dict[str, object]) -> None:
     run = rocking()

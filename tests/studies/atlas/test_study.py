@@ -51,6 +51,7 @@ def table(file: Path) -> list[dict[str, str]]:
 # ------------------------------------------------------------------------------------- the files
 
 
+@pytest.mark.slow
 def test_the_atlas_leaves_these_files(saved: Path) -> None:
     assert names(saved) == FILES
     assert names(saved.parent) == {"out"}
@@ -131,6 +132,7 @@ def test_any_restitution_and_window_has_an_atlas(restitution: float, tmp_path: P
     assert set(whole.save(tmp_path / "out")) == {tmp_path / "out" / name for name in FILES}
 
 
+@pytest.mark.slow
 def test_a_plane_where_nothing_is_stable_can_be_drawn(tmp_path: Path) -> None:
     whole = atlas(0.3, amplitude=[7.0, 7.5, 8.0], frequency_ratio=[0.2, 0.3, 0.4], orders=(5,))
     assert whole.found.motions.max() == 0

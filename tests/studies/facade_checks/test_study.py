@@ -24,6 +24,7 @@ from rocksteady import (
 from rocksteady.studies.facade_checks import study as module
 from rocksteady.studies.facade_checks._checked_walls import METHODS
 from rocksteady.studies.facade_checks.study import SCHEMA, facade_checks, parts_of, plane_of
+from tests.every import every
 from tests.studies.facade_checks.smallest import HEIGHTS_M, PGA_G, SLENDERNESS, plane, study
 
 mpl.use("Agg")
@@ -38,7 +39,8 @@ def saved(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-@pytest.mark.parametrize(
+@pytest.mark.slow
+@every(
     ("cell", "factor"),
     [((0, 0, 1), 1.0), ((0, 2, 2), 1.0), ((1, 0, 0), 1.0), ((1, 1, 1), 1.0), ((1, 2, 0), 1.35)],
 )
@@ -65,6 +67,7 @@ def test_a_cell_is_what_the_checks_of_its_wall_say(
     assert found.dynamics[0].beyond[cell] == len(runs.beyond)
 
 
+@pytest.mark.slow
 def test_a_class_is_the_three_verdicts() -> None:
     values, found = study().values(), study().walls
     bits = np.stack([found.classes & 4, found.classes & 2, found.classes & 1]) > 0
@@ -115,6 +118,7 @@ def test_a_worked_wall_disagrees_as_its_kind_says() -> None:
             assert history.peak == pytest.approx(share, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_no_result_depends_on_how_it_is_run(tmp_path: Path) -> None:
     parts = parts_of(plane(), tmp_path / "out", resume=False, force=False)
     again = facade_checks(plane(), run=Run(executor="serial"), parts=parts)
@@ -131,6 +135,7 @@ def test_no_result_depends_on_how_it_is_run(tmp_path: Path) -> None:
         facade_checks(plane(), run=Run(store=tmp_path / "store"))
 
 
+@pytest.mark.slow
 def test_the_folder_has_the_files_that_the_json_names(saved: Path) -> None:
     names = {file.name for file in saved.iterdir()}
     text = (saved / "facade-checks.json").read_text(encoding="utf-8")
@@ -149,6 +154,7 @@ def test_the_folder_has_the_files_that_the_json_names(saved: Path) -> None:
         study().save(saved)
 
 
+@pytest.mark.slow
 def test_the_table_has_a_row_for_each_wall_and_level(saved: Path) -> None:
     with (saved / "walls.csv").open(encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
@@ -172,7 +178,7 @@ def test_the_page_has_its_parts(saved: Path) -> None:
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("change", "words"),
     [
         ({"height_m": [3.0]}, "2 values or more"),

@@ -19,6 +19,7 @@ from rocksteady.studies.tso_wong_1989._report import (
 )
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Finding, Verdict
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
+from tests.every import every
 
 VOID = {"meta", "link", "img", "br", "hr", "input", "col"}
 HEADINGS = {f"h{level}": level for level in range(1, 7)}
@@ -162,10 +163,9 @@ def test_the_same_study_gives_the_same_bytes() -> None:
     assert made().startswith("<!DOCTYPE html>\n<html lang=")
 
 
-@pytest.mark.parametrize(
+@every(
     ("claims", "sections"),
     [(CLAIMS, PANELS), (CLAIMS, PANELS[:1]), (CLAIMS[:1], PANELS), ([], []), (CLAIMS, [])],
-    ids=["all", "one panel", "no discrepancy", "nothing", "no panel"],
 )
 def test_every_page_is_whole(claims: list[Claim], sections: list[ReportedPanel]) -> None:
     page = read(made(claims, sections))
@@ -264,7 +264,7 @@ def test_a_statement_bears_on_further_panels_without_their_verdict(page: Element
     assert "See also" not in page.one(id="figure-3b").text
 
 
-@pytest.mark.parametrize(
+@every(
     ("holds", "verdict"),
     [
         ([], Verdict.REPRODUCED),

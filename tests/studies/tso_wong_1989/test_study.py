@@ -25,6 +25,7 @@ from rocksteady.studies.tso_wong_1989.study import (
     reproduce,
     steps,
 )
+from tests.every import every
 from tests.strategies import rest_slow
 from tests.studies.tso_wong_1989.whole import PANELS, UNSTABLE, study, undrawn
 
@@ -100,7 +101,7 @@ def test_every_step_is_said(whole: Study, tmp_path: Path) -> None:
     assert steps() == len(PANELS) + len(whole.claims)
 
 
-@pytest.mark.parametrize("name", ["1", "2", "3", "8d", "14a", "", "3A", "figure-3a", " 3a"])
+@every("name", ["1", "2", "3", "8d", "14a", "", "3A", "figure-3a", " 3a"])
 def test_a_figure_that_the_paper_has_not_is_refused_with_those_that_it_has(name: str) -> None:
     for refuse in (chosen_figures, lambda only: reproduce(only=only)):
         with pytest.raises(InputError, match=r"^only = .*3a 3b 4a") as caught:
@@ -119,6 +120,7 @@ def test_the_whole_study_leaves_these_files(saved: Path) -> None:
         assert (saved / f"figure-{name}.svg").read_bytes().startswith(XML)
 
 
+@pytest.mark.slow
 def test_some_figures_leave_theirs_alone(tmp_path: Path) -> None:
     reproduce(only=FEW).save(tmp_path / "out")
     assert set(names(tmp_path / "out")) == files_of(FEW)
@@ -152,6 +154,7 @@ def test_the_report_names_every_file_and_holds_every_picture(saved: Path) -> Non
     assert str(saved) not in page
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("figures", rest_slow([FEW[1:], FEW], 1))
 def test_the_same_study_gives_the_same_bytes(figures: tuple[str, ...], tmp_path: Path) -> None:
     for folder in ("one", "two"):
@@ -222,6 +225,7 @@ def test_the_table_of_peaks_is_the_closed_form(saved: Path) -> None:
 # ----------------------------------------------------------------------------------- refused early
 
 
+@pytest.mark.slow
 def test_files_that_are_there_are_not_replaced_unasked(tmp_path: Path) -> None:
     few = reproduce(only=["10"])
     few.save(tmp_path / "out")
@@ -253,7 +257,7 @@ def test_figures_beside_those_of_another_run_are_no_conflict(tmp_path: Path) -> 
         check_folder(folder, only, force=True)
 
 
-@pytest.mark.parametrize("name", ["claims.json", "report.html", "figure-13d.svg"])
+@every("name", ["claims.json", "report.html", "figure-13d.svg"])
 def test_any_file_of_the_whole_study_is_in_its_way(name: str, tmp_path: Path) -> None:
     (tmp_path / name).touch()
     with pytest.raises(OutputError, match=name.replace(".", r"\.")):
@@ -267,7 +271,7 @@ def a_file(path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize(
+@every(
     ("place", "reason"),
     [
         (lambda path: a_file(path / "file"), "it is a file"),
@@ -325,8 +329,8 @@ def failing(few: Study, at: int, error: Exception) -> Study:
     return replace(few, panels=tuple(panels))
 
 
-@pytest.mark.parametrize("error", [OutOfInkError(), KeyboardInterrupt(), OSError(28, "full")])
-@pytest.mark.parametrize("there", [False, True])
+@every("error", [OutOfInkError(), KeyboardInterrupt(), OSError(28, "full")])
+@every("there", [False, True])
 def test_a_picture_that_fails_leaves_nothing_behind(
     error: Exception, there: bool, tmp_path: Path
 ) -> None:

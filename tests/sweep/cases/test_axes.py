@@ -8,9 +8,10 @@ import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.sweep.cases.axes import Axis
+from tests.every import every
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "values", "valid"),
     [
         ("a", [], "one or more real numbers"),
@@ -54,7 +55,7 @@ def test_an_axis_of_things_gives_the_things() -> None:
     assert found[1, 1] is things[0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("values", "items"), [(["a", "b"], (1,)), ([1.0, 2.0], (1, 2)), (["a"], (1, 2)), (["a"], ())]
 )
 def test_each_name_has_one_thing(values: Any, items: Any) -> None:

@@ -1,9 +1,9 @@
 """Random numbers of cells: against NumPy's own sequences, cell by cell, alone and with others."""
 
 import numpy as np
-import pytest
 
 from rocksteady.sweep.cases.draws import Floats, uniform
+from tests.every import every
 
 SEEDS = (0, 1, 7, 2**32 - 1, 2**32, 2**64 - 1)
 NUMBERS = np.array([0, 1, 2, 41, 10**6, 2**32 - 1, 2**32, 2**32 + 1, 10**12, 2**63 - 1])
@@ -16,8 +16,8 @@ def one_by_one(seed: int, number: int, count: int) -> Floats:
     return np.array([(word >> 11) / 2**53 for word in words.tolist()])
 
 
-@pytest.mark.parametrize("seed", SEEDS)
-@pytest.mark.parametrize("count", [1, 2, 5])
+@every("seed", SEEDS)
+@every("count", [1, 2, 5])
 def test_a_cell_draws_what_a_sequence_of_its_own_gives(seed: int, count: int) -> None:
     expected = [one_by_one(seed, number, count) for number in NUMBERS.tolist()]
     np.testing.assert_array_equal(uniform(seed, NUMBERS, count), expected)

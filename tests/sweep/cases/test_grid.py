@@ -8,6 +8,7 @@ import pytest
 from rocksteady.errors import InputError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
+from tests.every import every
 
 ONE = Axis(name="one", values=[1.0, 2.0])
 OTHER = Axis(name="other", values=[5, 6, 7])
@@ -24,7 +25,7 @@ def test_cells_come_in_c_order_whatever_the_range() -> None:
             assert pairs == expected[first:stop]
 
 
-@pytest.mark.parametrize("axes", [(), [ONE, "other"], None, ONE])
+@every("axes", [(), [ONE, "other"], None, ONE])
 def test_a_grid_needs_axes(axes: Any) -> None:
     with pytest.raises(InputError, match="one axis or more"):
         Grid(axes=axes)

@@ -16,6 +16,7 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.inputs import as_text, differences, inputs_of, named_function, plain
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Task
+from tests.every import every
 
 
 class Colour(Enum):
@@ -79,13 +80,13 @@ def around(value: int) -> Any:
     return lambda: value
 
 
-@pytest.mark.parametrize("value", [object(), around(1), {1, 2}, np.array([None]), 1j, int])
+@every("value", [object(), around(1), {1, 2}, np.array([None]), 1j, int])
 def test_what_cannot_be_written_down_is_refused(value: Any) -> None:
     with pytest.raises(InputError, match=r"factor = .* dataclasses, numbers, texts and arrays"):
         plain(value, "factor")
 
 
-@pytest.mark.parametrize(
+@every(
     ("changed", "said"),
     [
         ({"axes": (Axis(name="a", values=[1.0, 2.0]), Axis(name="b", values=[2.0]))}, "b from 1.0"),
@@ -137,7 +138,7 @@ def test_only_what_can_be_found_again_is_named() -> None:
             named_function(task_of(hidden))
 
 
-@pytest.mark.parametrize("what", [3, "cases", int, functools.partial(int)])
+@every("what", [3, "cases", int, functools.partial(int)])
 def test_a_case_function_is_a_function(what: Any) -> None:
     with pytest.raises(InputError, match=r"a function or a functools.partial"):
         inputs(what)

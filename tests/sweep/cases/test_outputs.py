@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.sweep.cases.outputs import Output
+from tests.every import every
 
 
 def test_classes_say_what_they_mean() -> None:
@@ -25,7 +26,7 @@ def test_a_float_has_no_flags() -> None:
         Output(name="kind", flags={0: "rest"})
 
 
-@pytest.mark.parametrize("dtype", [np.complex128, "U3", object, "datetime64[s]"])
+@every("dtype", [np.complex128, "U3", object, "datetime64[s]"])
 def test_an_output_is_a_number_or_a_truth(dtype: Any) -> None:
     with pytest.raises(InputError, match="boolean, integer or float"):
         Output(name="kind", dtype=dtype)

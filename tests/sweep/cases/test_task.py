@@ -12,6 +12,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Task
+from tests.every import every
 
 GRID = Grid(axes=(Axis(name="a", values=np.arange(1000.0)),))
 
@@ -21,7 +22,7 @@ def task_of(cases: Any, batch: int = 64) -> Task:
     return Task(cases=cases, grid=GRID, outputs=outputs, numbered=None, batch=batch)
 
 
-@pytest.mark.parametrize(
+@every(
     ("seconds_a_cell", "sizes"),
     [
         (0.0, [1, 8, 64, 64, 64]),
@@ -49,7 +50,7 @@ def test_calls_grow_while_they_are_short(
     assert answer.arrays["double"].tolist() == list(range(20, 2000, 2))
 
 
-@pytest.mark.parametrize(
+@every(
     ("seconds_a_cell", "many", "sizes", "next_many"),
     [
         (1 / 1024, 2, [2, 4, 8, 16, 16], 2),
@@ -76,7 +77,7 @@ def test_a_job_begins_where_another_has_come_to(
     assert answer.many == next_many
 
 
-@pytest.mark.parametrize(("seconds", "calls"), [(0.0, 1), (1 / 64, 1), (3 / 64, 3), (0.05, 4)])
+@every(("seconds", "calls"), [(0.0, 1), (1 / 64, 1), (3 / 64, 3), (0.05, 4)])
 def test_slow_cells_are_left_to_others_when_the_time_is_over(
     seconds: float, calls: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -93,7 +94,7 @@ def test_slow_cells_are_left_to_others_when_the_time_is_over(
     assert answer.arrays["double"].tolist() == list(range(0, 2 * calls, 2))
 
 
-@pytest.mark.parametrize(
+@every(
     ("dtype", "value", "valid"),
     [
         (np.int8, np.array([200]), "must fit int8"),
@@ -114,7 +115,7 @@ def test_a_value_that_does_not_fit_is_refused(dtype: Any, value: Any, valid: str
         task.run((0, 1), 1.0)
 
 
-@pytest.mark.parametrize(
+@every(
     ("dtype", "value"),
     [(np.float32, 0.1), (np.float32, math.inf), (np.int8, np.int64(-128)), (np.float64, 2**53)],
 )

@@ -8,10 +8,11 @@ from rocksteady.errors import InputError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors.choice import EXECUTORS, validated_executor
 from rocksteady.sweep.run import Run
+from tests.every import every
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 
 
-@pytest.mark.parametrize(
+@every(
     ("given_address", "why"),
     [
         ("nowhere://127.0.0.1:1", "dask accepts addresses of the kinds .*tcp, tls"),
@@ -35,7 +36,7 @@ def test_what_is_no_address_is_refused_before_anything_is_written(
     assert not store.exists()
 
 
-@pytest.mark.parametrize("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
+@every("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
 def test_what_may_be_an_address_is_valid(given_address: str) -> None:
     assert validated_executor(given_address) == given_address
 

@@ -43,6 +43,7 @@ from tests.sweep.executors.cases import (
 )
 
 
+@pytest.mark.slow
 def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Path) -> None:
     trees = []
     for number, (executor, workers, batch) in enumerate(
@@ -126,6 +127,7 @@ def test_a_worker_of_other_sources_is_refused(
     assert "than the caller, 0123456789abcdef (rocksteady " in message
 
 
+@pytest.mark.slow
 def test_a_worker_of_other_sources_that_joins_late_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -178,6 +180,7 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
         evaluate(locked, GRID, OUTPUTS, run=Run(executor=address))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given_address", ["tcp://127.0.0.1:9", "tcp://no.invalid:1"])
 def test_an_address_where_nobody_answers_is_refused(
     given_address: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
@@ -195,6 +198,7 @@ def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -
         evaluate(some, GRID, OUTPUTS, run=Run(executor=empty.address))
 
 
+@pytest.mark.slow
 def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -231,6 +235,7 @@ def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
         evaluate(some, GRID, OUTPUTS, run=Run(executor="dask"))
 
 
+@pytest.mark.slow
 def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
     notes = tmp_path / "notes"
     notes.mkdir()
@@ -240,6 +245,7 @@ def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ours", [True, False])
 def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
     ours: bool, monkeypatch: pytest.MonkeyPatch
@@ -286,6 +292,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
 
+@pytest.mark.slow
 def test_workers_that_are_killed_while_they_compute_are_not_said_to_end_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -313,6 +320,7 @@ def test_a_worker_that_dies_while_it_is_sent_the_task_is_no_lost_scheduler(
     assert len(tries) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("workers", [1, 2])
 def test_cells_that_kill_every_worker_are_named(workers: int, tmp_path: Path) -> None:
     notes = tmp_path / "notes"

@@ -17,10 +17,12 @@ from rocksteady.errors import UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors import _local
 from rocksteady.sweep.run import Run
+from tests.every import every
 from tests.sweep.executors.callers import ENDLESS, RUN, SCRIPT, script_in, started, within
 from tests.sweep.executors.cases import GRID, OUTPUTS, held, some
 
 
+@pytest.mark.slow
 def test_an_interruption_waits_for_no_cell_and_leaves_nothing_behind(
     address: str, tmp_path: Path
 ) -> None:
@@ -44,6 +46,7 @@ def test_an_interruption_waits_for_no_cell_and_leaves_nothing_behind(
         gate.touch()  # those of a cluster that stays would wait for ever
 
 
+@pytest.mark.slow
 def test_a_script_needs_no_guard_and_says_nothing(tmp_path: Path) -> None:
     # A worker is killed, too; the case function is one of the script.
     text = (
@@ -73,7 +76,8 @@ told.killed = False
     assert float(done.stdout) == float(evaluate(some, GRID, OUTPUTS)["sum"].sum())
 
 
-@pytest.mark.parametrize("when", ["computing", 0.05, 0.3, 0.6])
+@pytest.mark.slow
+@every("when", ["computing", 0.05, 0.3, 0.6])
 def test_ctrl_c_in_a_terminal_is_all_that_one_sees(when: float | str) -> None:
     text = (
         ENDLESS
@@ -105,6 +109,7 @@ def test_ctrl_c_in_a_terminal_is_all_that_one_sees(when: float | str) -> None:
     os.close(own)
 
 
+@pytest.mark.slow
 def test_workers_end_with_a_caller_that_is_killed(tmp_path: Path) -> None:
     process = started(ENDLESS + RUN, stdout=subprocess.PIPE, temporary=tmp_path)
     with process:
@@ -118,6 +123,7 @@ def test_workers_end_with_a_caller_that_is_killed(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_a_caller_that_is_killed_while_its_workers_start_leaves_no_folder(tmp_path: Path) -> None:
     with within(120), started(ENDLESS + RUN, stdout=subprocess.PIPE, temporary=tmp_path) as process:
         while len(children := psutil.Process(process.pid).children()) < 2:
@@ -129,6 +135,7 @@ def test_a_caller_that_is_killed_while_its_workers_start_leaves_no_folder(tmp_pa
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("does", "how"),
     [

@@ -298,6 +298,7 @@ with gpu_in_memory(folder):
 """
 
 
+@pytest.mark.slow
 def test_a_store_of_a_run_that_was_killed_is_finished_by_another(tmp_path: Path) -> None:
     command = [sys.executable, "-c", KILLED, str(tmp_path)]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[3])}

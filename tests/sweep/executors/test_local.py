@@ -60,6 +60,7 @@ def test_addresses_of_the_kernel_are_read() -> None:
     assert address_of("00000000000000000000000001000000") == "::1"
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc/net")
 def test_all_that_a_sweep_opens_listens_on_this_machine_alone() -> None:
     before = ours()

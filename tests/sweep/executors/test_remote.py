@@ -4,9 +4,10 @@ import pytest
 
 from rocksteady.sweep.executors import _remote
 from rocksteady.sweep.executors._remote import open_to_others
+from tests.every import every
 
 
-@pytest.mark.parametrize(
+@every(
     ("place", "expected"),
     [
         ("tcp://127.0.0.1:8786", False),

@@ -195,6 +195,7 @@ DAMAGES: list[Damage] = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rounds", [3, pytest.param(30, marks=pytest.mark.slow)])
 def test_random_damages(rounds: int, undisturbed: Path, other: Path, tmp_path: Path) -> None:
     """The long form draws 330 damages."""

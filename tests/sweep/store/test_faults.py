@@ -23,6 +23,7 @@ from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.store.faults import CHUNK, MOMENTS, run, script, tree, whole
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", rest_slow([19, 1], 1))
 def test_a_run_that_is_killed_at_any_moment_is_resumed(
     step: int, undisturbed: Path, tmp_path: Path
@@ -43,6 +44,7 @@ def test_a_run_that_is_killed_at_any_moment_is_resumed(
     assert set(there) == set(range(0, GRID.size + 1, CHUNK))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_resumed_run_that_is_killed_is_resumed(
     step: int, begun: Path, undisturbed: Path, tmp_path: Path
@@ -77,6 +79,7 @@ def test_a_resumed_run_that_is_killed_is_resumed(
         assert whole(place / "a.zarr", undisturbed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
 def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
     step: int, undisturbed: Path, tmp_path: Path
@@ -152,6 +155,7 @@ def _changed(content: bytes) -> bytes:
     return content[:middle] + bytes([content[middle] ^ 4]) + content[middle + 1 :]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", DAMAGES)
 @pytest.mark.parametrize("array", ["sum", "sign", "done"])
 def test_what_is_damaged_is_computed_again_and_nothing_else(

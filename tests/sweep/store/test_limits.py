@@ -45,6 +45,7 @@ small(Path(sys.argv[1]))
 """
 
 
+@pytest.mark.slow
 def test_a_file_that_may_not_grow_ends_the_run_in_one_line(
     undisturbed: Path, tmp_path: Path
 ) -> None:
@@ -151,6 +152,7 @@ def test_a_second_process_is_refused_until_the_first_is_no_more(
     assert whole(path, undisturbed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("executor", "workers", "batch"),
     [("serial", 1, 1000), ("threads", 3, 7), ("threads", 1, 100), ("dask", 2, 50)],

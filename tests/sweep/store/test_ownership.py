@@ -16,6 +16,7 @@ from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.ownership import is_store, others, owner_of
 from rocksteady.sweep.store.reading import open_store
 from rocksteady.sweep.store.store import Store
+from tests.every import every
 from tests.sweep.store.faults import run, tree, whole
 
 
@@ -88,6 +89,7 @@ def test_what_merely_looks_like_a_store_is_left_alone(make: Any, how: str, tmp_p
     assert everything(tmp_path) == before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name",
     [
@@ -141,7 +143,7 @@ def test_a_link_in_the_place_of_a_chunk_is_not_followed_by_force(
     assert not others(begun)
 
 
-@pytest.mark.parametrize("how", [{}, {"resume": True}, {"overwrite": True}])
+@every("how", [{}, {"resume": True}, {"overwrite": True}])
 def test_what_stands_beside_a_store_is_nobody_s_business(
     how: dict[str, bool], tmp_path: Path, undisturbed: Path
 ) -> None:

@@ -36,6 +36,7 @@ def resumed(folder: Path, undisturbed: Path) -> int:
     return there
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("_pace")
 @pytest.mark.parametrize(("step", "draws"), [(31, 1), pytest.param(1, 3, marks=pytest.mark.slow)])
 def test_a_sweep_that_loses_power_is_resumed(

@@ -28,6 +28,7 @@ from rocksteady import (
     open_store,
 )
 from rocksteady.sweep.store import _writer
+from tests.every import every
 from tests.sweep.indices import indexers
 
 Found = dict[str, NDArray[Any]]
@@ -124,7 +125,7 @@ def test_attributes_are_plain(reference: xarray.Dataset) -> None:
     assert reference.attrs["cycles"] == 7
 
 
-@pytest.mark.parametrize("value", [None, True, math.nan, math.inf, [1.0], np.array(2.0), 1j])
+@every("value", [None, True, math.nan, math.inf, [1.0], np.array(2.0), 1j])
 def test_other_attributes_are_refused(value: Any) -> None:
     with pytest.raises(InputError, match=r"extra = .* a finite number or a text"):
         evaluate(some, GRID, OUTPUTS, attributes={"extra": value})
@@ -139,6 +140,7 @@ def test_nothing_is_read_before_it_is_used(store: Path) -> None:
         _ = found.value.values
 
 
+@pytest.mark.slow
 @given(st.tuples(*(indexers(length) for length in GRID.shape)))
 def test_any_part_of_it_is_that_part(
     filled: Path, reference: xarray.Dataset, index: tuple[Any, ...]
@@ -149,6 +151,7 @@ def test_any_part_of_it_is_that_part(
     assert found.computed.isel(where).all()
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(*(st.integers(-n, n - 1) for n in GRID.shape)), min_size=1, max_size=5))
 def test_points_of_it_are_those_points(
     filled: Path, reference: xarray.Dataset, points: list[tuple[int, ...]]
@@ -264,7 +267,7 @@ def test_a_damaged_store_is_mended_by_its_sweep(store: Path, reference: xarray.D
     assert open_store(store).identical(reference)
 
 
-@pytest.mark.parametrize("name", ["done", "chunk", "computed"])
+@every("name", ["done", "chunk", "computed"])
 def test_names_that_a_store_needs_itself_are_refused(name: str, tmp_path: Path) -> None:
     grid = Grid(axes=(Axis(name=name, values=[1.0]),))
     for arguments in ((grid, OUTPUTS), (GRID, (Output(name=name),))):
@@ -311,6 +314,7 @@ def test_a_part_of_a_store_says_which_cells_it_has(
     assert np.isnan(found.value.values[6, 4]).all()
 
 
+@pytest.mark.slow
 def test_a_sweep_can_be_looked_at_while_it_runs(
     tmp_path: Path, reference: xarray.Dataset, monkeypatch: pytest.MonkeyPatch
 ) -> None:

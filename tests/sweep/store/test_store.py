@@ -18,6 +18,7 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Progress, Run
 from rocksteady.sweep.store.ownership import is_store
 from rocksteady.sweep.store.store import Store
+from tests.every import every
 
 GRID = Grid(
     axes=(
@@ -68,7 +69,8 @@ def test_a_store_holds_what_memory_holds(tmp_path: Path) -> None:
     assert bool(np.isnan(stored.nothing).all())
 
 
-@pytest.mark.parametrize("chunk", [1, 8, 50, 1000])
+@pytest.mark.slow
+@every("chunk", [1, 8, 50, 1000])
 def test_chunks_do_not_change_a_value(tmp_path: Path, chunk: int) -> None:
     told: list[int] = []
     stored = run(Store(tmp_path / "a.zarr", chunk=chunk), progress=told.append)
@@ -108,6 +110,7 @@ def test_a_resumed_store_that_is_not_there_is_begun(tmp_path: Path) -> None:
     assert run(Store(tmp_path / "a.zarr", resume=True)).identical(run(None))
 
 
+@pytest.mark.slow
 def test_what_is_there_is_kept_unless_one_says_otherwise(tmp_path: Path) -> None:
     path = tmp_path / "a.zarr"
     first = run(path).load()
@@ -154,10 +157,9 @@ def test_the_case_function_of_a_store_can_be_found_again(tmp_path: Path) -> None
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("what", ["cut", "gone", "edited"])
-@pytest.mark.parametrize(
-    "file", ["product/zarr.json", "kind/zarr.json", "b/zarr.json", "b/c/0", "done/zarr.json"]
-)
+@pytest.mark.slow
+@every("what", ["cut", "gone", "edited"])
+@every("file", ["product/zarr.json", "kind/zarr.json", "b/zarr.json", "b/c/0", "done/zarr.json"])
 def test_what_describes_a_store_is_mended(tmp_path: Path, file: str, what: str) -> None:
     first = run(Store(tmp_path / "a.zarr", chunk=30)).load()
     before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
@@ -174,6 +176,7 @@ def test_what_describes_a_store_is_mended(tmp_path: Path, file: str, what: str) 
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
+@pytest.mark.slow
 def test_a_store_that_no_more_says_what_it_holds_may_be_replaced(tmp_path: Path) -> None:
     path = tmp_path / "a.zarr"
     run(path)

@@ -12,6 +12,7 @@ from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store._writer import StoreFiles, locked
 from rocksteady.sweep.store.reading import finished_cells, open_store
 from rocksteady.sweep.store.store import Store
+from tests.every import every
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.store.faults import CHUNK, CHUNKS, tree
 
@@ -26,7 +27,7 @@ def answer(first: int, stop: int, end: int | None = None) -> Answer:
     return Answer(job=(first, stop if end is None else end), stop=stop, arrays=arrays)
 
 
-@pytest.mark.parametrize("seed", range(5))
+@every("seed", range(5))
 def test_jobs_of_any_length_in_any_order_make_the_same_store(
     seed: int, tmp_path: Path, undisturbed: Path
 ) -> None:

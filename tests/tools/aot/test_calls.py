@@ -7,6 +7,7 @@ from rocksteady.installation._recorded import dumped, loaded
 from rocksteady.installation.check import RECORDED, replay
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.outcomes import Status
+from tests.every import every
 from tests.strategies import PLAIN
 from tools.aot.calls.__main__ import large_calls, small_calls
 from tools.aot.calls.drawn import MOTIONS, Drawn
@@ -42,7 +43,7 @@ def test_large_calls_are_of_every_kernel_of_cells_in_both_models() -> None:
     assert counts[int(Status.OVERTURNED)] > 100
 
 
-@pytest.mark.parametrize("kind", MOTIONS)
+@every("kind", MOTIONS)
 def test_a_name_decides_what_is_drawn(kind: str) -> None:
     for nonlinear in (False, True):
         first, again, other = (

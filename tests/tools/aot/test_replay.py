@@ -9,6 +9,7 @@ from rocksteady.installation._recorded import Call, loaded
 from rocksteady.installation.check import RECORDED
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.library import file_name, targets
+from tests.every import every
 from tests.strategies import PLAIN
 from tools.aot.build import build
 from tools.aot.calls.__main__ import large_calls
@@ -37,7 +38,8 @@ def test_every_target_that_runs_here_is_known() -> None:
     assert set(RUNS) == {"linux-x86-64-v2", "linux-x86-64-v3", "linux-x86-64-v4", ARM, *QUICK}
 
 
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.slow
+@every("name", QUICK)
 def test_the_shipped_calls_give_the_same_bits(name: str, built: Path) -> None:
     found = repeated(name, built, CALLS)
     assert wrong(found) == {}
@@ -45,7 +47,8 @@ def test_the_shipped_calls_give_the_same_bits(name: str, built: Path) -> None:
     assert sum(call.values for call in found) > 10_000
 
 
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.slow
+@every("name", QUICK)
 def test_one_wrong_bit_is_noticed(name: str, built: Path) -> None:
     # What should come out is changed: the last bit of a number, of an array's element and a sign.
     number = next(call for call in CALLS if call.entry == "symmetry_breaking")
@@ -79,7 +82,8 @@ def with_other_zeros(values: object) -> np.ndarray:
     return array
 
 
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.slow
+@every("name", QUICK)
 def test_any_nan_stands_for_any_other(name: str, built: Path) -> None:
     call = next(call for call in CALLS if call.entry == "fill_log")
     result = np.array(call.after[-1])

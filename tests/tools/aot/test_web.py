@@ -12,6 +12,7 @@ import pytest
 from rocksteady.explorer._bundle import ENTRY, joined
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.orbits.return_map import Section
+from tests.every import every
 from tests.strategies import PLAIN
 from tools.aot.replay.outcome import MissingProgramError
 from tools.aot.replay.wasm import node
@@ -41,7 +42,7 @@ def in_node(built: Path, folder: Path, lines: str, target: str = WASM) -> Any:
     return json.loads(ran.stdout)
 
 
-@pytest.mark.parametrize("file", FILES, ids=lambda file: f"{file.parent.name}/{file.name}")
+@every("file", FILES)
 def test_what_is_made_from_the_kernels_is_up_to_date(file: Path) -> None:
     assert file.read_text(encoding="utf-8") == FILES[file](), "run `python -m tools.aot.web`"
 
@@ -65,6 +66,7 @@ def test_every_kernel_has_its_signature_and_its_types() -> None:
     assert "multipliers(jacobian: Jacobian, determinant: number): [[number, number]," in types()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="no library is loaded")
 def test_results_are_numbers_objects_and_arrays_as_in_python(built: Path, tmp_path: Path) -> None:
     found = in_node(
@@ -99,6 +101,7 @@ def test_results_are_numbers_objects_and_arrays_as_in_python(built: Path, tmp_pa
     assert found["nothing"] is True
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="no library is loaded")
 def test_the_page_has_the_entries_that_it_calls(built: Path, tmp_path: Path) -> None:
     names = "Object.keys((await WebAssembly.instantiate(bytes, {})).instance.exports)"
@@ -113,6 +116,7 @@ def test_the_page_has_the_entries_that_it_calls(built: Path, tmp_path: Path) -> 
     assert small < 0.85 * large
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="no library is loaded")
 def test_arrays_outlive_the_growth_of_the_memory(built: Path, tmp_path: Path) -> None:
     found = in_node(
@@ -140,6 +144,7 @@ def test_arrays_outlive_the_growth_of_the_memory(built: Path, tmp_path: Path) ->
     assert (found["zeros"], found["reused"], found["shape"]) == (True, True, [3])
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="no library is loaded")
 @pytest.mark.parametrize(
     "call", ["fill_exp(floats, whole)", "fill_exp(table, floats)", "is_nonlinear(3)"]

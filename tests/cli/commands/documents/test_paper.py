@@ -42,6 +42,7 @@ def test_the_command_is_there_and_explains_itself() -> None:
         assert word in ran.out
 
 
+@pytest.mark.slow
 def test_the_json_of_the_whole_study_keeps_the_contract(ready: Study, tmp_path: Path) -> None:
     folder = tmp_path / "out"
     ran = rocksteady("paper --json --out", folder)
@@ -62,6 +63,7 @@ def test_the_json_of_the_whole_study_keeps_the_contract(ready: Study, tmp_path: 
     assert written == {name: value for name, value in values.items() if name in written}
 
 
+@pytest.mark.slow
 def test_progress_goes_to_standard_error_alone(ready: Study, tmp_path: Path) -> None:
     ran = rocksteady("paper --out", tmp_path / "out")
     assert ran.code == 0
@@ -76,6 +78,7 @@ def test_progress_goes_to_standard_error_alone(ready: Study, tmp_path: Path) -> 
     assert "%" not in ran.out.split("not as the paper says")[0]
 
 
+@pytest.mark.slow
 def test_the_text_names_what_is_not_as_the_paper_says(ready: Study, tmp_path: Path) -> None:
     folder = tmp_path / "out"
     ran = rocksteady("paper --out", folder)
@@ -90,6 +93,7 @@ def test_the_text_names_what_is_not_as_the_paper_says(ready: Study, tmp_path: Pa
     assert f"open {folder / 'report.html'}" in ran.out
 
 
+@pytest.mark.slow
 def test_some_figures_are_written_without_statements(tmp_path: Path) -> None:
     folder = tmp_path / "out"
     ran = rocksteady("paper --only 10 --only 3b --json --out", folder)
@@ -187,6 +191,7 @@ def test_a_disk_that_fills_up_ends_in_one_line(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

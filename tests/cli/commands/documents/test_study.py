@@ -13,6 +13,7 @@ import pytest
 from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.study import Atlas, steps
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 from tests.strategies import rest_slow
 from tests.studies.atlas.small import smallest, tiny
 
@@ -45,6 +46,7 @@ def test_the_command_explains_itself() -> None:
         assert word in ran.out
 
 
+@pytest.mark.slow
 def test_the_json_keeps_the_contract(ready: Atlas, tmp_path: Path) -> None:
     folder = tmp_path / "out"
     ran = rocksteady(f"study atlas {AXES} --json --out", folder)
@@ -72,6 +74,7 @@ def test_the_text_says_where_to_look_and_progress_goes_to_standard_error(tmp_pat
     assert lines[-1].startswith("drawing: 4 of 4 (100 %)")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("drawn", rest_slow([False, True], 1))
 def test_it_computes_what_it_is_asked_for(
     drawn: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -116,7 +119,8 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     return contents(folder)
 
 
-@pytest.mark.parametrize("step", ["coexistence", "from_rest", "report_html"])
+@pytest.mark.slow
+@every("step", ["coexistence", "from_rest", "report_html"])
 def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
     step: str, plain: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -153,7 +157,7 @@ def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
     assert not (folder / ".unfinished").exists()
 
 
-@pytest.mark.parametrize("name", ["part-mine.zarr/x", "figure-mine.png", "study.json"])
+@every("name", ["part-mine.zarr/x", "figure-mine.png", "study.json"])
 def test_a_folder_of_parts_that_no_study_described_is_refused(name: str, tmp_path: Path) -> None:
     file = tmp_path / "out" / ".unfinished" / name
     file.parent.mkdir(parents=True)
@@ -163,6 +167,7 @@ def test_a_folder_of_parts_that_no_study_described_is_refused(name: str, tmp_pat
     assert file.read_text() == "precious"
 
 
+@pytest.mark.slow
 def test_force_begins_an_interrupted_atlas_anew(
     plain: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -207,7 +212,7 @@ def test_an_atlas_that_is_killed_at_any_time_gives_the_same_bytes(
     assert not (folder / ".unfinished").exists()
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "words"),
     [
         ("-r 1", ["--restitution/-r", "(0, 1)"]),
@@ -250,6 +255,7 @@ def test_out_must_be_given() -> None:
 WALLS = "study facade-checks --height-m 3:6:2 --slenderness 8:16:2 --pga-g 0.3"
 
 
+@pytest.mark.slow
 def test_checks_of_facades_keep_the_contract(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -272,7 +278,7 @@ def test_checks_of_facades_keep_the_contract(
     assert f"open {folder / 'facade-checks.html'}" in again.out
 
 
-@pytest.mark.parametrize(
+@every(
     ("arguments", "words"),
     [
         ("--height-m 3", "2 values or more"),

@@ -9,6 +9,7 @@ import pytest
 from rocksteady import Block, Linear, make_synthetic_suite, make_synthetic_tests, write_tests
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
+from tests.every import every
 from tests.show.calibrated import without_pictures
 
 FEW = "--draws 60 --gains 2 --rounds 1 --model linear"
@@ -83,7 +84,7 @@ def test_the_example_needs_no_file() -> None:
     assert "alpha_rad" in ran.out
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("calibrate", ["--tests is not given", "--example"]),

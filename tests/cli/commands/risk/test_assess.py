@@ -10,6 +10,7 @@ import pytest
 from rocksteady import Block, assess_two_numbers
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
+from tests.every import every
 
 WORKED = "assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4"
 
@@ -47,7 +48,7 @@ def test_where_it_slides_there_is_no_probability_and_check_is_negative() -> None
     assert (ran.json["probability"], ran.json["verdict"]) == (None, "slides")
 
 
-@pytest.mark.parametrize(("target", "code"), [("0.1", 1), ("0.39", 1), ("0.4", 0)])
+@every(("target", "code"), [("0.1", 1), ("0.39", 1), ("0.4", 0)])
 def test_check_compares_with_the_target(target: str, code: int) -> None:
     assert rocksteady(f"{WORKED} --check --target {target}").code == code
     assert rocksteady(f"{WORKED} --target {target}").code == 0
@@ -62,7 +63,7 @@ def test_the_answer_is_a_row_of_a_table(tmp_path: Path) -> None:
     assert row["sentence"].startswith("About 2 in 5")
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("assess", ["--width-m with --height-m"]),

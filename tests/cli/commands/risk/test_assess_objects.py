@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady import assess_object, make_synthetic_suite, read_object
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 OBJECT = """
 name = "statue"
@@ -46,6 +47,7 @@ def _place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_an_object_file_is_assessed_and_its_folder_is_filled(place: Path) -> None:
     ran = rocksteady("assess statue.toml --records motions --hazard site.csv --out answer --json")
     assert ran.code == 0, ran.err
@@ -82,6 +84,7 @@ def test_the_motions_may_be_named_in_the_file(place: Path) -> None:
     assert "no substitute for rules on anchorage" in " ".join(ran.out.split())
 
 
+@pytest.mark.slow
 def test_check_compares_with_the_target_of_the_file_or_the_flag(place: Path) -> None:
     assert place.is_dir()
     assert rocksteady("assess statue.toml --records motions --check").code == 0
@@ -91,6 +94,7 @@ def test_check_compares_with_the_target_of_the_file_or_the_flag(place: Path) -> 
     assert ran.json["remedies"]
 
 
+@pytest.mark.slow
 def test_runs_are_kept_and_continued_and_do_not_depend_on_the_workers(place: Path) -> None:
     command = "assess statue.toml --records motions --json"
     plain = rocksteady(f"{command} --workers 1").json
@@ -146,7 +150,7 @@ def test_a_broken_file_among_the_motions_is_named_and_left_out(place: Path) -> N
     assert ran.json["records"] == 4
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "words"),
     [
         ("assess none.toml --records motions", "No such file or directory"),

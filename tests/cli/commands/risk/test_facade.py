@@ -12,6 +12,7 @@ from rocksteady.risk.facades.read_facade import read_facade
 from tests.cli.motion_files import at2
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
+from tests.every import every
 
 BARE = '[facade]\nname = "front"\nthickness_m = 0.3\nheight_m = 3.0\n'
 SITE = 'f0 = 2.5\ntc_star_s = 0.35\nsoil = "B"\n'
@@ -98,6 +99,7 @@ def test_three_records_are_run_and_have_no_verdict(folder: Path) -> None:
     assert len(values.json["runs"]["runs"]) == 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("pga", "code"), [("0.05", 0), ("2", 1)])
 def test_check_is_negative_where_a_check_is_not_satisfied(
     folder: Path, pga: str, code: int
@@ -107,6 +109,7 @@ def test_check_is_negative_where_a_check_is_not_satisfied(
     assert rocksteady(command, folder / "seven", folder / "stout.toml", "--check").code == code
 
 
+@pytest.mark.slow
 def test_flags_reach_the_runs(folder: Path) -> None:
     command = "facade --json --pga-g 0.4 --records"
     files = (folder / "seven", folder / "stout.toml")
@@ -128,6 +131,7 @@ def test_flags_reach_the_runs(folder: Path) -> None:
     ] == pytest.approx(0.6 * 2.0 / 3.0)
 
 
+@pytest.mark.slow
 def test_the_example_runs_without_a_file_and_fits(tmp_path: Path) -> None:
     ran = rocksteady("facade --example")
     assert ran.code == 0
@@ -219,7 +223,7 @@ HOSTILE = [
 ]
 
 
-@pytest.mark.parametrize(("flags", "words"), HOSTILE, ids=[flags for flags, _ in HOSTILE])
+@every(("flags", "words"), HOSTILE)
 def test_a_hostile_command_line_is_refused_in_a_line(
     flags: str, words: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -19,6 +19,7 @@ from rocksteady import (
 )
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 BLOCK = "--width-m 0.32 --height-m 1.8"
 FEW = f"fragility {BLOCK} -r housner --levels 0.3,0.8,2 --replicates 0"
@@ -111,6 +112,7 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
     assert paired.json["runs"] == 2 * alone.json["runs"]
 
 
+@pytest.mark.slow
 def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> None:
     names = ("runs.zarr", "runs.csv", "runs.nc", "curves.png")
     store, table, data, picture = (tmp_path / name for name in names)
@@ -135,7 +137,8 @@ def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> No
     assert sum(row["status"] == "overturned" for row in rows) == fell
 
 
-@pytest.mark.parametrize("workers", [1, 2, 3])
+@pytest.mark.slow
+@every("workers", [1, 2, 3])
 def test_workers_do_not_change_a_digit(folder: Path, workers: int) -> None:
     one = rocksteady(f"{FEW} --json --executor serial --records", folder).json
     other = rocksteady(f"{FEW} --json --workers {workers} --records", folder).json
@@ -175,7 +178,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
     assert "24 records" in ran.out
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("--measure pga", "--measure = 'pga' is not accepted: the measures are"),

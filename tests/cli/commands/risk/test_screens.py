@@ -9,6 +9,7 @@ from rocksteady import Block, Demand, read_record, screen_block
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
+from tests.every import every
 
 BLOCK = "screens --width-m 0.32 --height-m 1.8"
 PEAKS = "--pga-g 0.35 --pgv-m-s 0.4"
@@ -90,7 +91,7 @@ def test_check_leaves_with_1_where_a_row_does_not_pass() -> None:
     assert rocksteady(f"{BLOCK} {PEAKS}").code == 0
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("screens", ["--width-m with --height-m", "size"]),
@@ -111,6 +112,6 @@ def test_what_makes_no_sense_is_refused(flags: str, words: list[str]) -> None:
     assert all(word in line for word in words), line
 
 
-@pytest.mark.parametrize("damping", ["5", "x", "0.02,0.05", "0"])
+@every("damping", ["5", "x", "0.02,0.05", "0"])
 def test_a_damping_that_is_none_is_refused(table: Path, damping: str) -> None:
     assert "--damping" in refused(f"{BLOCK} --damping {damping} --spectrum", table)

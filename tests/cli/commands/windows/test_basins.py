@@ -21,6 +21,7 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 WINDOW = "--angles=-1:1:30 --velocities=-1.2:1.2:30"
 POINT = f"basins -A 0.5 -W 2 -r 0.95 {WINDOW}"
@@ -142,6 +143,7 @@ def test_what_does_not_settle_is_said_and_has_its_code() -> None:
     assert "take more periods to follow" in ran.out
 
 
+@pytest.mark.slow
 def test_a_state_that_balances_for_ever_is_said_and_is_no_failure() -> None:
     # At phase 0 those with u + du/ds = 1 - beta Omega lie on the stable manifold of the saddle.
     ran = rocksteady(
@@ -231,7 +233,7 @@ def test_measures_of_one_window() -> None:
     assert (plain["entropy"], plain["exponents"], plain["shares"]) == (None, None, None)
 
 
-@pytest.mark.parametrize(
+@every(
     ("command", "flag", "says"),
     [
         ("basins -W 2 -r 0.8", "--amplitude/-A", "exactly one"),
@@ -274,7 +276,7 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
     assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.9
 
 
-@pytest.mark.parametrize(
+@every(
     ("shape", "kernel"),
     [
         ("-r 0.9", "driver.lane_fates"),
@@ -339,7 +341,7 @@ def test_a_record_has_fates_from_a_moment_in_seconds(tmp_path: Path) -> None:
     assert values["record"] == "made"
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "words"),
     [
         ("--seed 3", "--seed"),

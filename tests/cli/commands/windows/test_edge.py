@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_edge_state
 from tests.cli.program import refused, rocksteady
+from tests.every import every
 
 POINT = "edge -A 0.2 -W 2 -r 0.9"
 
@@ -45,7 +46,7 @@ def test_without_manifolds_the_csv_is_the_tracked_motion(tmp_path: Path) -> None
     assert table.read_text().splitlines()[0] == "period,angle,velocity"
 
 
-@pytest.mark.parametrize(
+@every(
     ("flags", "said"),
     [
         ("--direction up", "--direction"),

@@ -8,6 +8,7 @@ import pytest
 from rocksteady import InputError, ModelError, check_boundary
 from rocksteady.dynamics.basins.measures.boundary import smooth_entropy
 from tests.dynamics.basins.measures.labelled_sets import cantor, disc, newton, tilted_plane
+from tests.every import every
 
 TABLE = (0.499999, 0.4395093, 0.39609176, 0.36319428, 0.33722572)
 """Puy et al. 2021, of one to five dimensions."""
@@ -25,7 +26,7 @@ def test_smooth_boundaries_are_smooth(labels: Any) -> None:
     assert found.fine
 
 
-@pytest.mark.parametrize(
+@every(
     "labels",
     [
         newton(500),

@@ -18,6 +18,7 @@ from rocksteady import (
     compute_basins,
     compute_erosion,
 )
+from tests.every import every
 
 
 def test_four_boxes_by_hand() -> None:
@@ -91,7 +92,7 @@ def test_boxes_of_unequal_sides_and_a_safe_basin() -> None:
     assert basins.entropy(5).entropy == compute_basin_entropy(basins.label, 5).entropy
 
 
-@pytest.mark.parametrize(
+@every(
     ("labels", "box", "says"),
     [
         ([], 1, "not empty"),

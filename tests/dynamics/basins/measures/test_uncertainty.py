@@ -11,6 +11,7 @@ from hypothesis.extra.numpy import arrays
 
 from rocksteady import InputError, compute_uncertainty_exponent
 from tests.dynamics.basins.measures.labelled_sets import cantor, disc, newton, tilted_plane
+from tests.every import every
 
 CANTOR = math.log(2.0) / math.log(3.0)
 
@@ -125,7 +126,7 @@ def test_two_sizes_are_too_few_for_an_exponent() -> None:
     assert low < high
 
 
-@pytest.mark.parametrize(
+@every(
     ("labels", "sizes", "by", "says"),
     [
         (np.zeros((20, 20), dtype=int), None, "states", "20 x 20 states"),

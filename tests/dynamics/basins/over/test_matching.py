@@ -10,6 +10,7 @@ from hypothesis.extra.numpy import arrays
 
 from rocksteady import BasinMatching, DimensionlessBlock, Harmonic, InputError, Orbit, find_orbits
 from rocksteady.dynamics.basins.over.matching import SAMPLES, apart, courses, matched
+from tests.every import every
 
 
 def flat(*values: float) -> np.ndarray:
@@ -91,7 +92,7 @@ def test_mirror_images_are_as_far_from_a_symmetric_orbit() -> None:
     assert one > 0.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("how", "says"),
     [
         ({"distance": "euclid"}, "hausdorff"),

@@ -28,6 +28,7 @@ from rocksteady import (
     sweep_attractor,
 )
 from tests.dynamics.kicks import apart
+from tests.every import every
 
 WINDOW = np.linspace(-1.2, 1.2, 24)
 BREAKING = np.linspace(1.85, 2.05, 9)
@@ -73,8 +74,8 @@ CASES: list[tuple[Any, ...]] = [
 ]
 
 
-@pytest.mark.parametrize(("block", "point", "parameter", "values", "more"), CASES)
-@pytest.mark.parametrize("seed", [None, 3])
+@every(("block", "point", "parameter", "values", "more"), CASES)
+@every("seed", [None, 3])
 def test_shares_at_a_value_are_those_of_its_basins(
     block: Any, point: Any, parameter: str, values: Any, more: Any, seed: int | None
 ) -> None:
@@ -260,7 +261,7 @@ def test_a_result_keeps_and_shows_what_it_holds() -> None:
     assert along.to_dict()["block"]["alpha_rad"] == 0.3
 
 
-@pytest.mark.parametrize(
+@every(
     ("parameter", "values", "says"),
     [
         ("slenderness", [1.0, 2.0], "name one of them"),

@@ -15,6 +15,7 @@ from tests.dynamics.continuation.branches import (
     special,
     symmetric_start,
 )
+from tests.every import every
 
 GOES_ON = ("symmetry-breaking", "period-doubling", "grazing")
 
@@ -109,7 +110,8 @@ def branches_disagree(seed: int, most: int = 6) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("seed", range(300, 308))
+@pytest.mark.slow
+@every("seed", range(300, 308))
 def test_branches_that_begin_at_others_do_not_depend_on_the_steps(seed: int) -> None:
     assert not branches_disagree(seed, most=3)
 

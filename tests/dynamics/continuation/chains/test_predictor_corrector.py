@@ -18,6 +18,7 @@ from rocksteady.dynamics.continuation.chains.predictor_corrector import (
     StalledError,
     gradient,
 )
+from tests.every import every
 
 Floats = NDArray[np.float64]
 
@@ -125,7 +126,7 @@ def test_a_crossing_is_passed_on_the_own_curve() -> None:
         pytest.fail("the line was lost at the crossing")
 
 
-@pytest.mark.parametrize("step", [0.2, 0.05, 0.01])
+@every("step", [0.2, 0.05, 0.01])
 def test_curves_that_all_but_cross_are_not_exchanged(step: float) -> None:
     # The branches of x y = c: each turns the corner, however long the steps towards it.
     for c in (1e-5, -1e-5):

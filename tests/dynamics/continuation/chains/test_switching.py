@@ -27,6 +27,7 @@ from tests.dynamics.continuation.branches import (
     unsymmetric_branch,
     values_of,
 )
+from tests.every import every
 
 FREQUENCIES = (1.6, 2.1)
 
@@ -215,7 +216,7 @@ def test_two_arcs_that_merge_across_the_end_of_the_chain_are_left_out(graze: Bra
     assert merged in range(chain.impacts)
 
 
-@pytest.mark.parametrize("kind", [PointType.REGULAR, PointType.FOLD, PointType.RANGE_END])
+@every("kind", [PointType.REGULAR, PointType.FOLD, PointType.RANGE_END])
 def test_elsewhere_nothing_begins(kind: PointType) -> None:
     chain = chain_of(symmetric_start(2.0, 2.0, 0.8))
     with pytest.raises(ModelError, match="no other branch begins there") as raised:

@@ -51,6 +51,7 @@ def values_of(point: BranchPoint) -> list[float]:
     return [point.frequency_ratio, point.amplitude]
 
 
+@pytest.mark.slow
 def test_the_doubling_graze_of_the_atlas() -> None:
     found = around_the_doubling_graze()
     point = point_of(found, "doubling-graze", period=3)
@@ -62,6 +63,7 @@ def test_the_doubling_graze_of_the_atlas() -> None:
     assert kinds == [("grazing", 3), ("grazing", 6), ("period-doubling", 3)]
 
 
+@pytest.mark.slow
 def test_fold_and_flip_meet_where_two_impacts_merge_and_nowhere_else() -> None:
     found = around_the_doubling_graze()
     point = point_of(found, "resonant-graze", period=3)
@@ -212,6 +214,7 @@ def held_to_their_conditions(
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("within", "search"),
     [

@@ -24,6 +24,7 @@ from tests.dynamics.continuation.branches import (
     unsymmetric_branch,
     values_of,
 )
+from tests.every import every
 
 PLANES = [
     ("amplitude", "frequency_ratio"),
@@ -63,8 +64,9 @@ def found_again(point: BranchPoint, parameter: str, kind: str) -> float | None:
     return None
 
 
-@pytest.mark.parametrize("plane", PLANES)
-@pytest.mark.parametrize("order", [1, 3])
+@pytest.mark.slow
+@every("plane", PLANES)
+@every("order", [1, 3])
 def test_symmetry_breaks_on_the_closed_form_all_along(plane: tuple[str, str], order: int) -> None:
     frequency = 2.2 if order == 1 else 5.0
     edge = float(symmetry_breaking_amplitude(frequency, 0.8, order=order))
@@ -81,8 +83,9 @@ def test_symmetry_breaks_on_the_closed_form_all_along(plane: tuple[str, str], or
     assert len({getattr(point, fixed) for point in points}) == 1
 
 
-@pytest.mark.parametrize("plane", PLANES)
-@pytest.mark.parametrize("order", [1, 3])
+@pytest.mark.slow
+@every("plane", PLANES)
+@every("order", [1, 3])
 def test_folds_run_along_the_existence_boundary(plane: tuple[str, str], order: int) -> None:
     frequency = 4.0 if order == 1 else 6.0
     edge = float(region_boundaries(frequency, 0.8, order=order).existence)
@@ -95,7 +98,7 @@ def test_folds_run_along_the_existence_boundary(plane: tuple[str, str], order: i
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
-@pytest.mark.parametrize(("restitution", "order"), [(0.87, 3), (0.5, 5), (0.8, 1), (0.99, 3)])
+@every(("restitution", "order"), [(0.87, 3), (0.5, 5), (0.8, 1), (0.99, 3)])
 def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
     restitution: float, order: int
 ) -> None:
@@ -114,7 +117,7 @@ def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
-@pytest.mark.parametrize("plane", PLANES[:3])
+@every("plane", PLANES[:3])
 def test_doublings_are_doublings_by_the_map(plane: tuple[str, str]) -> None:
     points = both_ways(first(unsymmetric_branch(), "period-doubling"), plane)
     assert len(points) > 20
@@ -128,7 +131,7 @@ def test_doublings_are_doublings_by_the_map(plane: tuple[str, str]) -> None:
             assert getattr(point, parameter) == pytest.approx(exact, rel=1e-9)
 
 
-@pytest.mark.parametrize("plane", PLANES[:3])
+@every("plane", PLANES[:3])
 def test_grazes_are_grazes_of_the_closed_form(plane: tuple[str, str]) -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
     *_, graze = follow_branch(start, "amplitude", (1.0, 6.0), direction=-1)
@@ -152,7 +155,8 @@ def graze_phase(point: BranchPoint) -> float:
     return float(point.chain.phases[0] + point.chain.turns[0] * math.pi)
 
 
-@pytest.mark.parametrize("kind", ["fold", "symmetry-breaking", "period-doubling"])
+@pytest.mark.slow
+@every("kind", ["fold", "symmetry-breaking", "period-doubling"])
 def test_each_point_is_that_bifurcation_in_one_parameter_alone(kind: str) -> None:
     if kind == "period-doubling":
         start = first(unsymmetric_branch(), kind)
@@ -203,7 +207,7 @@ def test_steps_do_not_matter_and_points_are_counted() -> None:
     assert [point.type.value for point in points] == ["period-doubling"] * 3 + ["limit"]
 
 
-@pytest.mark.parametrize(
+@every(
     ("parameters", "within"),
     [
         (("amplitude",), ((0.1, 3.0),)),

@@ -21,6 +21,7 @@ from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.curves.jets import solved_twice
 from tests.dynamics.shooting import Rocking
+from tests.every import every
 
 SHAKEN = ("frequency_ratio", "amplitude")
 OVER_RESTITUTION = ("restitution", "amplitude")
@@ -78,6 +79,7 @@ def held_to_shooting(found: BifurcationCurves, kind: str, *, most: int = 10) -> 
         assert here == pytest.approx(exact, abs=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("alpha", "within"),
     [
@@ -195,8 +197,8 @@ def test_a_block_turned_round_has_the_same_curves(model: Linear | Nonlinear) -> 
     assert mine.to_dict()["model"] == model.name
 
 
-@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
-@pytest.mark.parametrize("block", [block_of(0.4, 0.8), SIDES])
+@every("model", [Linear(), Nonlinear()])
+@every("block", [block_of(0.4, 0.8), SIDES])
 def test_fold_and_flip_exclude_each_other_in_either_model(
     block: Block, model: Linear | Nonlinear
 ) -> None:

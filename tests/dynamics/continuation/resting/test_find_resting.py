@@ -44,6 +44,7 @@ def first_branch(
     return found.branches[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("parameter", "within"), [("amplitude", (1.03, 1.08)), ("restitution", (0.85, 0.9))]
 )

@@ -3,6 +3,7 @@
 import re
 
 import numpy as np
+import pytest
 from playwright.sync_api import Page
 
 from rocksteady import DimensionlessBlock, Harmonic, State, compute_basins, find_attractor
@@ -42,6 +43,7 @@ def window_of(page: Page) -> dict[str, float]:
     return {name: float(found.get(name, default)) for name, default in WINDOW.items()}
 
 
+@pytest.mark.slow
 def test_shares_are_those_of_the_package(explorer: Explorer) -> None:
     page = explorer.open(POINT)
     refined(page)
@@ -59,6 +61,7 @@ def test_shares_are_those_of_the_package(explorer: Explorer) -> None:
     assert counts == [part.states for part in basins.fractions()]
 
 
+@pytest.mark.slow
 def test_a_state_is_dragged_and_the_other_panels_follow(explorer: Explorer) -> None:
     page = explorer.open(POINT)
     refined(page)
@@ -78,6 +81,7 @@ def test_a_state_is_dragged_and_the_other_panels_follow(explorer: Explorer) -> N
     assert found.kind.value in page.locator(f"{BASINS} .note").inner_text()
 
 
+@pytest.mark.slow
 def test_wheel_box_and_keys_zoom_and_0_shows_the_whole(explorer: Explorer) -> None:
     page = explorer.open(POINT)
     page.mouse.move(*pixel(page, 0.4, 0.5))
@@ -106,6 +110,7 @@ def test_wheel_box_and_keys_zoom_and_0_shows_the_whole(explorer: Explorer) -> No
     assert window_of(page) != WINDOW
 
 
+@pytest.mark.slow
 def test_the_safe_basin_and_arrow_keys(explorer: Explorer) -> None:
     page = explorer.open(POINT)
     refined(page)

@@ -23,6 +23,7 @@ def canvas(page: Page, panel: str) -> dict[str, float]:
     return {name: float(value) for name, value in box.items()}  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("state", POINTS)
 @pytest.mark.parametrize("model", ["linear", "nonlinear"])
 def test_each_motion_is_chosen_by_a_click(
@@ -43,6 +44,7 @@ def test_each_motion_is_chosen_by_a_click(
         assert [one == "true" for one in pressed] == [i == k for i in range(found.count())]
 
 
+@pytest.mark.slow
 def test_the_other_motion_is_chosen_in_the_phase_portrait(explorer: Explorer) -> None:
     page = explorer.open({"A": 0.8, "W": 2.0, "r": 0.8})
     chips(page).nth(1).click()
@@ -61,6 +63,7 @@ def test_the_other_motion_is_chosen_in_the_phase_portrait(explorer: Explorer) ->
     assert "start" not in link(page)
 
 
+@pytest.mark.slow
 def test_the_time_history_moves_the_cursor_of_all_panels(explorer: Explorer) -> None:
     page = explorer.open({"A": 2.0, "W": 6.0})
     box = canvas(page, "history")
@@ -83,6 +86,7 @@ def test_the_time_history_moves_the_cursor_of_all_panels(explorer: Explorer) -> 
     assert pictures == [True, True]
 
 
+@pytest.mark.slow
 def test_a_start_that_there_is_not_leaves_the_last_motion_and_says_why(explorer: Explorer) -> None:
     page = explorer.open({"A": 2.0, "W": 4.0, "start": "steady"})
     before = values(page, READOUT)
@@ -96,6 +100,7 @@ def test_a_start_that_there_is_not_leaves_the_last_motion_and_says_why(explorer:
     assert values(page, READOUT)["kind"] == "rest"
 
 
+@pytest.mark.slow
 def test_what_is_seen_in_engineering_units_has_the_same_values(explorer: Explorer) -> None:
     page = explorer.open({"A": 2.0, "W": 6.0})
     plain = values(page, READOUT)
@@ -110,6 +115,7 @@ def test_what_is_seen_in_engineering_units_has_the_same_values(explorer: Explore
     assert text.endswith("°")
 
 
+@pytest.mark.slow
 def test_on_a_phone_the_readout_leaves_most_of_the_screen(explorer: Explorer) -> None:
     page = explorer.open({"A": 2.0, "W": 1.9}, size=(360, 780), has_touch=True)
     chips(page)

@@ -45,6 +45,7 @@ def chosen(page: Page) -> str:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", ["linear", "nonlinear"])
 def test_the_motion_of_the_first_view_is_that_of_its_formula(
     explorer: Explorer, model: str
@@ -74,6 +75,7 @@ def test_a_record_that_python_puts_in_is_shown_first(explorer: Explorer, tmp_pat
     assert float(values(page, "#panel-quake")["quake-peak"]) == simulate(block, pulse).peak
 
 
+@pytest.mark.slow
 def test_files_that_are_dropped_are_those_that_python_reads(
     explorer: Explorer, tmp_path: Path
 ) -> None:
@@ -90,6 +92,7 @@ def test_files_that_are_dropped_are_those_that_python_reads(
         assert float(values(page, "#panel-quake")["quake-peak"]) == run.peak
 
 
+@pytest.mark.slow
 def test_a_file_is_opened_and_its_unit_asked_for(explorer: Explorer) -> None:
     page = explorer.open(QUAKE)
     rows = "".join(f"{0.02 * k:.2f},{math.sin(0.2 * k):.4f}\n" for k in range(200))
@@ -105,6 +108,7 @@ def test_a_file_is_opened_and_its_unit_asked_for(explorer: Explorer) -> None:
     assert not unit.is_visible()
 
 
+@pytest.mark.slow
 def test_bad_files_change_nothing_but_a_line(explorer: Explorer) -> None:
     page = explorer.open(QUAKE)
     before = values(page, "#panel-quake")
@@ -116,6 +120,7 @@ def test_bad_files_change_nothing_but_a_line(explorer: Explorer) -> None:
     assert page.locator("#panel-quake select").first.locator("option").count() == 1
 
 
+@pytest.mark.slow
 def test_hostile_names_do_nothing(explorer: Explorer) -> None:
     page = explorer.open(QUAKE)
     elements = page.evaluate("document.querySelectorAll('img, script').length")
@@ -129,6 +134,7 @@ def test_hostile_names_do_nothing(explorer: Explorer) -> None:
     assert "\u202e" not in page.inner_text("#panel-quake")
 
 
+@pytest.mark.slow
 def test_dragging_over_the_verdict_sets_the_scale(explorer: Explorer) -> None:
     page = explorer.open(QUAKE)
     box = page.locator("#panel-verdict canvas").bounding_box()

@@ -4,6 +4,7 @@ import re
 import time
 
 import numpy as np
+import pytest
 from playwright.sync_api import FloatRect, Page
 
 from rocksteady import DimensionlessBlock, Harmonic, Rest, Steady, sweep_attractor
@@ -39,6 +40,7 @@ def peaks_of(page: Page) -> tuple[str, float]:
     return shown["kind"], float(shown["highest"])
 
 
+@pytest.mark.slow
 def test_rest_and_the_harmonic_motion_coexist_at_a_glance(explorer: Explorer) -> None:
     page = explorer.open({"A": 0.8, "W": 2})
     assert "Two motions coexist" in swept(page)
@@ -57,6 +59,7 @@ def test_rest_and_the_harmonic_motion_coexist_at_a_glance(explorer: Explorer) ->
     assert {row[1] for row in cells} == {"up"}
 
 
+@pytest.mark.slow
 def test_a_click_on_a_dot_goes_to_its_motion(explorer: Explorer) -> None:
     """The dots of the sweep downwards are found as a reader finds them: one above the other."""
     page = explorer.open({"A": 0.8, "W": 2, "by": "a"})
@@ -89,6 +92,7 @@ def test_a_click_on_a_dot_goes_to_its_motion(explorer: Explorer) -> None:
         assert found.get("start", "rest") == "rest"
 
 
+@pytest.mark.slow
 def test_the_point_is_dragged_along_the_strip_and_stays_in_its_row(explorer: Explorer) -> None:
     page = explorer.open({"A": 2, "W": 3})
     swept(page)
@@ -106,6 +110,7 @@ def test_the_point_is_dragged_along_the_strip_and_stays_in_its_row(explorer: Exp
     assert "dimmed" not in page.locator(f"{STRIP} .note").inner_text()
 
 
+@pytest.mark.slow
 def test_the_stable_subharmonic_is_one_click_away(explorer: Explorer) -> None:
     page = explorer.open({"A": 2, "W": 6})
     assert "1/3 subharmonic is stable" in swept(page)
@@ -120,6 +125,7 @@ def test_the_stable_subharmonic_is_one_click_away(explorer: Explorer) -> None:
     raise AssertionError("no click has met the line")
 
 
+@pytest.mark.slow
 def test_arrows_move_the_point_and_the_other_parameter_has_its_strip(explorer: Explorer) -> None:
     page = explorer.open({"A": 2, "W": 3})
     swept(page)

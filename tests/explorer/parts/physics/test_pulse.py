@@ -89,6 +89,7 @@ def test_every_shape_of_the_package_has_the_same_segments(in_node: InNode) -> No
         assert values == [value if np.isfinite(value) else None for value in table.tolist()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("nonlinear", MODELS)
 def test_fates_over_frequency_and_amplitude_are_those_of_the_package(
     in_node: InNode, nonlinear: bool
@@ -120,6 +121,7 @@ def test_fates_over_frequency_and_amplitude_are_those_of_the_package(
     assert overturned == {False, True}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shapes", rest_slow([QUICK, OTHERS], 1), ids="-".join)
 @pytest.mark.parametrize("nonlinear", MODELS)
 def test_windows_at_one_frequency_are_those_of_the_package(
@@ -156,6 +158,7 @@ def test_the_last_window_of_a_half_sine_begins_at_the_closed_form(in_node: InNod
         assert one["windows"][-1]["low"] == pytest.approx(closed, rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("nonlinear", MODELS)
 def test_histories_are_those_of_simulate(in_node: InNode, nonlinear: bool) -> None:
     draw = np.random.default_rng(28)

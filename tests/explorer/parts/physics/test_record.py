@@ -155,6 +155,7 @@ def test_neighbours_are_those_of_the_package(in_node: InNode) -> None:
     assert fell, "or little is tested"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("block", BLOCKS)
 def test_fates_over_scales_are_those_of_the_batch_in_chunks_of_any_length(
     in_node: InNode, block: dict[str, Any]

@@ -259,6 +259,7 @@ def test_what_is_refused_by_the_package_is_refused_here(in_node: InNode, tmp_pat
     assert accepted > 150, "or little is tested"
 
 
+@pytest.mark.slow
 def test_real_files_give_the_samples_of_the_package(in_node: InNode) -> None:
     paths = [path for path in sorted(FOLDER.glob("*/*")) if path.suffix.lower() in (".at2", ".csv")]
     if not paths:

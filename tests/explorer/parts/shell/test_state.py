@@ -85,6 +85,7 @@ HOSTILE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fragment", HOSTILE)
 def test_what_a_link_must_not_hold_is_ignored_and_named(fragment: str, in_node: InNode) -> None:
     lines = """

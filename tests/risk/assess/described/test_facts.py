@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.risk.assess.described.facts import derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile
+from tests.every import every
 
 
 def facts_of(geometry: dict[str, Any] | None = None, **keys: Any) -> Any:
@@ -33,7 +34,7 @@ def test_the_weaker_side_of_an_off_centre_object_counts() -> None:
     assert "right" in facts.summary()
 
 
-@pytest.mark.parametrize(
+@every(
     ("geometry", "keys", "words"),
     [
         (None, {}, "with a coefficient below 0.178 the object slides"),

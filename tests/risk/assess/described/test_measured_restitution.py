@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import Block, InputError, ObjectFile, read_objects
 from rocksteady.risk.assess._sensitivity import band_of
+from tests.every import every
 
 SIZE = {"width_m": 0.4, "height_m": 1.6}
 
@@ -44,7 +45,7 @@ def test_a_table_has_it_too(tmp_path: Path) -> None:
         read_objects(file)
 
 
-@pytest.mark.parametrize("text", ["housner*2", "housner*-1", "housner/2", "Housner*0.9"])
+@every("text", ["housner*2", "housner*-1", "housner/2", "Housner*0.9"])
 def test_what_is_no_factor_names_the_file(text: str) -> None:
     with pytest.raises(InputError, match=r"^object: .*restitution") as refused:
         _ = _object(text).block

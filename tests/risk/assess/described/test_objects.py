@@ -9,6 +9,7 @@ import pytest
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
+from tests.every import every
 
 SIZES = {"width_m": 0.32, "height_m": 1.8}
 
@@ -155,7 +156,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("values", "line"), WRONG)
+@every(("values", "line"), WRONG)
 def test_what_is_wrong_is_named_in_one_line(values: dict[str, Any], line: str) -> None:
     whole = values if len(values) < 1 or "name" in values else {"name": "x", **values}
     if whole and "geometry" not in values and line != "[geometry] is missing":
@@ -170,7 +171,7 @@ def test_what_is_wrong_is_named_in_one_line(values: dict[str, Any], line: str) -
     assert len(str(refusal.value)) < 500
 
 
-@pytest.mark.parametrize(
+@every(
     ("content", "line"),
     [
         (b"", "desk.toml is empty"),

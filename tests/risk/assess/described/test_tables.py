@@ -7,6 +7,7 @@ import pytest
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.risk.assess.described.tables import read_objects
+from tests.every import every
 
 
 def written(tmp_path: Path, text: str | bytes) -> Path:
@@ -34,8 +35,8 @@ def test_objects_keep_their_order_their_ranges_and_their_further_columns(tmp_pat
     assert vase.sha256 == cask.sha256
 
 
-@pytest.mark.parametrize("separator", [",", ";", "\t"])
-@pytest.mark.parametrize("end", ["\n", "\r\n"])
+@every("separator", [",", ";", "\t"])
+@every("end", ["\n", "\r\n"])
 def test_a_spreadsheet_may_separate_and_end_lines_its_way(
     separator: str, end: str, tmp_path: Path
 ) -> None:
@@ -48,7 +49,7 @@ def test_a_spreadsheet_may_separate_and_end_lines_its_way(
     ]
 
 
-@pytest.mark.parametrize(
+@every(
     ("text", "line"),
     [
         ("", "store.csv is empty"),

@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady import score_predictions
 from rocksteady.errors import InputError
+from tests.every import every
 
 
 def test_scores_of_four_tests_by_hand() -> None:
@@ -54,9 +55,7 @@ def test_one_group_has_no_interval_and_no_fall_no_f1() -> None:
     assert math.isnan(found.f1[0])
 
 
-@pytest.mark.parametrize(
-    ("p", "fell"), [([], []), ([0.5], [1, 0]), ([1.2], [1]), ([0.5], [2]), ([np.nan], [1])]
-)
+@every(("p", "fell"), [([], []), ([0.5], [1, 0]), ([1.2], [1]), ([0.5], [2]), ([np.nan], [1])])
 def test_what_cannot_be_scored_is_refused(p: list[float], fell: list[int]) -> None:
     with pytest.raises(InputError, match=r"probabilities|fell"):
         score_predictions(p, fell)

@@ -7,6 +7,7 @@ import pytest
 from rocksteady.errors import InputError
 from rocksteady.risk.facades.remark import TEMPLATES
 from rocksteady.show.plots.facades.languages import TABLES, language_of
+from tests.every import every
 
 SAME = {"inputs_file"}
 """Texts that are the same: Italian has the word "file"."""
@@ -18,7 +19,7 @@ def test_every_language_has_the_same_keys() -> None:
     assert {f"remark_{key}" for key in TEMPLATES} <= set(TABLES["it"])
 
 
-@pytest.mark.parametrize("key", TABLES["en"])
+@every("key", TABLES["en"])
 def test_a_text_has_the_same_places_in_each_language(key: str) -> None:
     """A facade's kind may be named once more in one language than in the other."""
     english, italian = (set(PLACE.findall(TABLES[code][key])) for code in ("en", "it"))

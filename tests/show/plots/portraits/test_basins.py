@@ -30,6 +30,7 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import basins_figure, erosion_figure
 from rocksteady.show.plots.portraits.basins import fills_of, plot_safe_basin
 from rocksteady.show.style import palette
+from tests.every import every
 
 WINDOW = np.linspace(-1.0, 1.0, 41)
 
@@ -62,7 +63,7 @@ PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
     "before": lambda ax: plot_erosion(eroded(0.2), ax),
     "safe": lambda ax: plot_safe_basin(eroded(), 2, ax),
 }
-plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+plots = every("draw", PLOTS.values())
 
 
 @plots

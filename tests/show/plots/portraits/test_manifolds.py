@@ -53,6 +53,7 @@ def test_over_basins_the_window_and_the_legend_stay() -> None:
     assert axes.get_legend() is legend
 
 
+@pytest.mark.slow
 def test_over_impacts_no_line_runs_across_where_the_phase_begins_anew() -> None:
     shaken = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaken, max_period=1, seeds=8)

@@ -28,6 +28,7 @@ from rocksteady import (
 )
 from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.style.page import Page
+from tests.every import every
 from tests.show.drawn_figures import texts_of
 
 LEVELS = np.geomspace(0.1, 3.2, 12)
@@ -141,7 +142,7 @@ def test_a_band_is_shaded_over_what_was_run() -> None:
     assert outline[:, 0].max() == pytest.approx(LEVELS[-1])
 
 
-@pytest.mark.parametrize(
+@every(
     ("failures", "word"),
     [
         ([0, 0, 0, 0], "never in any run"),
@@ -203,6 +204,7 @@ def test_a_fragility_and_its_curves_plot_themselves() -> None:
         assert each.plot(axes()).get_xlabel() == "PGA [g]"
 
 
+@pytest.mark.slow
 def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
     found = several()
     assert plot_fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
@@ -211,8 +213,9 @@ def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
         plot_fragility(found, axes(), state="fallen")
 
 
-@pytest.mark.parametrize("width", [84.0, 174.0, None])
-@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.slow
+@every("width", [84.0, 174.0, None])
+@every("dark", [False, True])
 def test_texts_are_large_enough_and_inside_the_figure(width: float | None, dark: bool) -> None:
     figure = fragility_figure(several(), title="A cabinet", page=Page(width_mm=width))
     if dark:

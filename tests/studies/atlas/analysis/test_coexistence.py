@@ -11,15 +11,16 @@ from rocksteady.studies.atlas.analysis.coexistence import (
     starts,
 )
 from rocksteady.studies.atlas.analysis.plane import Plane
+from tests.every import every
 from tests.strategies import rest_slow
 from tests.studies.atlas.small import plane, small
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 
 
-@pytest.mark.parametrize("period", [1, 3, 12])
-@pytest.mark.parametrize("impacts", [None, 0, 2, 18, 12_345])
-@pytest.mark.parametrize("unsymmetric", [False, True])
+@every("period", [1, 3, 12])
+@every("impacts", [None, 0, 2, 18, 12_345])
+@every("unsymmetric", [False, True])
 def test_a_code_stands_for_its_class(period: int, impacts: int | None, unsymmetric: bool) -> None:
     kind = OrbitClass(period, impacts, unsymmetric)
     assert kind.code > 0
@@ -34,6 +35,7 @@ def test_classes_have_names() -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("places", rest_slow([2, 6], 1))
 def test_every_orbit_that_the_search_calls_stable_is_one(places: int) -> None:
     compared = 0
@@ -57,6 +59,7 @@ def test_every_orbit_that_the_search_calls_stable_is_one(places: int) -> None:
     assert compared >= places
 
 
+@pytest.mark.slow
 def test_counts_are_those_of_the_parts() -> None:
     found = small().found
     np.testing.assert_array_equal(

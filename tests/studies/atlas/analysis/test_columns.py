@@ -16,12 +16,13 @@ from rocksteady import (
 )
 from rocksteady.studies.atlas.analysis.columns import column, columns, followed
 from rocksteady.studies.atlas.analysis.plane import Plane
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 
 
-@pytest.mark.parametrize(("order", "ratio"), [(1, 2.0), (1, 3.0), (3, 4.0), (5, 8.0)])
-@pytest.mark.parametrize("restitution", [0.5, 0.8, 0.95])
+@every(("order", "ratio"), [(1, 2.0), (1, 3.0), (3, 4.0), (5, 8.0)])
+@every("restitution", [0.5, 0.8, 0.95])
 def test_a_column_begins_and_breaks_where_the_closed_forms_say(
     order: int, ratio: float, restitution: float
 ) -> None:

@@ -5,6 +5,7 @@ import pytest
 
 from rocksteady import region_boundaries, symmetry_breaking_amplitude
 from rocksteady.studies.atlas.analysis.columns import column
+from tests.every import every
 from tests.studies.atlas.small import small
 
 
@@ -23,7 +24,7 @@ def test_the_existence_boundary_is_that_of_the_paper() -> None:
             np.testing.assert_array_equal(line.amplitude, expected)
 
 
-@pytest.mark.parametrize("order", [1, 3, 5])
+@every("order", [1, 3, 5])
 def test_lines_run_through_columns_that_did_not_begin_them(order: int) -> None:
     lines = {line.name: line for line in small().lines if line.order == order}
     for name, level in (("first-doubling", 1), ("second-doubling", 2)):

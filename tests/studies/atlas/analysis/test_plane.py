@@ -5,6 +5,7 @@ import pytest
 
 from rocksteady import InputError
 from rocksteady.studies.atlas.analysis.plane import Plane
+from tests.every import every
 
 ROWS, COLUMNS = (1.0, 2.0, 3.0), (2.0, 4.0, 6.0, 8.0)
 
@@ -34,7 +35,7 @@ def test_axes_are_copies_that_nobody_changes() -> None:
         plane.amplitudes[0] = 7.0
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "values"),
     [
         ("restitution", 1.0),

@@ -13,6 +13,7 @@ from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, find_ste
 from rocksteady.studies.tso_wong_1989.claims import _equations as equations
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, random_sample
 from tests.dynamics.formulae import numbers, printed, printed_boundaries, printed_region
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, sampled, states, values
 
 pytestmark = pytest.mark.usefixtures("computed")
@@ -81,7 +82,8 @@ FALSE: dict[str, Tamper] = {
 """Evidence on which the verdict on a statement must be the other one."""
 
 
-@pytest.mark.parametrize("name", FALSE)
+@pytest.mark.slow
+@every("name", FALSE)
 def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     true = finding(name)
     false = found(name, FALSE[name](monkeypatch))
@@ -90,6 +92,7 @@ def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.Monkey
     assert false.detail != true.detail or name == "eq-6-26-27"
 
 
+@pytest.mark.slow
 def test_both_ends_of_the_uplift_count(monkeypatch: pytest.MonkeyPatch) -> None:
     assert not found("uplift", run_with(monkeypatch, amplitude=0.99)).holds
 
@@ -97,7 +100,7 @@ def test_both_ends_of_the_uplift_count(monkeypatch: pytest.MonkeyPatch) -> None:
 # --------------------------------------------------------------------------- E4: odd orders only
 
 
-@pytest.mark.parametrize("order", [1, 2, 3, 4])
+@every("order", [1, 2, 3, 4])
 def test_only_odd_orders_meet_both_halves_by_the_printed_formulae(order: int) -> None:
     # The second half cycle starts at tau = n pi, where the shaking's phase has grown by n pi.
     a, w, r = 2.0, 4.0, 0.8

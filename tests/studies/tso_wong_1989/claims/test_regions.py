@@ -12,6 +12,7 @@ from rocksteady import RegionMap, SteadyStates, compute_region_map, find_steady_
 from rocksteady.studies.tso_wong_1989.claims import _regions as regions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from tests.dynamics.formulae import half_cycle, numbers, printed
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import (
     evidence,
     finding,
@@ -106,7 +107,7 @@ FALSE: dict[str, Tamper] = {
 """Evidence on which the verdict on a statement must be the other one."""
 
 
-@pytest.mark.parametrize("name", FALSE)
+@every("name", FALSE)
 def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     true = finding(name)
     false = found(name, FALSE[name](monkeypatch))

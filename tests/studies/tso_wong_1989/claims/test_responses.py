@@ -18,6 +18,7 @@ from rocksteady import (
 from rocksteady.studies.tso_wong_1989.claims import _responses as responses
 from rocksteady.studies.tso_wong_1989.claims._responses import peaks_at
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, values, with_responses
 
 pytestmark = pytest.mark.usefixtures("computed")
@@ -111,7 +112,7 @@ FALSE: dict[str, Tamper] = {
 """Evidence on which the verdict on a statement must be the other one."""
 
 
-@pytest.mark.parametrize("name", FALSE)
+@every("name", FALSE)
 def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     true = finding(name)
     false = found(name, FALSE[name](monkeypatch))

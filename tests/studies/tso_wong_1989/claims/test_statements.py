@@ -15,6 +15,7 @@ from rocksteady.studies.tso_wong_1989 import claims as package
 from rocksteady.studies.tso_wong_1989.claims import _unchecked as unchecked
 from rocksteady.studies.tso_wong_1989.claims.findings import Verdict
 from rocksteady.studies.tso_wong_1989.claims.statements import STATEMENTS, check
+from tests.every import every
 from tests.studies.tso_wong_1989.claims import (
     test_equations,
     test_linearised,
@@ -128,7 +129,7 @@ def verdicts_given(source: str) -> list[ast.expr]:
     return holds
 
 
-@pytest.mark.parametrize("name", MODULES)
+@every("name", MODULES)
 def test_no_verdict_is_written_down(name: str) -> None:
     file = MODULES[name].__file__
     assert file is not None
@@ -143,7 +144,7 @@ def test_no_verdict_is_written_down(name: str) -> None:
             assert names, f"{ast.unparse(holds)} looks at nothing that was computed"
 
 
-@pytest.mark.parametrize("name", TESTED)
+@every("name", TESTED)
 def test_every_statement_has_evidence_on_which_its_verdict_is_the_other(name: str) -> None:
     statements = [statement.id for statement in MODULES[name].STATEMENTS]
     assert set(TESTED[name].FALSE) == set(statements)

@@ -13,6 +13,7 @@ from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.figures.fates import Kind
 from rocksteady.studies.tso_wong_1989.figures.histories import History
 from tests.dynamics.formulae import printed, printed_trace
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import (
     STABLE,
     evidence,
@@ -60,7 +61,7 @@ FALSE: dict[str, Tamper] = {
 """Evidence on which the verdict on a statement must be the other one."""
 
 
-@pytest.mark.parametrize("name", FALSE)
+@every("name", FALSE)
 def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     true = finding(name)
     false = found(name, FALSE[name](monkeypatch))
@@ -68,7 +69,7 @@ def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.Monkey
     assert false.detail != true.detail
 
 
-@pytest.mark.parametrize("name", ["fig-8a", "fig-8b", "fig-8c", "fig-9a", "fig-9c"])
+@every("name", ["fig-8a", "fig-8b", "fig-8c", "fig-9a", "fig-9c"])
 def test_the_paper_would_be_right_on_one_side(name: str) -> None:
     figure = name.removeprefix("fig-")
     holds = {

@@ -15,6 +15,7 @@ from rocksteady.studies.tso_wong_1989.claims._transitions import Descent, descen
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind
 from tests.dynamics.formulae import printed, printed_trace
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, values, with_histories
 
 pytestmark = pytest.mark.usefixtures("computed")
@@ -98,7 +99,7 @@ FALSE: dict[str, Tamper] = {
 """Evidence on which the verdict on a statement must be the other one."""
 
 
-@pytest.mark.parametrize("name", FALSE)
+@every("name", FALSE)
 def test_a_verdict_turns_with_its_evidence(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     true = finding(name)
     false = found(name, FALSE[name](monkeypatch))

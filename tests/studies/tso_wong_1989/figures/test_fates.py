@@ -19,6 +19,7 @@ from rocksteady import (
 )
 from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, fates_over_kicks, settle
 from tests.dynamics.integrator import integrate
+from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 
@@ -34,7 +35,7 @@ def settled(a: float, w: float, *, side: int = -1, **start: Any) -> Fate:
 # ------------------------------------------------------------------------------ known attractors
 
 
-@pytest.mark.parametrize(
+@every(
     ("a", "w", "order", "highest", "lowest", "accuracy"),
     [
         (2.0, 1.9, 1, 0.90035, -0.44427, 5.1e-6),
@@ -69,7 +70,7 @@ def test_beyond_the_doublings_the_harmonic_motion_overturns_and_the_subharmonic_
     assert settled(2.0, 4.03, order=3).kind is Kind.SYMMETRIC
 
 
-@pytest.mark.parametrize(
+@every(
     ("a", "w", "order", "name"),
     [
         (2.0, 4.0, 1, "symmetric harmonic"),
@@ -131,7 +132,7 @@ def compared(run: Trajectory) -> tuple[str, int, bool]:
     return "unsettled", 0, False
 
 
-@pytest.mark.parametrize("seed", range(4))
+@every("seed", range(4))
 def test_period_and_symmetry_are_those_of_the_sampled_angle(seed: int) -> None:
     rng = np.random.default_rng(seed)
     known = {Kind.OVERTURNED: "overturned", Kind.REST: "at-rest"}
@@ -153,7 +154,7 @@ def test_period_and_symmetry_are_those_of_the_sampled_angle(seed: int) -> None:
             assert angle.max() > fate.highest - 0.02
 
 
-@pytest.mark.parametrize(
+@every(
     ("a", "w", "order", "branch", "kick"),
     [(2.0, 1.9, 1, 1, 1e-2), (4.0, 6.0, 3, 1, 1e-1), (2.0, 5.0, 3, 2, 1e-2)],
 )
@@ -212,7 +213,7 @@ def test_a_mirrored_start_has_the_mirrored_fate() -> None:
             assert one.highest == pytest.approx(-other.lowest, abs=1e-9)
 
 
-@pytest.mark.parametrize(
+@every(
     ("a", "w", "order", "branch", "side", "kinds"),
     [
         (1.0, 2.0, 1, 2, 1, {Kind.OVERTURNED, Kind.SYMMETRIC}),

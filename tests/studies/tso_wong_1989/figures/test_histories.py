@@ -14,6 +14,7 @@ from rocksteady.studies.tso_wong_1989.figures.fates import Kind
 from rocksteady.studies.tso_wong_1989.figures.histories import History, counted, histories
 from tests.dynamics.formulae import printed, printed_trace
 from tests.dynamics.integrator import integrate
+from tests.every import every
 from tests.studies.tso_wong_1989.whole import HISTORIES, STABLE, UNSTABLE, evidence
 
 pytestmark = pytest.mark.usefixtures("computed")
@@ -50,7 +51,7 @@ def test_every_time_history_of_the_paper_is_there_with_its_parameters() -> None:
         assert any("not printed" in words for words in case.chosen) == case.id.startswith("13")
 
 
-@pytest.mark.parametrize("name", HISTORIES)
+@every("name", HISTORIES)
 def test_stability_is_that_of_the_printed_trace(name: str) -> None:
     a, w, n, branch, _ = PAPER[name]
     solution = printed(a, w, 0.8, n, branch)
@@ -62,7 +63,7 @@ def test_stability_is_that_of_the_printed_trace(name: str) -> None:
     assert history(name).stable == (abs(trace) < 1.64) == (name in STABLE)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "multiplier"),
     [
         ("8a", 25.658), ("8b", 10.2467), ("8c", 7.2251),
@@ -75,7 +76,7 @@ def test_multipliers_are_the_reference_ones(name: str, multiplier: float) -> Non
     assert found.real == pytest.approx(multiplier, rel=5e-5 if name != "11a" else 5e-4)
 
 
-@pytest.mark.parametrize("name", HISTORIES)
+@every("name", HISTORIES)
 def test_unstable_states_are_left_on_both_sides_and_stable_ones_are_not_left(name: str) -> None:
     case = history(name)
     sides = (1, -1) if name in UNSTABLE else (1,)
@@ -87,7 +88,7 @@ def test_unstable_states_are_left_on_both_sides_and_stable_ones_are_not_left(nam
         assert (f"Left on the {sign} side: " in text) == (name in UNSTABLE)
 
 
-@pytest.mark.parametrize("name", UNSTABLE)
+@every("name", UNSTABLE)
 def test_a_run_starts_off_its_orbit_by_the_distance_said(name: str) -> None:
     case = history(name)
     branch = case.case.branch - 1
@@ -106,7 +107,7 @@ def test_a_run_starts_off_its_orbit_by_the_distance_said(name: str) -> None:
     np.testing.assert_allclose(shifts[0], np.negative(shifts[1]), rtol=1e-6, atol=1e-14)
 
 
-@pytest.mark.parametrize("name", HISTORIES)
+@every("name", HISTORIES)
 def test_a_distance_grows_by_the_multiplier_each_half_cycle(name: str) -> None:
     case = history(name)
     order = case.case.order
@@ -135,7 +136,7 @@ def test_a_distance_grows_by_the_multiplier_each_half_cycle(name: str) -> None:
     np.testing.assert_allclose(ratios, abs(case.multiplier), rtol=0.01)
 
 
-@pytest.mark.parametrize(("name", "side"), [("8b", 1), ("9c", -1), ("12b", -1), ("13d", 1)])
+@every(("name", "side"), [("8b", 1), ("9c", -1), ("12b", -1), ("13d", 1)])
 def test_the_drawn_runs_are_those_of_an_integrator(name: str, side: int) -> None:
     case = history(name)
     run = case.runs[side]
@@ -237,7 +238,7 @@ def test_fates_are_counted_the_most_frequent_first() -> None:
 # ------------------------------------------------------------------------------- tables, drawing
 
 
-@pytest.mark.parametrize("name", ["8a", "10", "12b"])
+@every("name", ["8a", "10", "12b"])
 def test_the_table_is_the_run(name: str) -> None:
     case = history(name)
     panel = case.panel()
@@ -275,7 +276,7 @@ def motions(figure: Figure) -> list[Any]:
     ]
 
 
-@pytest.mark.parametrize("name", ["8a", "10", "13b"])
+@every("name", ["8a", "10", "13b"])
 def test_the_figure_shows_every_side_over_the_papers_axis(name: str) -> None:
     case = history(name)
     figure = case.panel().draw()

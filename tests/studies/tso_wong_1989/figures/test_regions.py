@@ -17,6 +17,7 @@ from rocksteady.studies.tso_wong_1989.figures.regions import (
     region_shares,
 )
 from tests.dynamics.formulae import printed_boundaries, printed_region
+from tests.every import every
 
 planes = pytest.mark.parametrize("plane", PLANES, ids=lambda plane: plane.id)
 
@@ -43,7 +44,7 @@ def test_the_axes_are_the_papers(plane: object) -> None:
     assert "amplitude" in axes.get_ylabel()
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "expected"),
     [("3a", {1, 2, 3, 4}), ("4a", {1, 2, 3, 4, 5}), ("4b", {1, 2, 4})],
 )
@@ -87,7 +88,7 @@ def test_the_table_holds_the_printed_boundaries(plane: object) -> None:
     assert float(panel.rows[-1][0]) == HIGHEST_FREQUENCY
 
 
-@pytest.mark.parametrize(
+@every(
     ("restitution", "order", "w", "existence", "kind", "sign"),
     [
         (0.5, 1, 4.0, 0.70825, 0.79129, 1.58816),
@@ -116,9 +117,7 @@ def test_shares_add_up_to_the_window(plane: object) -> None:
     assert min(shares.values()) >= 0.0
 
 
-@pytest.mark.parametrize(
-    ("restitution", "order"), [(0.5, 1), (0.95, 1), (0.5, 3), (0.95, 3), (0.15, 1), (0.3, 5)]
-)
+@every(("restitution", "order"), [(0.5, 1), (0.95, 1), (0.5, 3), (0.95, 3), (0.15, 1), (0.3, 5)])
 def test_shares_are_those_of_points_counted_on_a_fine_grid(restitution: float, order: int) -> None:
     low, high = float(FREQUENCIES[0]), float(FREQUENCIES[-1])
     points = 700

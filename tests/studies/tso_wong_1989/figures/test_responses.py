@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady.studies.tso_wong_1989.figures.responses import RESPONSES, Responses
 from tests.dynamics.formulae import half_cycle, printed
+from tests.every import every
 
 BY_NAME = {response.id: response for response in RESPONSES}
 responses = pytest.mark.parametrize("response", RESPONSES, ids=lambda response: response.id)
@@ -21,7 +22,7 @@ def peak(name: str, value: float, x: float) -> float:
     return found
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "end", "label"),
     [
         ("5a", 16.0, r"\Omega"), ("5b", 16.0, r"\Omega"),
@@ -53,7 +54,7 @@ def test_the_curves_are_those_of_the_paper() -> None:
         assert ("not legible" in text) == (response.quantity != "amplitude")
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "a", "w", "expected"),
     [
         ("5a", 1.0, 2.0, 0.43188), ("5a", 1.0, 4.0, 0.12635), ("5a", 1.0, 8.0, 0.03298),
@@ -98,7 +99,7 @@ def test_figure_6_is_figure_5_with_the_frequency_in_hertz(name: str, order: int)
         )
 
 
-@pytest.mark.parametrize("name", ["5a", "5b", "7a", "7b"])
+@every("name", ["5a", "5b", "7a", "7b"])
 def test_every_peak_is_that_of_a_sampled_half_cycle(name: str) -> None:
     response = BY_NAME[name]
     rng = np.random.default_rng(5)

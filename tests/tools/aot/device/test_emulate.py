@@ -13,6 +13,7 @@ from rocksteady.installation._recorded import Call, arguments_of
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.devices import FORMS, Form, form_of
 from rocksteady.kernels.entries import ENTRIES
+from tests.every import every
 from tests.strategies import PLAIN
 from tools.aot.calls import batches
 from tools.aot.calls.recorder import Recorder
@@ -70,7 +71,8 @@ def bits(array: NDArray[Any]) -> NDArray[np.int64]:
     return np.ascontiguousarray(array).view(np.int64)
 
 
-@pytest.mark.parametrize("name", FORMS)
+@pytest.mark.slow
+@every("name", FORMS)
 def test_every_bit_is_that_of_the_library(name: str, emulated: Emulated) -> None:
     form = FORMS[name]
     recorded = calls_of(form)
@@ -85,7 +87,8 @@ def test_every_bit_is_that_of_the_library(name: str, emulated: Emulated) -> None
         assert (known & ~done).mean() < RARE
 
 
-@pytest.mark.parametrize("name", FORMS)
+@pytest.mark.slow
+@every("name", FORMS)
 def test_no_bit_depends_on_who_takes_a_cell_and_when(name: str, emulated: Emulated) -> None:
     form = FORMS[name]
     call = calls_of(form)[0]

@@ -51,6 +51,7 @@ def run(request: pytest.FixtureRequest) -> tuple[Form, Executed, str]:
     return form, device, file.read_text("ascii")
 
 
+@pytest.mark.slow
 def test_every_bit_is_that_of_the_library(run: tuple[Form, Executed, str]) -> None:
     form, device, text = run
     (program,) = device.programs.values()

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from tests.every import every
 from tests.tools.aot.device.ptx.oracles import bits_of
 from tests.tools.aot.device.snippets import HEAD, Load, entry, loads_in, run
 from tools.aot.device.ptx_to_c import HAZARDS, translation
@@ -215,7 +216,7 @@ def test_workers_on_threads_take_each_cell_once(load: Load) -> None:
     assert cells.tolist() == list(range(100))
 
 
-@pytest.mark.parametrize("how", [{}, {"checked": True}, {"counted": True}])
+@every("how", [{}, {"checked": True}, {"counted": True}])
 def test_a_warp_votes(load: Load, how: dict[str, bool]) -> None:
     program = load(entry("k", QUEUE.format(before="", vote=VOTE)), **how)["k"]
     taken, cells = np.zeros(1, dtype=np.int64), np.zeros(100, dtype=np.int64)
@@ -290,7 +291,7 @@ def _hazards(load: Load, line: str) -> Iterator[tuple[str, int, int]]:
     return ((each.kind, each.line, number) for each in program.hazards())
 
 
-@pytest.mark.parametrize("line", MET)
+@every("line", MET)
 def test_a_hazard_is_met(load: Load, line: str) -> None:
     (kind, found, number), *more = _hazards(load, line)
     assert kind == HAZARDS[MET[line]]
@@ -298,7 +299,7 @@ def test_a_hazard_is_met(load: Load, line: str) -> None:
     assert not more or MET[line] == 5  # memory of another space may be no array either
 
 
-@pytest.mark.parametrize("line", SOUND)
+@every("line", SOUND)
 def test_sound_accesses_are_no_hazards(load: Load, line: str) -> None:
     assert list(_hazards(load, line)) == []
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.every import every
 from tools.aot.device import resources
 from tools.aot.device.resources import (
     CLASSES,
@@ -115,7 +116,7 @@ def test_entries_are_told_apart() -> None:
     assert parsed("ptxas info    : 1440 bytes gmem\n") == []
 
 
-@pytest.mark.parametrize(
+@every(
     ("registers", "block", "threads"),
     [
         # As the occupancy calculator of CUDA has them for 8.0 and 9.0.
@@ -144,13 +145,13 @@ def test_residency_is_that_of_the_occupancy_calculator(
     assert resident_threads(registers, block) == threads
 
 
-@pytest.mark.parametrize(("registers", "block"), [(0, 128), (256, 128), (64, 0), (64, 1025)])
+@every(("registers", "block"), [(0, 128), (256, 128), (64, 0), (64, 1025)])
 def test_what_no_kernel_can_have_is_refused(registers: int, block: int) -> None:
     with pytest.raises(ValueError, match=f"{registers} registers, {block} threads"):
         resident_threads(registers, block)
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "kind"),
     [
         ("DADD", "fp64"),

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from tests.every import every
 from tests.tools.aot.device.ptx.oracles import NAN, bits_of, expected, number_of
 from tests.tools.aot.device.snippets import HEAD, Load, entry, loads_in, run
 from tools.aot.device.ptx.forms import EXACT_FUSED, FORMS, FUSED, Form
@@ -113,7 +114,7 @@ def drawn(kind: str, random: np.random.Generator, count: int) -> list[int]:
     return [choices[w][n] % 2**width for n, w in enumerate(which)]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@every("name", NAMES)
 def test_an_instruction_does_what_the_reference_says(
     name: str, instructions: dict[str, Program]
 ) -> None:
@@ -196,7 +197,7 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize("line", REFUSED)
+@every("line", REFUSED)
 def test_what_is_not_known_is_refused_with_its_line(line: str) -> None:
     ptx = HEAD + entry("k", line)
     number = ptx.splitlines().index(line) + 1
@@ -206,7 +207,7 @@ def test_what_is_not_known_is_refused_with_its_line(line: str) -> None:
     assert str(number) in str(raised.value)
 
 
-@pytest.mark.parametrize(
+@every(
     ("ptx", "why"),
     [
         (".extern .func f(\n.param .b64 x\n);", "another module"),
