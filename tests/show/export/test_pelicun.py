@@ -3,6 +3,9 @@
 import csv
 import importlib
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +15,8 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from rocksteady import InputError, LossComponent, LossState, OutputError, write_pelicun
+from rocksteady.show.export.components import probability_of
+from tests.every import every
 
 dlml = importlib.import_module("dlml")
 load_tabular = importlib.import_module("dlml._tabular").load_tabular
@@ -85,7 +90,7 @@ def test_dlml_reads_the_same_numbers_but_for_the_last_digits_of_its_quick_parser
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("given_", "demand", "unit"),
     [
         ({}, "Peak Floor Velocity", "mps"),
@@ -145,7 +150,7 @@ def test_a_limit_without_damage_is_in_the_curve(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize(
+@every(
     "name",
     ["", "a-b", "=1+1", "@x", "+x", "-x", "1.5", "nan", "NA", "None", "inf", "True", "a b", "a,b",
      'a"b', "a\nb", "a\n", "波", "a/b", "<a>", "a" * 76],
@@ -179,7 +184,7 @@ def test_any_other_identifier_comes_back(
     assert table.index.tolist() == [name]
 
 
-@pytest.mark.parametrize("text", ['"a",b\nc', "=cmd|' /C calc'!A0", "\x00\ud800", "波 🏺", "<&>"])
+@every("text", ['"a",b\nc', "=cmd|' /C calc'!A0", "\x00\ud800", "波 🏺", "<&>"])
 def test_text_from_outside_is_in_the_companion_alone(text: str, tmp_path: Path) -> None:
     made = component(LossState(name=f"x {text}", median=0.2, beta=0.5), description=text)
     table, companion = write_pelicun(tmp_path / "a.csv", [made])
@@ -212,3 +217,56 @@ def test_ten_states_are_refused() -> None:
     ten = [LossState(name=f"state {k}", median=0.1 + k, beta=0.5) for k in range(10)]
     with pytest.raises(InputError, match="1 to 9"):
         component(*ten)
+
+
+# ------------------------------------------------------------------------- pelicun itself
+
+
+@pytest.fixture(scope="module")
+def pelicun() -> Path:
+    """Return a Python with pelicun, whose dependencies are older than those of the package."""
+    folder = Path(__file__).parents[3] / "build" / "pelicun"
+    python = folder / "bin" / "python"
+    try:
+        if not python.exists():
+            subprocess.run([sys.executable, "-m", "venv", folder], check=True, capture_output=True)
+        install = [python, "-m", "pip", "install", "--quiet", "--only-binary", ":all:"]
+        subprocess.run([*install, "pelicun==3.10.0"], check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("pelicun cannot be installed here")
+    return python
+
+
+STATES = (LossState(name="uplift", median=0.3, beta=0.4), falls())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("made", "demand"),
+    [
+        (component(*STATES), ("PFV", "mps")),
+        (component(*STATES, floor=False), ("PGV", "mps")),
+        (component(*STATES, measure="pga_g", floor=False, no_damage=0.15), ("PGA", "g")),
+        (component(falls(), measure="sa_g", period_s=1.0, floor=False), ("SA_1.0", "g")),
+        (component(LossState(name="a", curve=lambda level: level**2 / (0.1 + level**2))),
+         ("PFV", "mps")),
+    ],
+)  # fmt: skip
+def test_pelicun_finds_the_probabilities_of_the_curves(
+    made: LossComponent, demand: tuple[str, str], pelicun: Path, tmp_path: Path
+) -> None:
+    table, _ = write_pelicun(tmp_path / "a.csv", [made])
+    levels = [0.2, 0.3, 0.466, 0.8, 1.2]
+    asked = Path(__file__).with_name("pelicun_asked.py")
+    ran = subprocess.run(
+        [pelicun, asked, table, made.identifier, *demand, *map(str, levels)],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": ""},
+    )
+    shares = json.loads(ran.stdout.splitlines()[-1])
+    for number, state in enumerate(made.states, start=1):
+        found = [sum(each.get(str(k), 0.0) for k in range(number, 10)) for each in shares]
+        assert found == pytest.approx(probability_of(made, state, np.array(levels)), abs=0.01)
