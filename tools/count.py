@@ -1,0 +1,80 @@
+"""``python -m tools.count``: code lines by package, and what has grown beyond easy reading.
+
+A code line holds a token that is neither a comment nor a docstring.  Folders of many files and long
+modules are named as advice: modules are cut by concept, not by number.
+"""
+
+import ast
+import io
+import sys
+import tokenize
+from collections import Counter
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+TOPS = ("src", "tests", "tools", "bench", "examples")
+MOST = 14
+"""Files of a folder, its `__init__` included."""
+LONGEST = 500
+"""Lines of a module."""
+LAYOUT = {
+    tokenize.COMMENT,
+    tokenize.NL,
+    tokenize.NEWLINE,
+    tokenize.INDENT,
+    tokenize.DEDENT,
+    tokenize.ENDMARKER,
+}
+DOCUMENTED = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def code_lines(source: str) -> int:
+    """Return how many code lines a module has.
+
+    Examples
+    --------
+    >>> from tools.count import code_lines
+    >>> code_lines("x = 1  # a number")
+    1
+    """
+    lines = {
+        line
+        for token in tokenize.generate_tokens(io.StringIO(source).readline)
+        if token.type not in LAYOUT
+        for line in range(token.start[0], token.end[0] + 1)
+    }
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, DOCUMENTED) and ast.get_docstring(node, clean=False) is not None:
+            lines -= set(range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1))
+    return len(lines - {n for n, text in enumerate(source.splitlines(), 1) if not text.strip()})
+
+
+def main(arguments: list[str]) -> int:
+    """Print the total, with `--packages` those of each, and the advice."""
+    code = {top: Counter[str]() for top in TOPS}
+    files: Counter[Path] = Counter()
+    for top in TOPS:
+        for file in sorted((ROOT / top).rglob("*.py")):
+            source = file.read_text(encoding="utf-8")
+            parts = file.relative_to(
+                ROOT / top / "rocksteady" if top == "src" else ROOT / top
+            ).parts
+            code[top][parts[0] if parts[1:] else ""] += code_lines(source)
+            files[file.parent] += 1
+            if (count := len(source.splitlines())) > LONGEST:
+                print(f"advice: {file.relative_to(ROOT)} has {count} lines: is it one concept?")
+        for part in (ROOT / top).rglob("*.mjs"):
+            files[part.parent] += 1
+        if arguments == ["--packages"]:
+            for package, count in code[top].most_common():
+                print(f"{top}/{package:20} {count:7,}")
+    for folder, count in files.items():
+        if count > MOST:
+            print(f"advice: {folder.relative_to(ROOT)} has {count} files: are they one concept?")
+    totals = (f"{top} {sum(found.values()):,}" for top, found in code.items())
+    print(f"code lines: {', '.join(totals)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
