@@ -6,12 +6,16 @@ WORKERS ?= 2
 MARKS ?= not slow
 
 BIN := .venv/bin
+BARE := .venv/.bare
 STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
+INSTALL := pip install --quiet --no-compile --constraint constraints.txt
 EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
 PEERS := heyoka mujoco
-CHECKS := lint types layers docs tests tests-python ptx
+CHECKS := lint types layers pages tests tests-python ptx
+# Seconds that each check may take on two cores, printed beside those that it took.
+BUDGETS := lint=15 types=60 layers=5 pages=5 docs=240 tests=220 tests-python=40 ptx=15 tests-jit=300 tests-floor=600
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -34,14 +38,17 @@ export MPLBACKEND := Agg
 ##@ Start here
 
 .PHONY: help
-help: ## list the commands
+help: ## list the commands [nothing]
 	@awk 'BEGIN { FS = ":.*## " } \
 		/^##@ / { printf "\n%s\n", substr($$0, 5) } \
-		/^[.a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+		/^[.a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@printf '\nInto .venv: [package] installs rocksteady and numba, [nothing] nothing, and all others add what\n'
+	@printf 'checks, manual, benchmarks and wheels need. [+ ...] names what is installed besides.\n'
 
 .PHONY: demo
-demo: .venv library ## do a whole paper again, and film a block that falls; pictures and a report in out/
+demo: $(BARE) ## do a whole paper again, and film a block that falls; pictures and a report in out/ [package]
 	@mkdir -p out
+	@$(BIN)/python -m tools.aot host
 	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --animate out/simulate.gif --force
 	$(BIN)/rocksteady paper --out out/tso-wong-1989 --force
 
@@ -56,14 +63,15 @@ test: .venv ## run every check, the tests marked slow excepted
 
 .PHONY: test-all
 test-all: .venv ## run every check, the tests marked slow and the lower bounds included
-	@$(call run-in-turn,$(CHECKS) tests-jit tests-floor,$(MAKE) MARKS=)
+	@$(call run-in-turn,$(patsubst pages,docs,$(CHECKS)) tests-jit tests-floor,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
 .PHONY: lint
-lint: .venv ## ruff: rules and format
+lint: .venv ## ruff: rules and format; code lines, and what has grown beyond easy reading
 	$(BIN)/python -m ruff check
 	$(BIN)/python -m ruff format --check
+	@$(BIN)/python -m tools.count
 
 .PHONY: types
 types: .venv ## mypy --strict over src and tests, and tsc over the page where there is one
@@ -83,7 +91,7 @@ tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
 
 .PHONY: ptx
-ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed
+ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed [+ ptxas]
 	$(BIN)/python -m tools.aot.device check --architectures sm_90
 
 .PHONY: docs
@@ -92,6 +100,11 @@ docs: .venv library ## build the manual into out/manual; its tutorials and galle
 	@rm -rf out/manual && mkdir -p out
 	env -u MPLBACKEND $(BIN)/python -m sphinx --jobs $(WORKERS) --fail-on-warning --keep-going --quiet \
 		--doctree-dir build/manual/doctrees docs out/manual
+	@$(BIN)/python -m tools.manual.built --write
+
+.PHONY: pages
+pages: .venv ## the manual, where its pages have changed since it was built (docs/.built)
+	@$(BIN)/python -m tools.manual.built || $(MAKE) --no-print-directory docs
 
 .PHONY: tests-jit
 tests-jit: .venv ## pytest, kernels compiled by numba
@@ -100,7 +113,7 @@ tests-jit: .venv ## pytest, kernels compiled by numba
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS)
 
 .PHONY: tests-floor
-tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted
+tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]
 	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m rocksteady.kernels.entries
 	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
@@ -108,7 +121,7 @@ tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, 
 
 .PHONY: library
 library: .venv ## compile the kernels into a library for this machine, unless that is done
-	@$(BIN)/python -m tools.aot host
+	@$(BIN)/python -m tools.aot host --page
 	@$(BIN)/python -m tools.aot.web.program
 
 .PHONY: gpu
@@ -149,7 +162,7 @@ bench: .venv library ## time the package; writes docs/benchmarks.md
 	$(BIN)/python bench/report.py
 
 .PHONY: bench-peers
-bench-peers: .venv library ## time other solvers beside the package; writes their part of docs/benchmarks.md
+bench-peers: .venv library ## time other solvers beside the package; writes their part of docs/benchmarks.md [+ heyoka, mujoco]
 	@mkdir -p out docs
 	@# One by one: where a solver cannot be installed, its row says so.
 	@for peer in $(PEERS); do \
@@ -182,6 +195,10 @@ bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; write
 resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; writes its part of docs/benchmarks.md
 	$(BIN)/python -m bench.gpu.estimate
 
+.PHONY: mutants
+mutants: .venv library ## change single places of the sources, and count what the tests notice: an hour
+	$(BIN)/python -m tools.mutants
+
 .PHONY: architecture
 architecture: .venv ## draw docs/images/architecture.png and its table from the imports
 	$(BIN)/python -m tools.architecture
@@ -202,24 +219,32 @@ constraints: ## renew constraints.txt with the newest versions that fit together
 	@echo "constraints.txt is renewed: run 'make test', then commit it."
 
 .PHONY: clean
-clean: ## remove .venv, caches and build folders; out/ stays
+clean: ## remove .venv, caches and build folders; out/ stays [nothing]
 	rm -rf .venv .bootstrap .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache build dist
 	rm -rf docs/gallery docs/reference/commands docs/sg_execution_times.rst
 	find src tests bench docs examples -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
 
-# The stamp holds the folder it was made in. A checkout that has moved gets a new environment, because
+# A stamp holds the folder it was made in. A checkout that has moved gets a new environment, because
 # the old one knows its scripts and the package by their paths; so does one whose Python is gone.
-ifneq ($(shell test -x $(BIN)/python && cat $(STAMP) 2>/dev/null),$(CURDIR))
-.PHONY: $(STAMP)
+ifneq ($(shell test -x $(BIN)/python && cat $(BARE) 2>/dev/null),$(CURDIR))
+.PHONY: $(BARE)
 endif
 
-$(STAMP): pyproject.toml constraints.txt
+# What runs the package, and what compiles its kernels: numba, and zig where there is no compiler of
+# C. The build back end first, pinned like the rest: an isolated build would fetch its own. Modules
+# become bytecode as they are imported, most of them never.
+$(BARE): pyproject.toml constraints.txt
 	@{ test "$$(cat $@ 2>/dev/null || echo "$(CURDIR)")" = "$(CURDIR)" && $(BIN)/python -m pip --version >/dev/null 2>&1; } || \
 		{ rm -rf .venv; $(call create-environment,.venv); }
-	@echo "Installing rocksteady and its tools into .venv (about a minute)"
-	@# The build back end first, pinned like the rest: an isolated build would fetch its own.
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt hatchling editables
-	$(BIN)/python -m pip install --quiet --constraint constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
+	@echo "Installing rocksteady into .venv"
+	@$(BIN)/python -m $(INSTALL) hatchling editables
+	@$(BIN)/python -m $(INSTALL) --no-build-isolation --editable '.[jit]' \
+		$$(command -v gcc clang >/dev/null || echo ziglang)
+	@echo "$(CURDIR)" > $@
+
+$(STAMP): $(BARE)
+	@echo "Installing what its checks, its manual and its wheels need (about a minute)"
+	@$(BIN)/python -m $(INSTALL) --no-build-isolation --editable '.[$(EXTRAS)]'
 	@echo "$(CURDIR)" > $@
 
 # The assembler of PTX: without what its wheel depends on, a compiler of C++. Where it cannot be
@@ -265,15 +290,16 @@ said=$$($(PYTHON) -m venv $(1) 2>&1) || { \
 }
 endef
 
-# $(call run-in-turn,TARGETS,MAKE): one after the other, with their names and how long each took;
-# the first that fails ends the run.
+# $(call run-in-turn,TARGETS,MAKE): one after the other, with their names, how long each took and its
+# budget; the first that fails ends the run.
 define run-in-turn
 summary=""; began=$$(date +%s); \
 for check in $(1); do \
 	printf '\n== %s\n' "$$check"; \
 	start=$$(date +%s); \
 	$(2) --no-print-directory $$check || { printf '\n== %s failed\n' "$$check" >&2; exit 1; }; \
-	summary="$$summary$$(printf '\n   %-12s %4d s' "$$check" $$(($$(date +%s) - start)))"; \
+	budget=$$(printf '%s\n' $(BUDGETS) | sed -n "s/^$$check=//p"); \
+	summary="$$summary$$(printf '\n   %-12s %4d s of %3d' "$$check" $$(($$(date +%s) - start)) "$$budget")"; \
 done; \
 printf '\n== all passed%s\n   %-12s %4d s\n' "$$summary" total $$(($$(date +%s) - began))
 endef

@@ -1,21 +1,17 @@
-"""The tree of the package: who imports whom decides a module's name, and folders stay small."""
+"""The tree of the package: who imports whom decides a module's name."""
 
 import ast
 import importlib
 import re
-from collections import Counter, defaultdict
+from collections import defaultdict
 from functools import cache
 from pathlib import Path
 
-import pytest
+from tests.every import every
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
 FILES = sorted(SOURCE.rglob("*.py"))
-MOST = 14
-"""Files of one folder, its `__init__` included."""
-LONGEST = 500
-"""Lines of a module."""
 STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"}
 """Modules that are run by their names."""
 TWICE = {
@@ -77,7 +73,7 @@ def is_private(name: str) -> bool:
     return name.rpartition(".")[2].startswith("_")
 
 
-@pytest.mark.parametrize("name", [name for name in sorted(NAMES) if not name.endswith("__")])
+@every("name", [name for name in sorted(NAMES) if not name.endswith("__")])
 def test_a_module_that_only_its_own_folder_imports_has_an_underscore_and_no_other(
     name: str,
 ) -> None:
@@ -92,13 +88,6 @@ def test_a_module_that_only_its_own_folder_imports_has_an_underscore_and_no_othe
 
 def test_what_is_public_stands_in_modules_without_underscore() -> None:
     assert [name for name in sorted(PUBLIC) if "._" in name] == []
-
-
-@pytest.mark.parametrize("top", ["src", "tests", "bench", "examples", "tools"])
-def test_no_folder_has_many_files(top: str) -> None:
-    files = [file for kind in ("py", "mjs") for file in (ROOT / top).rglob(f"*.{kind}")]
-    sizes = Counter(file.parent for file in files)
-    assert {str(folder): size for folder, size in sizes.items() if size > MOST} == {}
 
 
 def test_a_name_stands_once_in_a_layer() -> None:
@@ -215,16 +204,6 @@ def resolved(name: str) -> bool:
     return False
 
 
-@pytest.mark.parametrize("page", [page for page, text in TEXTS.items() if REFERENCE.search(text)])
+@every("page", [page for page, text in TEXTS.items() if REFERENCE.search(text)])
 def test_what_a_text_names_is_there(page: str) -> None:
     assert [name for name in REFERENCE.findall(TEXTS[page]) if not resolved(name)] == []
-
-
-@pytest.mark.parametrize("top", ["src", "tests", "bench", "tools"])
-def test_a_module_can_be_read_in_one_sitting(top: str) -> None:
-    long = {
-        file.relative_to(ROOT).as_posix(): count
-        for file in (ROOT / top).rglob("*.py")
-        if (count := len(file.read_text(encoding="utf-8").splitlines())) > LONGEST
-    }
-    assert long == {}

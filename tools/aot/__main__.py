@@ -1,15 +1,17 @@
 """``python -m tools.aot``: build libraries of the kernels.
 
-``host`` builds the one that this machine runs and the module of the explorer's page, into the
-folder in which the package looks for them, unless they are there; ``build`` builds those of any
-targets into a folder.
+``host`` builds the one that this machine runs, and with ``--page`` the module of the explorer's
+page in a second process, into the folder in which the package looks for them, unless they are
+there; ``build`` builds those of any targets into a folder.
 """
 
 import argparse
 import os
+import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from rocksteady.errors import MissingKernelsError
@@ -21,7 +23,7 @@ from rocksteady.kernels.machine_code.library import (
     make_built_folder,
     targets,
 )
-from tools.aot.build import ChangedError, build, tools_hash
+from tools.aot.build import ChangedError, build, lowered, tools_hash
 from tools.aot.link import LinkError, compilers
 from tools.aot.targets import PAGE, TARGETS
 
@@ -30,7 +32,9 @@ def main(arguments: list[str] | None = None) -> int:
     """Run a command; return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m tools.aot", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    commands.add_parser("host", help="build the library of this machine and the explorer's module")
+    host = commands.add_parser("host", help="build the library of this machine")
+    host.add_argument("--page", action="store_true", help="and the module of the explorer's page")
+    commands.add_parser("page", help="build the module of the explorer's page")
     many = commands.add_parser("build", help="build the libraries of targets")
     many.add_argument("--out", type=Path, required=True, help="folder to write them into")
     many.add_argument("--targets", nargs="+", choices=TARGETS, default=list(TARGETS))
@@ -46,47 +50,79 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"python -m tools.aot: {error}", file=sys.stderr)
             return 1
         return 0
-    return _host()
-
-
-def _host() -> int:
-    """Build the library of this machine's processor and the module of the page, where missing.
-
-    Where the library cannot be built, numba compiles kernels when they are first called, and
-    without the module there is no page: no failure.
-    """
-    found = library()
-    if found is not None and _is_current(found.path):
-        print(f"library of kernels: {found.path}")
-    else:
-        _make("library of kernels", targets()[:1], "numba compiles on first use")
-    try:
-        module: Path | None = page_module()
-    except MissingKernelsError:
-        module = None
-    if module is not None and _is_current(module):
-        print(f"module of the explorer: {module}")
-    else:
-        _make("module of the explorer", (PAGE,), "`rocksteady explore` cannot run here")
+    kinds = [LIBRARY, MODULE] if given.command == "host" and given.page else [KINDS[given.command]]
+    missing = [kind for kind in kinds if not kind.is_there()]
+    if len(missing) == 2 and _obstacle(MODULE.targets()) is None:
+        lowered()  # once, for both
+        with subprocess.Popen([sys.executable, "-m", "tools.aot", "page"]) as other:
+            _make(LIBRARY)
+            return other.wait()
+    for kind in missing:
+        _make(kind)
     return 0
 
 
-def _make(what: str, names: Sequence[str], without: str) -> None:
-    """Build targets into the folder of this machine, or print why not and what it means."""
-    reason = _obstacle(names)
+@dataclass(frozen=True)
+class Kind:
+    """What is built for this machine.
+
+    Attributes
+    ----------
+    what
+        Its name.
+    find
+        Returns its file.
+    targets
+        Returns the names of its targets.
+    without
+        What happens where it cannot be built: no failure.
+    """
+
+    what: str
+    find: Callable[[], Path | None]
+    targets: Callable[[], Sequence[str]]
+    without: str
+
+    def is_there(self) -> bool:
+        """Return whether it is there, made by these tools or brought by a wheel; print where."""
+        try:
+            file = self.find()
+        except MissingKernelsError:
+            file = None
+        if file is None or not _is_current(file):
+            return False
+        print(f"{self.what}: {file}")
+        return True
+
+
+LIBRARY = Kind(
+    "library of kernels",
+    lambda: getattr(library(), "path", None),
+    lambda: targets()[:1],
+    "numba compiles on first use",
+)
+MODULE = Kind(
+    "module of the explorer", page_module, lambda: (PAGE,), "`rocksteady explore` cannot run here"
+)
+KINDS = {"host": LIBRARY, "page": MODULE}
+
+
+def _make(kind: Kind) -> None:
+    """Build one into the folder of this machine, or print why not and what it means."""
+    reason = _obstacle(kind.targets())
     if reason is None:
         print(
-            f"Compiling the {what}, once for each version of the kernels' sources (about a\n"
+            f"Compiling the {kind.what}, once for each version of the kernels' sources (about a\n"
             f"minute)\n  into {built_folder()}",
             flush=True,
         )
         try:
-            build(names, built_folder())
+            build(kind.targets(), built_folder())
             prune()
         except (ChangedError, LinkError, OSError) as error:
             reason = str(error)
     if reason is not None:
-        print(f"no {what}: {reason}; {without}", file=sys.stderr)
+        print(f"no {kind.what}: {reason}; {kind.without}", file=sys.stderr)
 
 
 def _is_current(library: Path) -> bool:

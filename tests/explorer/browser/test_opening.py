@@ -37,6 +37,7 @@ def test_each_tab_opens_with_a_result(tab: str, explorer: Explorer) -> None:
         assert page.locator(f"[data-panel='{name}'].failed").count() == 0
 
 
+@pytest.mark.slow
 def test_the_first_view_says_what_to_drag_and_what_it_shows(explorer: Explorer) -> None:
     page = explorer.open()
     assert "map" in panels(page)
@@ -60,6 +61,7 @@ def framed(explorer: Explorer, folder: Path, attributes: str) -> FrameLocator:
     return inner
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("attributes", ["", 'sandbox="allow-scripts"'])
 def test_the_page_runs_in_a_frame_of_another_page(
     attributes: str, explorer: Explorer, tmp_path: Path
@@ -73,6 +75,7 @@ def test_the_page_runs_in_a_frame_of_another_page(
     assert field.get_attribute("data-value") == "2.5"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("missing", ["WebAssembly", "DecompressionStream"])
 def test_without_what_it_needs_the_page_says_so_and_shows_a_picture(
     missing: str, explorer: Explorer
@@ -94,6 +97,7 @@ def test_without_scripts_the_page_says_so_and_shows_a_picture(explorer: Explorer
     assert page.locator("#still svg").bounding_box() is not None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [320, 360, 720, 1440])
 def test_no_width_needs_scrolling_sideways(width: int, explorer: Explorer) -> None:
     page = explorer.open(size=(width, 800))
@@ -113,6 +117,7 @@ def test_no_width_needs_scrolling_sideways(width: int, explorer: Explorer) -> No
         assert page.evaluate("document.documentElement.scrollWidth") <= width, tab
 
 
+@pytest.mark.slow
 def test_the_page_follows_the_theme_of_the_system_and_its_switch(explorer: Explorer) -> None:
     light = explorer.open(color_scheme="light")
     paper = "getComputedStyle(document.body.querySelector('.panel')).backgroundColor"
@@ -129,6 +134,7 @@ def test_the_page_follows_the_theme_of_the_system_and_its_switch(explorer: Explo
     assert dark.evaluate(paper) == bright
 
 
+@pytest.mark.slow
 def test_the_present_view_prints(explorer: Explorer) -> None:
     page = explorer.open()
     page.emulate_media(media="print")
@@ -139,6 +145,7 @@ def test_the_present_view_prints(explorer: Explorer) -> None:
     assert page.pdf().startswith(b"%PDF")
 
 
+@pytest.mark.slow
 def test_with_reduced_motion_the_block_stands_still_until_it_is_played(explorer: Explorer) -> None:
     page = explorer.open({"A": 2, "W": 2})
     film = page.locator("[data-panel='film']")
@@ -156,6 +163,7 @@ def test_with_reduced_motion_the_block_stands_still_until_it_is_played(explorer:
     assert canvas.evaluate(picture) == before
 
 
+@pytest.mark.slow
 def test_the_block_rocks_by_itself_where_motion_is_welcome(explorer: Explorer) -> None:
     page = explorer.open(reduced_motion="no-preference")
     canvas = page.locator("[data-panel='film'] canvas")
@@ -164,6 +172,7 @@ def test_the_block_rocks_by_itself_where_motion_is_welcome(explorer: Explorer) -
     until(page, MOVED, [canvas.element_handle(), before])
 
 
+@pytest.mark.slow
 def test_a_motion_of_millions_of_impacts_leaves_the_page_free(explorer: Explorer) -> None:
     """A lossless block on crests that just lift it: a period has a million impacts."""
     page = explorer.open({"A": 1.0000001, "W": 58.486833344963635, "r": 1})
@@ -173,8 +182,10 @@ def test_a_motion_of_millions_of_impacts_leaves_the_page_free(explorer: Explorer
     assert "design" in panels(page)
 
 
+@pytest.mark.slow
 def test_a_dark_page_is_printed_in_light_colours(explorer: Explorer) -> None:
     page = explorer.open(color_scheme="dark")
+    drawn(page)
     corner = """() => [...document.querySelector("[data-panel='history'] canvas")
       .getContext('2d').getImageData(2, 2, 1, 1).data]"""
     dark = page.evaluate(corner)

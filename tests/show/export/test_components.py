@@ -39,6 +39,7 @@ from rocksteady import (
 )
 from rocksteady.results.numbers import number
 from rocksteady.show.export.components import state_name
+from tests.every import every
 from tests.show.export.test_openquake import read as read_nrml
 
 load_tabular = importlib.import_module("dlml._tabular").load_tabular
@@ -90,7 +91,7 @@ def fragility(
     )
 
 
-@pytest.mark.parametrize(
+@every(
     ("name", "measure", "factor"),
     [
         ("pga_g", "pga_g", 1.0),
@@ -270,7 +271,7 @@ def test_every_curve_comes_back_from_every_file_as_its_reader_takes_it(tmp_path:
     assert [function("overturned", float(level)) for level in below] == [0.0, 0.0, 0.0]
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "line"),
     [
         ({"name": " "}, "a state has a name"),
@@ -287,7 +288,7 @@ def test_a_state_that_is_none_is_refused(given: dict[str, Any], line: str) -> No
         LossState(**given)
 
 
-@pytest.mark.parametrize(
+@every(
     ("given", "line"),
     [
         ({"measure": "sa_g"}, "period_s"),

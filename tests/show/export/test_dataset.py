@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from rocksteady import InputError, OutputError, export
 from rocksteady.show.export import _slices, csv_files
+from tests.every import every
 
 WORDS = "at_rest over"
 ODD = [math.nan, math.inf, -math.inf, 0.1 + 0.2, -0.0, 5e-324, 1.7976931348623157e308, 1.0 / 3.0]
@@ -118,7 +119,7 @@ def test_a_result_of_variables_over_several_axes_is_a_netcdf_file(tmp_path: Path
         export(data, tmp_path / "x.csv")
 
 
-@pytest.mark.parametrize("value", [None, {"a": 1}, [], [[1.0]], 1j])
+@every("value", [None, {"a": 1}, [], [[1.0]], 1j])
 def test_attributes_that_netcdf_has_not_are_refused(value: Any, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="extra = "):
         export(result().assign_attrs(extra=value), tmp_path / "x.nc")
@@ -185,14 +186,14 @@ def test_every_float_reads_back(values: list[float]) -> None:
 # --------------------------------------------------------------------------------- whole, or not
 
 
-@pytest.mark.parametrize("ending", ["xlsx", "zarr", ""])
+@every("ending", ["xlsx", "zarr", ""])
 def test_another_ending_is_refused(ending: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"its extension sets the format: .nc or .csv"):
         export(result(), tmp_path / f"x.{ending}")
 
 
-@pytest.mark.parametrize("ending", ["nc", "csv"])
-@pytest.mark.parametrize(
+@every("ending", ["nc", "csv"])
+@every(
     "dataset",
     [None, 3, xarray.Dataset(), result().isel(length=slice(0)), result().value]
     + [xarray.Dataset({"bad": ("x", np.array([value]))}) for value in (1j, None, b"x")]
@@ -207,7 +208,7 @@ def test_what_no_sweep_returns_is_refused_in_one_line(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("ending", ["nc", "NC", "csv"])
+@every("ending", ["nc", "NC", "csv"])
 def test_a_file_that_is_there_is_replaced(ending: str, tmp_path: Path) -> None:
     file = tmp_path / f"x.{ending}"
     file.write_text("old", encoding="utf-8")
@@ -235,6 +236,7 @@ except OutputError as error:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="no limits on the size of files")
 @pytest.mark.parametrize("ending", ["nc", "csv"])
 def test_a_full_disk_is_one_line_and_leaves_nothing(ending: str, tmp_path: Path) -> None:
@@ -264,6 +266,7 @@ print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)
 """Of 80 MB, in chunks of 2.5 MB; numbers that compress well, for the sake of speed."""
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="memory is measured in units of its own")
 @pytest.mark.parametrize("ending", ["nc", pytest.param("csv", marks=pytest.mark.slow)])
 def test_a_result_need_not_fit_into_memory(ending: str, tmp_path: Path) -> None:

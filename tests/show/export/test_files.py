@@ -26,6 +26,7 @@ from rocksteady.show.export.files import (
     save_text,
     save_whole,
 )
+from tests.every import every
 
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF"}
 
@@ -58,8 +59,8 @@ def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [file]
 
 
-@pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "No space left on device"), ValueError()])
-@pytest.mark.parametrize("there", [False, True])
+@every("error", [OSError(errno.ENOSPC, "No space left on device"), ValueError()])
+@every("there", [False, True])
 def test_a_writer_that_fails_leaves_what_was_there(
     error: Exception, there: bool, tmp_path: Path
 ) -> None:
@@ -115,7 +116,7 @@ def test_a_name_that_is_no_text_is_written_and_json_reads_it_back(tmp_path: Path
 # ---------------------------------------------------------------------------------------- figures
 
 
-@pytest.mark.parametrize("kind", MAGIC)
+@every("kind", MAGIC)
 def test_a_figure_is_the_same_bytes_each_time(kind: str) -> None:
     first = figure_bytes(picture(), kind)
     assert first.startswith(MAGIC[kind])
