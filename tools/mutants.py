@@ -91,8 +91,8 @@ def _changes(tree: ast.AST) -> Iterator[tuple[ast.expr, str]]:
             yield node, word.join(f"({ast.unparse(value)})" for value in node.values)
         elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.Not):
             yield node, ast.unparse(node.operand)
-        elif isinstance(node, ast.Constant) and type(node.value) in (int, float):
-            yield node, repr(node.value + 1)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
+            yield node, repr(not node.value if isinstance(node.value, bool) else node.value + 1)
 
 
 def _computed(node: ast.AST) -> Iterator[ast.AST]:

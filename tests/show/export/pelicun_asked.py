@@ -34,6 +34,6 @@ def shares(table: str, name: str, demand: str, unit: str, level: float) -> dict[
 
 
 if __name__ == "__main__":
-    sys.stdout.write(
-        json.dumps([shares(*sys.argv[1:5], float(level)) for level in sys.argv[5:]]) + "\n"
-    )
+    table, name, demand, unit, *levels = sys.argv[1:]
+    found = [shares(table, name, demand, unit, float(level)) for level in levels]
+    sys.stdout.write(f"{json.dumps(found)}\n")

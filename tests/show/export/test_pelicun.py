@@ -230,7 +230,7 @@ def pelicun() -> Path:
     try:
         if not python.exists():
             subprocess.run([sys.executable, "-m", "venv", folder], check=True, capture_output=True)
-        install = [python, "-m", "pip", "install", "--quiet", "--only-binary", ":all:"]
+        install = [str(python), "-m", "pip", "install", "--quiet", "--only-binary", ":all:"]
         subprocess.run([*install, "pelicun==3.10.0"], check=True, capture_output=True)
     except (OSError, subprocess.CalledProcessError):
         pytest.skip("pelicun cannot be installed here")
@@ -259,7 +259,7 @@ def test_pelicun_finds_the_probabilities_of_the_curves(
     levels = [0.2, 0.3, 0.466, 0.8, 1.2]
     asked = Path(__file__).with_name("pelicun_asked.py")
     ran = subprocess.run(
-        [pelicun, asked, table, made.identifier, *demand, *map(str, levels)],
+        [*map(str, (pelicun, asked, table, made.identifier, *demand, *levels))],
         capture_output=True,
         text=True,
         check=True,
