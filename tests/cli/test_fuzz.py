@@ -11,8 +11,8 @@ from tests.strategies import rest_slow
 
 SHARDS, QUICK_SHARDS, LINES = 10, 4, 100
 """The quick ones in every run; each shard is drawn from its own seed, the same in each run."""
-SLOW_SHARDS, SLOW_LINES = 48, 1000
-PROCESSES, QUICK_PROCESSES, SLOW_PROCESSES = 4, 2, 190
+SLOW_SHARDS, SLOW_LINES = 10, 1000
+PROCESSES, QUICK_PROCESSES, SLOW_PROCESSES = 4, 2, 40
 
 
 def found(seed: int, lines: int) -> list[str]:

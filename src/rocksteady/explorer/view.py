@@ -180,6 +180,13 @@ def _within(name: str, value: float, hint: str) -> float:
 
 def _check_motion(motion: Harmonic) -> None:
     """Refuse shaking that the page does not take."""
+    if not isinstance(motion, Harmonic):
+        raise ModelError(
+            "motion",
+            motion,
+            "the first view is of a single sinusoid",
+            "give a Harmonic(amplitude=..., frequency_ratio=...)",
+        )
     _within("amplitude", motion.amplitude, "give a_max/(alpha g), as 2")
     _within("frequency_ratio", motion.frequency_ratio, "give omega/p, as 3")
     if motion.phase != 0.0:

@@ -16,6 +16,7 @@ from rocksteady import (
     Axis,
     Block,
     DimensionlessBlock,
+    ExplorerView,
     Harmonic,
     InputError,
     Record,
@@ -47,6 +48,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             ["block = <DimensionlessBlock: ", "it must be a Block;", "Block.rectangle("],
         ),
         (lambda: simulate(BLOCK, Harmonic), ["motion = ", "it must be a Motion"]),  # type: ignore[arg-type]
+        (lambda: ExplorerView(motion=Harmonic), ["motion = ", "it must be a Harmonic"]),  # type: ignore[arg-type]
         (
             lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
             ["block = ", "a Block or a DimensionlessBlock; the block comes first"],

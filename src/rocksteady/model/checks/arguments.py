@@ -340,7 +340,8 @@ def _instance(kind: type) -> Fit:
 
     def fit(_: str, value: Any) -> Any:
         if not isinstance(value, kind):
-            if kind.__name__ == "Harmonic" and callable(getattr(value, "segments", None)):
+            is_motion = callable(getattr(value, "segments", None)) and not isinstance(value, type)
+            if kind.__name__ == "Harmonic" and is_motion:
                 return value  # another motion, which the function refuses with its reason
             if kind is bool and type(value).__name__ in ("bool", "bool_"):
                 return bool(value)

@@ -92,6 +92,8 @@ def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
         plot_tornado([], 0.4, axes())
     with pytest.raises(InputError, match="NaN"):
         plot_tornado([("model", float("nan"), 0.4)], 0.4, axes())
+    with pytest.raises(InputError, match="base = -1e\\+308"):
+        plot_tornado([("model", 0.3, 0.4)], -1e308, axes())
 
 
 def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:

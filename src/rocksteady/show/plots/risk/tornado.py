@@ -8,7 +8,7 @@ import numpy as np
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import finite
+from rocksteady.model.checks.validation import in_range
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
@@ -122,7 +122,7 @@ def plot_tornado(
     Raises
     ------
     InputError
-        If there is no row, or a number is not finite.
+        If there is no row, or a number is not finite or beyond 1e300.
 
     Examples
     --------
@@ -133,9 +133,13 @@ def plot_tornado(
     ['restitution', 'width -5 %']
     """
     hint = "give the answer of each run"
-    middle = finite("base", base, hint=hint)
+
+    def answer(name: str, value: object) -> float:  # the largest scale that matplotlib draws
+        return in_range(name, value, -1e300, 1e300, "[]", hint=hint)
+
+    middle = answer("base", base)
     bars = [
-        (text_value("rows", name), finite("rows", low, hint=hint), finite("rows", high, hint=hint))
+        (text_value("rows", name), answer("rows", low), answer("rows", high))
         for name, low, high in rows
     ]
     if not bars:
@@ -146,7 +150,7 @@ def plot_tornado(
     ends = np.array([bar[1:] for bar in bars], dtype=np.float64) - middle
     rows_at = np.arange(len(bars))
     # Where both ends lie on one side, the shorter bar stands before the longer one.
-    before = (ends[:, 0] * ends[:, 1] > 0.0)[:, np.newaxis] & (
+    before = (np.sign(ends).prod(axis=1) > 0.0)[:, np.newaxis] & (
         np.abs(ends) < np.abs(ends).max(axis=1, keepdims=True)
     )
     handles = [
