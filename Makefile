@@ -13,9 +13,9 @@ FLOOR_STAMP := $(FLOOR)/.installed
 INSTALL := pip install --quiet --no-compile --constraint constraints.txt
 EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
 PEERS := heyoka mujoco
-CHECKS := lint types layers pages tests tests-python ptx
+CHECKS := lint types layers library pages tests tests-python programs
 # Seconds that each check may take on two cores, printed beside those that it took.
-BUDGETS := lint=15 types=60 layers=5 pages=5 docs=240 tests=220 tests-python=40 ptx=15 tests-jit=300 tests-floor=600
+BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=600
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -59,11 +59,11 @@ explore: .venv library ## write the explorer, a page to touch, and open it in th
 
 .PHONY: test
 test: .venv ## run every check, the tests marked slow excepted
-	@$(call run-in-turn,$(CHECKS),$(MAKE))
+	@$(call ahead,library) $(call run-in-turn,$(CHECKS),$(MAKE))
 
 .PHONY: test-all
 test-all: .venv ## run every check, the tests marked slow and the lower bounds included
-	@$(call run-in-turn,$(patsubst pages,docs,$(CHECKS)) tests-jit tests-floor,$(MAKE) MARKS=)
+	@$(call ahead,library) $(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -83,7 +83,7 @@ layers: .venv ## import-linter: who may import whom
 	$(BIN)/lint-imports --no-logo
 
 .PHONY: tests
-tests: .venv library gpu ## pytest, kernels from the library (MARKS= runs the slow ones too)
+tests: .venv library $(if $(filter not,$(MARKS)),,gpu) ## pytest, kernels from the library (MARKS= runs the slow ones too)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "$(MARKS)"
 
 .PHONY: tests-python
@@ -93,6 +93,11 @@ tests-python: .venv ## the kernels' tests once more as plain Python
 .PHONY: ptx
 ptx: .venv .venv/.ptxas ## ptxas over the programs for GPUs, where it can be installed [+ ptxas]
 	$(BIN)/python -m tools.aot.device check --architectures sm_90
+	@test ! -s .venv/.ptxas || $(BIN)/python -m tools.done ptx --write
+
+.PHONY: programs
+programs: .venv ## ptx, where kernels or tools have changed since it passed (tools/aot/device/.assembled)
+	@$(BIN)/python -m tools.done ptx || $(MAKE) --no-print-directory ptx
 
 .PHONY: docs
 docs: .venv library ## build the manual into out/manual; its tutorials and gallery are computed
@@ -100,11 +105,11 @@ docs: .venv library ## build the manual into out/manual; its tutorials and galle
 	@rm -rf out/manual && mkdir -p out
 	env -u MPLBACKEND $(BIN)/python -m sphinx --jobs $(WORKERS) --fail-on-warning --keep-going --quiet \
 		--doctree-dir build/manual/doctrees docs out/manual
-	@$(BIN)/python -m tools.manual.built --write
+	@$(BIN)/python -m tools.done manual --write
 
 .PHONY: pages
 pages: .venv ## the manual, where its pages have changed since it was built (docs/.built)
-	@$(BIN)/python -m tools.manual.built || $(MAKE) --no-print-directory docs
+	@$(BIN)/python -m tools.done manual || $(MAKE) --no-print-directory docs
 
 .PHONY: tests-jit
 tests-jit: .venv ## pytest, kernels compiled by numba
@@ -250,9 +255,9 @@ $(STAMP): $(BARE)
 # The assembler of PTX: without what its wheel depends on, a compiler of C++. Where it cannot be
 # installed, what needs it says so and goes on.
 .venv/.ptxas: tools/aot/device/constraints.txt | .venv
-	@$(BIN)/python -m pip install --quiet --no-deps --only-binary :all: --requirement $< || \
-		echo "ptxas cannot be installed here" >&2
-	@touch $@
+	@if $(BIN)/python -m pip install --quiet --no-deps --only-binary :all: --requirement $<; \
+		then echo installed > $@; \
+		else echo "ptxas cannot be installed here" >&2; : > $@; fi
 
 ifneq ($(shell test -x $(FLOOR)/bin/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
 .PHONY: $(FLOOR_STAMP)
@@ -289,6 +294,10 @@ said=$$($(PYTHON) -m venv $(1) 2>&1) || { \
 	exit 1; \
 }
 endef
+
+# $(call ahead,TARGET): begins in the background with what only one core works at, and takes turns with
+# the other checks; the check of that name waits for it.
+ahead = { $(MAKE) --no-print-directory $(1) >/dev/null 2>&1 & };
 
 # $(call run-in-turn,TARGETS,MAKE): one after the other, with their names, how long each took and its
 # budget; the first that fails ends the run.

@@ -14,6 +14,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from filelock import FileLock
+
 from rocksteady.errors import MissingKernelsError
 from rocksteady.explorer.module import page_module, prune
 from rocksteady.kernels.machine_code.library import (
@@ -23,7 +25,7 @@ from rocksteady.kernels.machine_code.library import (
     make_built_folder,
     targets,
 )
-from tools.aot.build import ChangedError, build, lowered, tools_hash
+from tools.aot.build import LOWERED, ChangedError, build, lowered, tools_hash
 from tools.aot.link import LinkError, compilers
 from tools.aot.targets import PAGE, TARGETS
 
@@ -50,7 +52,15 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"python -m tools.aot: {error}", file=sys.stderr)
             return 1
         return 0
-    kinds = [LIBRARY, MODULE] if given.command == "host" and given.page else [KINDS[given.command]]
+    if given.command == "page":
+        return _ready([MODULE])
+    LOWERED.mkdir(parents=True, exist_ok=True)
+    with FileLock(LOWERED / "lock"):  # who comes second finds what the first has built
+        return _ready([LIBRARY, MODULE] if given.page else [LIBRARY])
+
+
+def _ready(kinds: Sequence["Kind"]) -> int:
+    """Build what is not there; two of them in two processes."""
     missing = [kind for kind in kinds if not kind.is_there()]
     if len(missing) == 2 and _obstacle(MODULE.targets()) is None:
         lowered()  # once, for both
@@ -104,7 +114,6 @@ LIBRARY = Kind(
 MODULE = Kind(
     "module of the explorer", page_module, lambda: (PAGE,), "`rocksteady explore` cannot run here"
 )
-KINDS = {"host": LIBRARY, "page": MODULE}
 
 
 def _make(kind: Kind) -> None:
