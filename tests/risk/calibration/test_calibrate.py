@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,8 @@ from rocksteady import (
     plot_posterior,
 )
 from rocksteady.errors import InputError
+from rocksteady.risk.calibration._identified import LIMIT
+from rocksteady.risk.calibration.calibrate import _warnings
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
@@ -308,3 +311,21 @@ def test_intervals_of_alpha_cover_at_their_rate() -> None:
     """Forty tests, gain error .2: 60 trials, whose share has a standard error of .04."""
     case = next(case for case in CASES if case.sigma == "0.2")
     assert 0.8 <= coverage(case, 60, sampling=Sampling(draws=450))["covered"] <= 0.99
+
+
+def test_a_limit_is_said_of_the_object_that_meets_it() -> None:
+    outcomes = np.array([[[True, False]]])
+    fit = SimpleNamespace(runs=SimpleNamespace(fell=outcomes, unknown=0))
+    fine = {"parameter": "alpha_rad", "verdict": "identified", "bound_side": None}
+    met = {**fine, "verdict": LIMIT}
+    predictions = SimpleNamespace(mc_error=np.zeros(1), effective_draws=np.full(1, 99.0))
+    calibration: Any = SimpleNamespace(
+        tests=SimpleNamespace(warnings=()),
+        posteriors=dict.fromkeys("ab", SimpleNamespace(effective_draws=99.0)),
+        parameters=[{**fine, "object": "a"}, {**met, "object": "b"}],
+        validation=SimpleNamespace(predictions=predictions, warnings=()),
+        sampling=SimpleNamespace(error=0.01),
+    )
+    fits: Any = [fit, fit]
+    (sentence,) = _warnings(calibration, fits)
+    assert "alpha_rad of b lies at the limit" in sentence

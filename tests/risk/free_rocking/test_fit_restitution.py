@@ -24,6 +24,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Model
+from rocksteady.risk.free_rocking.restitution_fit import decayed
 from tests.every import every
 from tests.risk.free_rocking.decays import decay
 
@@ -94,6 +95,13 @@ def test_unlike_sides_have_their_own_energy_and_their_own_restitution() -> None:
         assert found.restitution == pytest.approx(tuple(0.97 * housner), abs=1e-10)
         assert found.factor == pytest.approx((0.97, 0.97), abs=1e-10)
     assert second.impacts[0].side == 0
+
+
+def test_peaks_that_follow_from_the_first_are_those_of_bisection() -> None:
+    for block, ratios in ((UNLIKE, (0.87, 0.93)), (BLOCK, (0.9, 0.9))):
+        peaks = decay(block, 0.5 * block.positive.alpha, np.tile(ratios, 4))
+        found = decayed(Release(peaks_rad=peaks), block, Nonlinear(), ratios)
+        assert found == pytest.approx(peaks, rel=1e-9)
 
 
 def test_peaks_of_one_side_are_two_impacts_apart() -> None:

@@ -62,6 +62,9 @@ def test_time_histories_agree_with_the_windows(
 ) -> None:
     found = find_overturning_scales(block, motion, within=(0.2, 4.0), model=model)
     top = float(found.top[0])
+    widths = [math.log(high / low) for low, high in found.intervals(0)]
+    # The widest 256 windows are listed, and the share is that of all.
+    assert -1e-12 < found.share[0] - sum(widths) / math.log(top / 0.2) < 2e-3
     assert found.share[0] > 0.0
     scales = np.exp(np.random.default_rng(1).uniform(math.log(0.2), math.log(top), 300))
     fates = [falls(block, motion, scale, model) for scale in scales.tolist()]

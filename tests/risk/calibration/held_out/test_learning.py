@@ -1,0 +1,20 @@
+"""Scores over sizes of training sets."""
+
+import numpy as np
+import pytest
+
+from rocksteady.risk.calibration.held_out.learning import _mean
+from rocksteady.risk.calibration.held_out.scores import NAMES, Scores
+
+
+def test_a_mean_score_is_that_of_the_parts_with_their_quantiles() -> None:
+    values = [0.2, 0.4, 0.9, np.nan]
+    parts = [
+        Scores(**dict.fromkeys(NAMES, (value, -1.0, 2.0)), tests=tests, groups=3)
+        for value, tests in zip(values, (10, 20, 30, 20), strict=True)
+    ]
+    found = _mean(parts)
+    for name in NAMES:
+        low, high = np.quantile(values[:3], [0.05, 0.95])
+        assert getattr(found, name) == pytest.approx((0.5, low, high))
+    assert (found.tests, found.groups) == (20, 3)
