@@ -1,5 +1,7 @@
 """Files that a command or a call leaves behind: texts, and pictures by their pixels."""
 
+import csv
+import io
 import json
 import re
 from collections.abc import Iterator
@@ -11,7 +13,7 @@ from PIL import Image
 
 from rocksteady.sweep.store._contents import DONE
 from tools.freeze.records import digest
-from tools.freeze.values import STORED, of_dataset, of_json, tidy
+from tools.freeze.values import STORED, TIMED, of_dataset, of_json, tidy
 
 TEXTS = {".csv", ".md", ".toml", ".txt", ".xml"}
 MARKUP = {".html", ".svg"}
@@ -22,6 +24,8 @@ CODE = re.compile(
     re.DOTALL,
 )
 """What holds the code of the explorer's page: its answers are frozen, not its text."""
+TOOK = re.compile(r"(Run time(?:</dt><dd>| )|Made by rocksteady VERSION in ).*?(?=</dd>| ·| on )")
+"""Durations in pages."""
 LOCKS = {"lock", "store.json", "store-copy.json"}
 """Files of a store that belong to its writer."""
 
@@ -32,9 +36,10 @@ def of_file(file: Path, folder: Path) -> str:
     if kind == ".json":
         return of_json(tidy(file.read_text(encoding="utf-8"), folder))
     if kind in TEXTS:
-        return tidy(file.read_text(encoding="utf-8"), folder)
+        text = file.read_text(encoding="utf-8")
+        return tidy(untimed(text) if kind == ".csv" else text, folder)
     if kind in MARKUP:
-        text = tidy(file.read_text(encoding="utf-8"), folder)
+        text = TOOK.sub(r"\1DURATION", tidy(file.read_text(encoding="utf-8"), folder))
         if 'id="kernels"' in text:
             text = CODE.sub("", text)
         return f"{len(text)} characters, {digest(text)}"
@@ -49,6 +54,17 @@ def of_file(file: Path, folder: Path) -> str:
                 frames.append(digest(np.asarray(picture.convert("RGBA")).tobytes()))
             return f"{picture.size} pixels, {len(frames)} frames, {digest(' '.join(frames))}"
     return f"{file.stat().st_size} bytes, {digest(file.read_bytes())}"
+
+
+def untimed(text: str) -> str:
+    """Return a table without its durations."""
+    head, *rows = csv.reader(io.StringIO(text, newline="")) if text else [[]]
+    if not TIMED & set(head):
+        return text
+    kept = [k for k, name in enumerate(head) if name not in TIMED]
+    made = io.StringIO(newline="")
+    csv.writer(made).writerows([row[k] for k in kept] for row in (head, *rows))
+    return made.getvalue()
 
 
 def of_store(store: Path) -> str:
