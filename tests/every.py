@@ -10,6 +10,7 @@ import pytest
 
 SHOWN = 20
 FAILURES = (Exception, pytest.fail.Exception)
+SKIPS = pytest.skip.Exception
 
 
 def every(names: str | Sequence[str], cases: Iterable[Any]) -> Callable[[Callable[..., None]], Any]:
@@ -17,20 +18,23 @@ def every(names: str | Sequence[str], cases: Iterable[Any]) -> Callable[[Callabl
 
     Takes what `pytest.mark.parametrize` takes.  A case of its own costs some milliseconds in each
     worker, to collect, to set up and to report, whatever it checks.  Each has a folder and patches
-    of its own here; other fixtures of a test are shared by its cases.
+    of its own here; other fixtures of a test are shared by its cases.  The test is skipped where
+    all its cases are, or where there is none.
     """
     wanted = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     rows = [_values(case, len(wanted)) for case in cases]
-    assert rows, "no cases"
 
     def over(check: Callable[..., None]) -> Callable[..., None]:
         @functools.wraps(check)
         def test(**fixtures: Any) -> None:
             failed: list[tuple[str, BaseException]] = []
+            skipped = ["there is no case"] if not rows else []
             for number, row in enumerate(rows):
                 try:
                     with _own(fixtures, number) as own:
                         check(**dict(zip(wanted, row, strict=True)), **own)
+                except SKIPS as skip:  # the other cases are checked all the same
+                    skipped.append(str(skip))
                 except FAILURES as error:
                     failed.append((", ".join(map(repr, row)), error))
             if failed:
@@ -39,6 +43,8 @@ def every(names: str | Sequence[str], cases: Iterable[Any]) -> Callable[[Callabl
                 raise AssertionError(
                     f"{len(failed)} of {len(rows)} cases fail\n{listed}"
                 ) from failed[0][1]
+            if len(skipped) >= len(rows):
+                pytest.skip(skipped[0])
 
         signature = inspect.signature(check)
         rest = [parameter for name, parameter in signature.parameters.items() if name not in wanted]

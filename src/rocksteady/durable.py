@@ -141,7 +141,7 @@ def private_folder(parent: Path) -> Iterator[Path]:
 def _remove_left(parent: Path) -> None:
     """Remove private folders that no running program holds.
 
-    A folder that somebody else has made is not of this user, or not closed to all others.
+    Folders of other users stay, and folders that other users may enter.
     """
     with suppress(OSError):
         for folder in parent.glob(f"{PREFIX}*"):
