@@ -4,6 +4,7 @@ A code line holds a token that is neither a comment nor a docstring.  Folders of
 modules are named as advice: modules are cut by concept, not by number.
 """
 
+import argparse
 import ast
 import io
 import sys
@@ -51,6 +52,9 @@ def code_lines(source: str) -> int:
 
 def main(arguments: list[str]) -> int:
     """Print the total, with `--packages` those of each, and the advice."""
+    parser = argparse.ArgumentParser(prog="python -m tools.count", description=__doc__)
+    parser.add_argument("--packages", action="store_true", help="the code lines of each package")
+    given = parser.parse_args(arguments)
     code = {top: Counter[str]() for top in TOPS}
     files: Counter[Path] = Counter()
     for top in TOPS:
@@ -65,7 +69,7 @@ def main(arguments: list[str]) -> int:
                 print(f"advice: {file.relative_to(ROOT)} has {count} lines: is it one concept?")
         for part in (ROOT / top).rglob("*.mjs"):
             files[part.parent] += 1
-        if arguments == ["--packages"]:
+        if given.packages:
             for package, count in code[top].most_common():
                 print(f"{top}/{package:20} {count:7,}")
     for folder, count in files.items():

@@ -5,6 +5,7 @@ still the hash of the files, `make test` leaves the check out, and `make test-al
 same.
 """
 
+import argparse
 import hashlib
 import subprocess
 import sys
@@ -38,13 +39,16 @@ def hash_of(record: str, *patterns: str) -> str:
 
 def main(arguments: list[str]) -> int:
     """Return 0 where the record is that of the files, and 1 where the check is to be done."""
-    what = arguments[0]
-    record, *patterns = RECORDS[what]
+    parser = argparse.ArgumentParser(prog="python -m tools.done", description=__doc__)
+    parser.add_argument("check", choices=RECORDS)
+    parser.add_argument("--write", action="store_true", help="record that it was done")
+    given = parser.parse_args(arguments)
+    record, *patterns = RECORDS[given.check]
     try:
         now = hash_of(record, *patterns)
     except (OSError, subprocess.CalledProcessError):  # no checkout
         return 1
-    if arguments[1:] == ["--write"]:
+    if given.write:
         (ROOT / record).write_text(f"{now}\n", encoding="ascii")
         return 0
     if not (ROOT / record).is_file() or (ROOT / record).read_text(encoding="ascii").strip() != now:

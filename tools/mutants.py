@@ -157,6 +157,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     given = parser.parse_args(arguments)
+    if unknown := set(given.packages) - set(PACKAGES):
+        parser.error(f"{min(unknown)} is none of {', '.join(PACKAGES)}")
     drawn = draw(given.packages, given.count, given.seed)
     with tempfile.TemporaryDirectory() as scratch:
         free: SimpleQueue[Path] = SimpleQueue()
