@@ -42,8 +42,8 @@ help: ## list the commands [nothing]
 	@awk 'BEGIN { FS = ":.*## " } \
 		/^##@ / { printf "\n%s\n", substr($$0, 5) } \
 		/^[.a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
-	@printf '\nInto .venv: [package] installs rocksteady and numba, [nothing] nothing, and all others add what\n'
-	@printf 'checks, manual, benchmarks and wheels need. [+ ...] names what is installed besides.\n'
+	@printf '\nWhat each installs first, unless it is there: [package] rocksteady and numba; [nothing]; all others\n'
+	@printf 'also what checks, manual, benchmarks and wheels need, and what stands behind +.\n'
 
 .PHONY: demo
 demo: $(BARE) ## do a whole paper again, and film a block that falls; pictures and a report in out/ [package]
@@ -295,8 +295,8 @@ said=$$($(PYTHON) -m venv $(1) 2>&1) || { \
 }
 endef
 
-# $(call ahead,TARGET): begins in the background with what only one core works at, and takes turns with
-# the other checks; the check of that name waits for it.
+# $(call ahead,TARGET): starts a target in the background; the check of that name waits for it. Kernels
+# are lowered on one core, and types are checked on one: together they take half the time.
 ahead = { $(MAKE) --no-print-directory $(1) >/dev/null 2>&1 & };
 
 # $(call run-in-turn,TARGETS,MAKE): one after the other, with their names, how long each took and its

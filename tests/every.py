@@ -57,7 +57,7 @@ def every(names: str | Sequence[str], cases: Iterable[Any]) -> Callable[[Callabl
 
 @contextmanager
 def _own(fixtures: Mapping[str, Any], number: int) -> Iterator[dict[str, Any]]:
-    """Give the fixtures of one case."""
+    """Yield the fixtures of one case."""
     own = dict(fixtures)
     with ExitStack() as stack:
         if "tmp_path" in own:

@@ -53,7 +53,7 @@ def main(arguments: list[str]) -> int:
         return 0
     if not (ROOT / record).is_file() or (ROOT / record).read_text(encoding="ascii").strip() != now:
         return 1
-    print(f"{record} says that this was done for the files as they are")
+    print(f"{record} holds the hash of these files: nothing to do")
     return 0
 
 

@@ -159,7 +159,7 @@ def fit_fragilities(
 ) -> list[Fragility]:
     """Run objects on all motions at all levels of each object, and fit the curves of each.
 
-    Other measures of intensity are computed beside the levels where they are `ranked`; no curve
+    Measures of intensity beside that of the levels are computed only to be `ranked`: no curve
     depends on them, and they take longer than the runs.
 
     Objects that share levels and restitutions are run in one sweep.  The first sweep is kept in the

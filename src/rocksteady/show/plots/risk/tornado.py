@@ -122,7 +122,7 @@ def plot_tornado(
     Raises
     ------
     InputError
-        If there is no row, or a number is not finite or beyond 1e300.
+        If there is no row, or a number is not finite or larger than 1e300.
 
     Examples
     --------
