@@ -15,7 +15,7 @@ EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
 PEERS := heyoka mujoco
 CHECKS := lint types layers library pages tests tests-python programs
 # Seconds that each check may take on two cores, printed beside those that it took.
-BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=600
+BUDGETS := lint=15 types=60 layers=5 library=60 pages=5 docs=240 tests=220 tests-python=40 programs=5 ptx=150 tests-jit=300 tests-floor=480 frozen=120
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -63,7 +63,7 @@ test: .venv ## run every check, the tests marked slow excepted
 
 .PHONY: test-all
 test-all: .venv ## run every check, the tests marked slow and the lower bounds included
-	@$(call ahead,library) $(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor,$(MAKE) MARKS=)
+	@$(call ahead,library) $(call run-in-turn,$(patsubst pages,docs tests-jit,$(patsubst programs,ptx,$(CHECKS))) tests-floor frozen,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -112,10 +112,10 @@ pages: .venv ## the manual, where its pages have changed since it was built (doc
 	@$(BIN)/python -m tools.done manual || $(MAKE) --no-print-directory docs
 
 .PHONY: tests-jit
-tests-jit: .venv ## pytest, kernels compiled by numba
+tests-jit: .venv ## the tests of what calls kernels most, kernels compiled by numba
 	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m rocksteady.kernels.entries
-	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS)
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS) tests/kernels tests/dynamics tests/seismic
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]

@@ -10,6 +10,7 @@ COMPILED = settings(
     # No deadline: the first call of a kernel compiles it, and a machine may have much else to do.
     deadline=None,
     # The same examples in each run, so that no run fails by chance.
+    max_examples=25,
     derandomize=True,
     database=None,
     print_blob=True,
@@ -19,19 +20,9 @@ settings.register_profile("compiled", COMPILED)
 settings.register_profile(
     "plain", COMPILED, max_examples=20, suppress_health_check=[HealthCheck.too_slow]
 )
-# Other examples in each run, ten times as many: `pytest --hypothesis-profile=search`.
+# Other examples in each run, forty times as many: `pytest --hypothesis-profile=search`.
 settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)
-# Where the slow tests are left out, a quarter as many examples are drawn.
-settings.register_profile("quick", COMPILED, max_examples=25)
-PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
-settings.load_profile("plain" if PLAIN else "compiled")
-
-
-def pytest_configure(config: pytest.Config) -> None:
-    """Draw fewer examples in a run without the slow tests, unless a profile is named."""
-    named = config.getoption("--hypothesis-profile")
-    if config.getoption("markexpr") == "not slow" and not PLAIN and not named:
-        settings.load_profile("quick")
+settings.load_profile("plain" if os.environ.get("ROCKSTEADY_KERNELS") == "python" else "compiled")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -7,7 +7,6 @@ import itertools
 import math
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import textwrap
@@ -169,6 +168,8 @@ AXIS = re.compile(r"((?:log:)?-?[0-9.]+:-?[0-9.]+:)(\d+)")
 FEW = 6
 LONG = re.compile(r"--executor|--animate|^paper|^study|^assess --example")
 """Lines that take long with a few values on their axes, too."""
+ELSEWHERE = re.compile(r"--executor (?:gpu|tcp:)")
+"""Lines whose answer another machine computes."""
 
 
 def shell_lines(text: str) -> list[str]:
@@ -230,7 +231,7 @@ def write_files(folder: Path) -> None:
         (folder / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
     suite = folder / "suite"
     suite.mkdir()
-    for number in range(1, 5):
+    for number in range(1, 8):
         scaled = [" ".join(f"{float(x) / number: .7E}" for x in row.split()) for row in rows]
         text = header + "\n".join(scaled) + "\n"
         for place in (suite, folder):
@@ -320,39 +321,14 @@ def run_on_gpu(line: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize("line", [line for line in TYPED if not LONG.search(line)])
-def test_a_command_line_runs_with_a_few_values_on_its_axes(
-    line: str, request: pytest.FixtureRequest
+@pytest.mark.parametrize("line", [line for line in TYPED if ELSEWHERE.search(line)])
+def test_a_command_line_runs_on_a_gpu_or_says_that_there_is_none_and_on_a_cluster(
+    line: str,
 ) -> None:
-    if "--fit fit" in line:
-        shutil.copytree(request.getfixturevalue("fit"), "fit")
-    run_line(shortened(line))
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize(
-    "line",
-    [
-        line
-        for line in TYPED
-        if "tcp:" not in line and (FEW**2 < cells(line) <= 10**6 or line.startswith("fragility"))
-    ],
-)
-def test_a_command_line_runs_as_it_stands(line: str) -> None:
-    run_line(line)
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("folder")
-@pytest.mark.parametrize("line", [line for line in TYPED if LONG.search(line)])
-def test_a_long_command_line_runs(line: str) -> None:
     from distributed import LocalCluster
 
     if "--executor gpu" in line:
         return run_on_gpu(shortened(line))
-    if "tcp:" not in line:
-        return run_line(shortened(line))
     with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
         run_line(re.sub(r"tcp:\S+", cluster.scheduler_address, shortened(line)))
     return None

@@ -2,7 +2,6 @@
 
 import math
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -13,20 +12,9 @@ import pytest
 
 from rocksteady import __version__
 from rocksteady.cli import app
-from rocksteady.cli.commands import (
-    attractor,
-    bifurcate,
-    curves,
-    maps,
-    orbits,
-    simulate,
-    steady,
-)
-from rocksteady.cli.commands.windows import basins
 from rocksteady.cli.console import terminal
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.bad_input import BAD_INPUT
-from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
@@ -177,6 +165,7 @@ def test_two_outputs_in_one_file_are_refused(command: str, tmp_path: Path) -> No
     assert "same file" in refused(f"{SHAKEN[command]} -r 0.8 --plot", file, "--csv", file)
 
 
+@pytest.mark.slow
 @commands
 def test_a_disk_that_fills_leaves_nothing_behind(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -218,51 +207,6 @@ def test_help_names_every_flag_with_its_meaning(
     assert "Examples:" in ran.out
     for unit in ("[m]", "[rad]", "[rad/s]", "[m/s^2]", " Hz", " in g"):
         assert unit in ran.out, unit
-
-
-def examples_of(command: str) -> list[str]:
-    """Return the command lines in the help of a command."""
-    modules = {
-        "steady": steady,
-        "simulate": simulate,
-        "attractor": attractor,
-        "orbits": orbits,
-        "basins": basins,
-        "bifurcate": bifurcate,
-        "curves": curves,
-        "map": maps,
-    }
-    found = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
-    assert len(found) >= 3
-    return found
-
-
-@pytest.fixture
-def beside_a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Work in a folder with the record that the examples name."""
-    monkeypatch.chdir(tmp_path)
-    at2(tmp_path / "RSN77_PUL164.AT2", samples())
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("command", COMMANDS)
-@pytest.mark.usefixtures("beside_a_record")
-def test_the_examples_in_the_help_run_on_coarser_axes(command: str) -> None:
-    for example in examples_of(command):
-        if command == "curves" and "--model nonlinear" in example:
-            continue  # takes long on any axes: run below
-        coarser = re.sub(r":(\d+)(?=[ ,]|$)", lambda n: f":{min(int(n[1]), 6)}", example)
-        assert rocksteady(coarser).code == 0, coarser
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("beside_a_record")
-def test_the_examples_in_the_help_run() -> None:
-    for command in SHAKEN:
-        for example in examples_of(command):
-            assert rocksteady(example).code == 0, example
-            for picture in Path().glob("*.png"):  # which the next example may write too
-                picture.unlink()
 
 
 def test_the_program_alone_shows_its_help() -> None:

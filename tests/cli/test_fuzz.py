@@ -11,8 +11,8 @@ from tests.strategies import rest_slow
 
 SHARDS, QUICK_SHARDS, LINES = 10, 4, 100
 """The quick ones in every run; each shard is drawn from its own seed, the same in each run."""
-SLOW_SHARDS, SLOW_LINES = 10, 1000
-PROCESSES, QUICK_PROCESSES, SLOW_PROCESSES = 4, 2, 40
+SLOW_SHARDS, SLOW_LINES = 2, 500
+PROCESSES = 4
 
 
 def found(seed: int, lines: int) -> list[str]:
@@ -61,7 +61,7 @@ def test_no_command_line_ends_in_another_way(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", rest_slow(range(1000, 1000 + PROCESSES), QUICK_PROCESSES))
+@pytest.mark.parametrize("seed", range(1000, 1000 + PROCESSES))
 def test_no_process_ends_in_another_way(seed: int, folder: Path) -> None:
     assert found_apart(seed, 10, folder) == []
 
@@ -71,12 +71,6 @@ def test_no_process_ends_in_another_way(seed: int, folder: Path) -> None:
 @pytest.mark.parametrize("seed", range(2000, 2000 + SLOW_SHARDS))
 def test_no_command_line_of_many_ends_in_another_way(seed: int) -> None:
     assert found(seed, SLOW_LINES) == []
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(5000, 5000 + SLOW_PROCESSES))
-def test_no_process_of_many_ends_in_another_way(seed: int, folder: Path) -> None:
-    assert found_apart(seed, 10, folder) == []
 
 
 def test_every_command_and_every_flag_is_drawn() -> None:

@@ -84,6 +84,7 @@ def test_the_page_holds_view_motions_and_module(module: Path, tmp_path: Path) ->
     assert gzip.decompress(b64decode(page.texts["kernels"])) == module.read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("module")
 @pytest.mark.parametrize(
     "name", [NASTY, "\udcff\ud800", "\u2028\u202e\0\n", "${alert(1)}", "{{csp}}"]

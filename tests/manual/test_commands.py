@@ -249,6 +249,7 @@ def plain(text: str) -> str:
     return re.sub(r"['`]", "", " ".join(text.split()))
 
 
+@pytest.mark.slow
 @settings(max_examples=150, deadline=None)
 @example(HOSTILE)
 @example("1. one")

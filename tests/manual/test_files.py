@@ -428,6 +428,7 @@ def test_names_of_columns_of_hazard_are_understood_as_the_page_has_it(
         assert curve.rates[0] == pytest.approx(rate, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_what_becomes_of_a_store_is_as_the_table_has_it(tmp_path: Path) -> None:
     path = tmp_path / "map.zarr"
 

@@ -8,13 +8,10 @@ from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
-import pytest
-from matplotlib.animation import FuncAnimation
 from PIL import Image
 from sphinx_gallery.gen_gallery import DEFAULT_GALLERY_CONF  # type: ignore[import-untyped]
 
 import rocksteady as rs
-from rocksteady.show.film.gif import save_gif
 from rocksteady.show.style import palette
 from tests.every import every
 from tools.manual import gallery
@@ -25,7 +22,6 @@ TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in SCR
 PLOTS = {"animate", *(name for name in rs.__all__ if name.startswith("plot_"))}
 LINES = 30
 IN_A_FOLDER = 13
-FILM_BYTES = 600_000
 
 
 def public_names(tree: ast.Module) -> set[str]:
@@ -137,26 +133,6 @@ def test_a_film_becomes_a_small_gif_that_plays(tmp_path: Path) -> None:
     with Image.open(tmp_path / "sphx_glr_film_001.gif") as picture:
         assert getattr(picture, "n_frames", 1) > 1
     assert not gallery.save_pictures(None, {**variables, "example_globals": {"run": run}}, conf)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", SCRIPTS)
-def test_a_script_draws_one_figure_or_a_film(name: str, tmp_path: Path) -> None:
-    before = dict(mpl.rcParams)
-    try:
-        figures, films = gallery.draw(SCRIPTS[name])
-        assert len(figures) + len(films) == 1
-        for figure in figures:
-            figure.canvas.draw()
-            assert 7.0 <= figure.get_size_inches()[0] <= 7.5
-            assert any(axes.has_data() for axes in figure.axes)
-        for film in films:
-            assert isinstance(film, FuncAnimation)
-            save_gif(gallery.film_behind(film), tmp_path / "film.gif")
-            assert (tmp_path / "film.gif").stat().st_size <= FILM_BYTES
-    finally:
-        plt.close("all")
-        mpl.rcParams.update(before)
 
 
 def test_a_page_whose_script_is_gone_is_removed(tmp_path: Path) -> None:

@@ -143,6 +143,7 @@ def test_public_names_in_docstrings_are_there(name: str) -> None:
         assert stale(text, name, thing.__module__) == [], place
 
 
+@pytest.mark.slow
 @every("name", rocksteady.__all__)
 def test_what_a_docstring_lists_is_a_parameter_or_field_with_a_type(name: str) -> None:
     for place, thing in documented(name):

@@ -320,7 +320,7 @@ def test_two_thousand_calls_with_junk(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2, 3, 4, 5])
-def test_fifty_thousand_calls_with_junk(seed: int) -> None:
+@pytest.mark.parametrize("seed", [1, 2])
+def test_twenty_thousand_calls_with_junk(seed: int) -> None:
     findings = fuzz(seed, 10_000)
     assert not findings, "\n".join(findings)

@@ -238,6 +238,7 @@ def test_no_array_of_a_result_or_of_its_copy_can_be_written_to(made: dict[str, A
     assert wrong == set()
 
 
+@pytest.mark.slow
 def test_what_compares_by_value_is_equal_to_its_copies(made: dict[str, Any]) -> None:
     seen: dict[int, Any] = {}
     record = made["record"]

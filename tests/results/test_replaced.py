@@ -85,6 +85,7 @@ def made(kind: type, values: dict[str, Any]) -> Any:
         return None
 
 
+@pytest.mark.slow
 def test_a_replaced_field_gives_what_the_constructor_gives() -> None:
     warnings.simplefilter("ignore")
     compared, wrong = 0, set()

@@ -113,6 +113,7 @@ def test_a_crowd_is_the_largest_one_and_small() -> None:
     assert crowd_of(axes, []) is None
 
 
+@pytest.mark.slow
 def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
     starts = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1)
     branches = find_branches(starts, "frequency_ratio", (0.5, 12.0), max_period=4)

@@ -199,6 +199,7 @@ def crossing() -> Tree:
     return Tree((layer, alone), frozenset({("rooms", "alone")}))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["package", "crossing"])
 def test_the_picture_is_legible_and_nothing_overlaps(which: str, tree: Tree) -> None:
     shown = tree if which == "package" else crossing()

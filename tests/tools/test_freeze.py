@@ -13,6 +13,7 @@ import rocksteady as rs
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.strategies import PLAIN
+from tests.test_pages import TYPED, shortened
 from tools.freeze import __main__ as program
 from tools.freeze import commands, files, kernels, records
 from tools.freeze.run import Frozen
@@ -44,6 +45,19 @@ def test_what_is_too_long_to_keep_counts_to_its_last_letter(text: str) -> None:
     assert len(short) < 300
     for place in (0, len(text) // 2, len(text) - 1):
         assert records.abridged(text[:place] + "x" + text[place + 1 :]) != short
+
+
+def test_each_line_of_help_and_pages_is_recorded_and_ends_well() -> None:
+    """A line that is new or changed is recorded first: `make freeze-all`."""
+    held: dict[str, str] = {}
+    for name in ("commands", "long-commands"):
+        held |= records.loaded((records.FOLDER / f"{name}.txt").read_text(encoding="utf-8"))
+    lines = [line for line in (*commands.examples(), *TYPED) if not commands.ELSEWHERE.search(line)]
+    assert len(lines) > 200
+    forms = {line: [*commands.forms(shortened(line))] for line in lines}
+    ended = {line: [held.get(form, "not recorded") for form in forms[line]] for line in lines}
+    wrong = {line: ends for line, ends in ended.items() if not any("exit 0" in e[:7] for e in ends)}
+    assert wrong == {}
 
 
 def test_texts_lose_places_versions_and_addresses_but_no_number(tmp_path: Path) -> None:

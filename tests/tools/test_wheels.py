@@ -261,6 +261,7 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
 # ------------------------------------------------------------------- what a library may need
 
 
+@pytest.mark.slow
 @every("tag", TRIPLES)
 @every("made_for", TRIPLES)
 def test_a_library_fits_its_own_platform_alone(tag: str, made_for: str, tmp_path: Path) -> None:

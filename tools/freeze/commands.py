@@ -24,7 +24,7 @@ from tools.freeze.values import of_json, tidy
 
 WRITTEN = {"--csv": "x.csv", "--netcdf": "x.nc", "--plot": "x.svg"}
 """Flags that write a file, and the file that takes the place of each."""
-ELSEWHERE = re.compile(r"--executor (?:gpu|tcp:)|^doctor|^--version")
+ELSEWHERE = re.compile(rf"{pages.ELSEWHERE.pattern}|^doctor|^--version")
 """Lines whose answer is the machine's."""
 PAGE_SIZE = re.compile(r"^(size +|bytes: )\d+(?: kB)?$", re.MULTILINE)
 LONG = re.compile(
@@ -34,14 +34,18 @@ LONG = re.compile(
 """Lines that take more than some two seconds: they run in the large freeze alone."""
 
 
+def examples() -> list[str]:
+    """Return the lines that help texts give as examples, without the program."""
+    texts = [getattr(module, "EXAMPLES", "") for module in (*app.COMMANDS, study)]
+    return re.findall(r"^rocksteady (.*)$", "\n".join(texts), re.MULTILINE)
+
+
 def lines(*, long: bool) -> list[str]:
     """Return the lines of the quick freeze, or those of the large one alone.
 
     Every line runs twice: as it prints text, and as it prints JSON and writes files. Those that
     pages alone have print text in the large freeze only.
     """
-    texts = [getattr(module, "EXAMPLES", "") for module in (*app.COMMANDS, study)]
-    examples = re.findall(r"^rocksteady (.*)$", "\n".join(texts), re.MULTILINE)
     texts_too, every = (
         {
             form
@@ -49,7 +53,7 @@ def lines(*, long: bool) -> list[str]:
             for form in forms(pages.shortened(line))
             if not ELSEWHERE.search(line)
         }
-        for some in (examples, (*examples, *pages.TYPED))
+        for some in (examples(), (*examples(), *pages.TYPED))
     )
     quick = {
         line for line in every if not LONG.search(line) and (line in texts_too or "--json" in line)

@@ -248,6 +248,7 @@ def test_the_attractors_lie_on_the_stable_branches() -> None:
 # -------------------------------------------------------------------------------- cascade
 
 
+@pytest.mark.slow
 def test_the_cascade_is_the_librarys() -> None:
     values = values_of(f"{ALONG_W} --cascade --doublings 5")
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
@@ -400,6 +401,7 @@ def test_a_real_block_is_in_g_and_hz_and_radians() -> None:
         assert one["amplitude"] == pytest.approx(other["amplitude"], abs=1e-11)
 
 
+@pytest.mark.slow
 def test_the_csv_is_every_point_of_every_branch(tmp_path: Path) -> None:
     file = tmp_path / "branches.csv"
     ran = rocksteady(f"{ALONG_W} --no-sweeps --json --csv", file)

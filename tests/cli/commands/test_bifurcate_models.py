@@ -38,6 +38,7 @@ def test_the_nonlinear_model_has_its_own_bifurcations() -> None:
     assert "nonlinear model, alpha 0.3 rad" in " ".join(told.split())
 
 
+@pytest.mark.slow
 def test_a_block_with_sides_that_differ_has_branches() -> None:
     found = values_of(
         "bifurcate --left-m 0.15 --right-m 0.2 --height-m 1.2 -r 0.85 -A 2.2 -W 1.4:2.8:4 "

@@ -467,6 +467,7 @@ def test_a_colouring_that_has_no_meaning_is_refused(flags: str, why: str, tmp_pa
     assert not picture.exists()
 
 
+@pytest.mark.slow
 def test_a_picture_is_coloured_by_what_is_asked_for(tmp_path: Path) -> None:
     files = {by: tmp_path / f"{by}.png" for by in ("class", "period", "peak")}
     for by, file in files.items():

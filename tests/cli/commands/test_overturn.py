@@ -60,6 +60,7 @@ def test_a_block_is_told_in_g_and_hz() -> None:
     assert values["block"]["alpha_rad"] == block.alpha
 
 
+@pytest.mark.slow
 def test_the_full_equations_keep_the_contract(tmp_path: Path) -> None:
     table, picture = tmp_path / "w.csv", tmp_path / "w.png"
     size = "--alpha-rad 0.25 --p-rad-s 2.14 -r 0.9"

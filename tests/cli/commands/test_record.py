@@ -98,6 +98,7 @@ def test_a_spectrum_is_printed_where_periods_are_given(file: Path) -> None:
         assert [float(word) for word in line.split()[:2]] == pytest.approx([period, psa], rel=6e-3)
 
 
+@pytest.mark.slow
 def test_a_record_is_written_in_the_unit_that_is_asked_for(file: Path, tmp_path: Path) -> None:
     for unit, column, size in (
         ("m/s^2", "acceleration_m_s2", 9.80665),

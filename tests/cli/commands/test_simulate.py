@@ -342,6 +342,7 @@ def test_a_film_that_cannot_be_is_refused_before_anything_is_computed(
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
     file = tmp_path / "fall.gif"
     file.write_text("precious")

@@ -101,6 +101,7 @@ def test_attractors_and_orbits_are_those_of_the_library(tmp_path: Path) -> None:
     assert "mirror" not in text
 
 
+@pytest.mark.slow
 def test_an_aperiodic_motion_is_drawn_with_its_own_block(tmp_path: Path) -> None:
     ran = rocksteady(f"attractor {FLAGS} -A 2 -W 5 --cycles 400", "--plot", tmp_path / "cloud.png")
     assert ran.code == 0

@@ -17,6 +17,7 @@ CABINET = "simulate --block zhang-makris-2001"
 ONE_SINE = "simulate -A 2 -W 5 -r 0.9 --pulse one-sine"
 
 
+@pytest.mark.slow
 @every("name", [*PULSES, "type-c4"])
 def test_the_json_of_every_pulse(name: str) -> None:
     ran = rocksteady(f"simulate -A 3 -W 4 -r 0.9 --pulse {name} --json")

@@ -89,6 +89,7 @@ def mirrored(one: BasinAttractor, among: tuple[BasinAttractor, ...]) -> int:
     return next(other.label for other in among if same_orbit(image, other.orbit))
 
 
+@pytest.mark.slow
 @every("point", POINTS)
 @every("phase", [0.0, 0.3, 2.0, 4.5])
 def test_the_mirrored_window_half_a_period_later_has_the_mirrored_basins(

@@ -214,6 +214,7 @@ def test_the_arguments_of_a_drop_are_validated(arguments: dict[str, Any], valid:
         eroded(0.9, 2.0, [0.2], **coarse(6)).drop(**arguments)
 
 
+@pytest.mark.slow
 def test_the_window_holds_the_largest_circle_on_a_still_base() -> None:
     # With little restitution fast blocks survive: their circle reaches beyond 1.5.
     for restitution in (0.35, 0.5, 0.8):

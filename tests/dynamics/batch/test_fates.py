@@ -45,6 +45,7 @@ def test_each_motion_ends_as_its_time_history_does(model: Model, count: int) -> 
     assert set(status.tolist()) <= set(ENDS)
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of kernels that nothing compiles
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_a_device_runs_the_kernels_of_the_model_and_gives_the_same_ends(model: Model) -> None:

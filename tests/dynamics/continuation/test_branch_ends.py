@@ -253,6 +253,7 @@ def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
     assert all(point.type is PointType.PERIOD_DOUBLING for point in curve[:-1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [6.0, 12.0])
 def test_branches_with_a_graze_beside_a_merging_end_without_an_error(ratio: float) -> None:
     # Brent's method halves its bracket here so seldom that it takes more than 100 steps.

@@ -119,6 +119,7 @@ def test_branches_hang_together_and_keep_their_limits(branches: tuple[Branch, ..
         assert len(same) >= 2
 
 
+@pytest.mark.slow
 def test_shorter_steps_find_the_same_branches(
     branches: tuple[Branch, ...], starts: list[Orbit]
 ) -> None:

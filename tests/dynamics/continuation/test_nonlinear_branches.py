@@ -74,6 +74,7 @@ def leaning() -> tuple[Branch, ...]:
     )
 
 
+@pytest.mark.slow
 def test_bifurcations_are_those_of_shooting(leaning: tuple[Branch, ...]) -> None:
     kinds = checked_events(leaning, "frequency_ratio", longest=3)
     assert set(kinds) == {"fold", "symmetry-breaking", "grazing"}
@@ -213,6 +214,7 @@ def test_orbits_of_points_come_back_when_they_are_flown(leaning: tuple[Branch, .
     assert seen > 5
 
 
+@pytest.mark.slow
 def test_a_cascade_tends_to_feigenbaums_ratio() -> None:
     start = start_of(block_of(0.3, 0.8), 2.0, 2.0)
     found = find_cascade(start, "frequency_ratio", (1.6, 2.2), direction=-1, doublings=6)

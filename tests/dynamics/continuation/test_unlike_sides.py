@@ -43,6 +43,7 @@ def branches_of(block: Block, model: Linear | Nonlinear, frequency: float = 1.0)
     return list(found)
 
 
+@pytest.mark.slow
 def test_bifurcations_are_those_of_shooting() -> None:
     branches = branches_of(block_of(0.15, 0.2, (0.85, 0.8)), Nonlinear())
     kinds = checked_events(tuple(branches), "frequency_ratio", longest=4)

@@ -132,6 +132,7 @@ def test_it_leaves_an_orbit_along_the_eigenvector_of_its_map() -> None:
         assert mapped(*middle) == pytest.approx(middle, abs=1e-10)
 
 
+@pytest.mark.slow
 def test_states_on_the_stable_manifold_come_to_the_saddle_at_the_rate_of_its_multiplier() -> None:
     saddle = saddle_orbit()
     found = compute_manifold(saddle, "stable", phase=1.0, length=2.0)

@@ -247,6 +247,7 @@ def test_what_is_refused_says_why() -> None:
 Floats = NDArray[np.float64]
 
 
+@pytest.mark.slow
 @every(
     ("alpha", "amplitude", "ratio", "angle"),
     [

@@ -43,6 +43,7 @@ UP = Record(acceleration_m_s2=2.0 * np.sin(17.0 * T), dt_s=0.05)
 LEVELS = [0.0, 0.4, 1.0]
 
 
+@pytest.mark.slow
 @every(
     ("block", "motion", "model"),
     [

@@ -50,6 +50,7 @@ def test_from_rest_it_is_the_overturning_impulse(model: Model) -> None:
     assert kicks.least_m_s[0] == pytest.approx(expected, rel=1e-11)
 
 
+@pytest.mark.slow
 @every(("u", "v"), [(0.5, 0.0), (0.2, 0.3), (0.9, -0.3), (0.05, -0.8)])
 def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
     kicks = find_fatal_kick(BARE, start=State(angle=u, velocity=v))
@@ -228,6 +229,7 @@ def test_the_vertical_component_counts_and_workers_do_not() -> None:
     np.testing.assert_array_equal(one.first, two.first)
 
 
+@pytest.mark.slow
 def test_a_motion_and_its_delay_have_the_same_kicks() -> None:
     pulse = Pulse(shape="half-sine", amplitude=1.4, frequency_ratio=3.0)
     delayed = Piecewise(pieces=(Segment(duration=0.5), *pulse.segments()))

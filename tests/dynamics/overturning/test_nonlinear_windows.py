@@ -76,6 +76,7 @@ def test_z2_one_sine_overturns_between_two_amplitudes_and_above_a_third() -> Non
         assert border == pytest.approx(expected, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_z4_a_higher_frequency_and_the_end_of_the_window_after_one_impact() -> None:
     found = nonlinear(CABINET, "one-sine", 15.7 / 2.14)
     assert found.at(0)[0].impacts == 1
@@ -89,6 +90,7 @@ def test_z4_a_higher_frequency_and_the_end_of_the_window_after_one_impact() -> N
 # ---------------------------------------------------------------------- independent
 
 
+@pytest.mark.slow
 @every(
     ("shape", "ratio", "block", "which"),
     [

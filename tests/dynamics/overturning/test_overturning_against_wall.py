@@ -46,6 +46,7 @@ def unit(shape: str, *, reverse: bool = False) -> Pulse:
     return Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, reverse=reverse)
 
 
+@pytest.mark.slow
 @every(
     ("block", "model"),
     [(against_wall(0.5), Linear()), (against_wall(0.9), Linear()), (FACADE, Nonlinear())],

@@ -71,6 +71,7 @@ def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float)
     assert found.first[0] * unit == pytest.approx(accel_g, abs=5.1e-7)
 
 
+@pytest.mark.slow
 @every("shape", THRESHOLDS)
 def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> None:
     ratios = np.geomspace(0.3, 12.0, 9)

@@ -60,6 +60,7 @@ def test_everything_has_a_name_and_text_stands_out(scheme: str, explorer: Explor
         assert (tab, page.evaluate(CONTRAST)) == (tab, [])
 
 
+@pytest.mark.slow
 def test_ids_are_unique_and_what_refers_to_one_finds_it(explorer: Explorer) -> None:
     page = explorer.open()
     ids: list[str] = page.evaluate("[...document.querySelectorAll('[id]')].map(one => one.id)")

@@ -277,6 +277,7 @@ def test_fates_of_pulses_are_those_of_marches_that_go_on(e: float, alpha: float,
     assert {AT_REST, OVERTURNED} == set(status.tolist()) or count < 20
 
 
+@pytest.mark.slow
 @every("alpha", [0.0, 0.3])
 @every("free", [1, -1])
 def test_without_loss_a_march_that_goes_on_stays_below_the_bound(alpha: float, free: int) -> None:

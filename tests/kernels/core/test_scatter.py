@@ -63,6 +63,7 @@ def test_an_impact_has_the_first_draw_inside_the_bounds(mean: float, deviation: 
     np.testing.assert_allclose(found, draws(mean, deviation, keys, impacts), rtol=1e-13, atol=1e-15)
 
 
+@pytest.mark.slow
 @every(("mean", "deviation"), LAWS)
 def test_draws_are_those_of_the_normal_distribution_cut_off(mean: float, deviation: float) -> None:
     ends = (-mean / deviation, 0.5 * (1.0 - mean) / deviation)

@@ -78,6 +78,7 @@ def random_arc(rng: np.random.Generator) -> tuple[float, float, float]:
     return 10.0 ** rng.uniform(-2.0, 1.3), frequency, rng.uniform(-1.5, 4.7)
 
 
+@pytest.mark.slow
 def test_speeds_and_derivatives_are_those_of_the_boundary_value_problem_in_50_digits() -> None:
     rng = np.random.default_rng(1)
     for _ in range(sample_size(400, 150)):
@@ -111,6 +112,7 @@ def test_a_short_arc_keeps_its_digits(duration: float) -> None:
                 assert abs(got - exact) <= 1e-15 * size
 
 
+@pytest.mark.slow
 def test_a_long_arc_is_two_ends_that_know_nothing_of_each_other() -> None:
     for duration in (40.0, 200.0, 699.0, 701.0, 5000.0):
         found = arc_between(0.8, 0.3, 1.0, duration)

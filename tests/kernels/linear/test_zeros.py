@@ -159,6 +159,7 @@ def test_no_zero_is_missed_in_three_million_flights(seed: int) -> None:
 # ------------------------------------------------------------------------------ endless forcing
 
 
+@pytest.mark.slow
 def test_no_return_is_claimed_only_where_there_is_none() -> None:
     count = sample_size(40_000, 300)
     flights = random_flights(np.random.default_rng(11), count)
@@ -394,6 +395,7 @@ def check_grazing_jumps(seed: int, count: int) -> None:
         checked += 1
 
 
+@pytest.mark.slow
 def test_the_landing_jumps_where_the_flight_grazes_the_floor() -> None:
     check_grazing_jumps(51, sample_size(300, 15))
 

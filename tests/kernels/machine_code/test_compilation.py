@@ -184,6 +184,7 @@ def test_copies_of_the_package_share_machine_code_where_their_kernels_are_the_sa
     assert ran(one, cache) == (False, 0, False)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 def test_what_is_compiled_after_an_edit_is_not_kept(tmp_path: Path) -> None:
     # It may hold what was edited, in the folder of what was there before.

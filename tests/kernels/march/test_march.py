@@ -149,6 +149,7 @@ def test_from_rest_the_march_follows_fifty_digits_through_chatter(
         assert abs(one - other) <= 1e-14 * other
 
 
+@pytest.mark.slow
 def test_a_random_list_of_segments_follows_fifty_digits() -> None:
     rng = np.random.default_rng(7)
     compared = 0

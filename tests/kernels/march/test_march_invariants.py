@@ -267,6 +267,7 @@ def test_a_run_that_ends_on_an_impact_counts_it_once_at_most() -> None:
 # ------------------------------------------------------------------------------------ no drift
 
 
+@pytest.mark.slow
 @every(
     ("frequency", "restitution", "order", "share"),
     [

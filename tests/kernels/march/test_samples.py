@@ -110,6 +110,7 @@ def marches_alike(segments: Floats, sides: Floats) -> Run | None:
     return fast
 
 
+@pytest.mark.slow
 def test_a_run_marches_as_its_segments_one_by_one() -> None:
     rng = np.random.default_rng(1940)
     cases = sample_size(400, 6)
@@ -178,6 +179,7 @@ def test_a_block_thrown_back_from_far_out_is_not_given_up(velocity: float, statu
 # ---------------------------------------------------------------------------- 50 digits
 
 
+@pytest.mark.slow
 @every("seed", range(sample_size(6, 2)))
 def test_impacts_are_those_of_50_digits(seed: int) -> None:
     rng = np.random.default_rng(seed)

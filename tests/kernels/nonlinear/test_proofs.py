@@ -147,6 +147,7 @@ def ends(base: Base, angle: Ball, velocity: Ball, low: Ball, high: Ball, longest
     return "open"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_motions_beyond_the_point_of_no_return_fall(seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -317,6 +318,7 @@ def flights() -> list[tuple[Base, Ball, tuple[float, float, float], Bounce]]:
     return found
 
 
+@pytest.mark.slow
 def test_a_bounce_lasts_no_longer_and_lands_no_faster_than_its_bounds() -> None:
     closeness, shares, heights = [], [], []
     for _, velocity, (growth, lasts, top), made in flights():

@@ -34,6 +34,7 @@ def drawn(seed: int) -> tuple[Drive, float, float, float]:
     return drive, rng.uniform(0.0, 1.5), rng.normal(), rng.uniform(0.0, 6.0)
 
 
+@pytest.mark.slow
 @every("seed", range(6))
 def test_a_step_is_as_exact_as_asked_for(seed: int) -> None:
     drive, angle, velocity, phase = drawn(seed)

@@ -167,6 +167,7 @@ def left_out_of(drive: Drive, angle: float, velocity: float, short: ShortStep, h
     return abs(float(terms.sum()))
 
 
+@pytest.mark.slow
 def test_an_accepted_step_leaves_out_hardly_more_than_it_may() -> None:
     rng = np.random.default_rng(7)
     cases = inner_sample_size(40_000, 1_000)

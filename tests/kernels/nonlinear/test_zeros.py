@@ -52,6 +52,7 @@ def sampled_zero(polynomial: Polynomial, step: float) -> float:
     return float(high)
 
 
+@pytest.mark.slow
 @every("seed", range(60))
 def test_first_zeros_are_those_of_slow_sampling(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -51,6 +51,7 @@ def test_each_lane_has_the_coefficients_of_its_flight() -> None:
         )
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(PLAIN, reason="about machine code")
 @pytest.mark.parametrize(("kernel", "rest"), [(expand, ()), (finish, (10,))])
 def test_the_loops_become_vector_instructions(kernel: Any, rest: tuple[int, ...]) -> None:

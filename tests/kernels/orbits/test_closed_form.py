@@ -139,6 +139,7 @@ def exact_trace(a: float, w: float, r: float, n: int, f: Any, v: Any) -> Any:
     return -2 * d * mp.cosh(length) + d * mp.sinh(length) / (mp.mpf(w) * v) * grip
 
 
+@pytest.mark.slow
 def test_phase_velocity_and_trace_agree_with_fifty_digits() -> None:
     count = sample_size(1500, 150)
     a, w, r, n = random_points(2, count, nearest=1e-2)

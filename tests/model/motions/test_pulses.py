@@ -59,6 +59,7 @@ def test_a_shape_is_its_formula(name: str, a: float, w: float) -> None:
     assert len(pulse.segments()) <= 2
 
 
+@pytest.mark.slow
 @every("name", WAVELETS)
 @every("tolerance", [1e-2, 1e-4, 1e-6])
 def test_a_wavelet_is_its_formula_within_its_tolerance(name: str, tolerance: float) -> None:
@@ -142,6 +143,7 @@ def test_lasting_sets_the_duration(name: str) -> None:
     assert (pulse.shape, pulse.amplitude) == (name, 2.0)
 
 
+@pytest.mark.slow
 @every("name", [*FORMULAE, *WAVELETS])
 @every("w", [0.01, 5000.0])
 def test_every_shape_has_the_whole_range_of_frequencies(name: str, w: float) -> None:

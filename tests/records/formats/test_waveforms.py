@@ -72,6 +72,7 @@ def test_gaps_are_refused(obspy: Any, tmp_path: Path) -> None:
         read_recordings(path, units="m/s^2")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format_name", ["MSEED", "SAC"])
 def test_files_that_are_cut_or_garbled(
     obspy: Any, tmp_path: Path, format_name: str, capfd: pytest.CaptureFixture[str]

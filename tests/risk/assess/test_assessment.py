@@ -230,6 +230,7 @@ def test_everything_is_plain_json_and_every_caveat_is_printed(found: Assessment)
     assert "fall" in found.summary()
 
 
+@pytest.mark.slow
 def test_no_number_depends_on_the_workers(found: Assessment) -> None:
     again = assess_object(described({"replicates": 200}), SUITE, run=Run(executor="serial"))
     first, second = found.to_dict(), again.to_dict()
@@ -367,6 +368,7 @@ def test_a_measure_needs_its_demand() -> None:
         assess_object(described(), [])
 
 
+@pytest.mark.slow
 def test_a_demand_outside_the_levels_of_the_runs_is_named() -> None:
     strong = {"pga_g": 0.4, "pgv_m_s": 9.0}
     (note,) = (

@@ -169,7 +169,7 @@ def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     sizes = {f"rack {n}": (0.2 + 0.02 * (7 * n % 30), 1.8) for n in range(30)}
     table = assess_objects(
         [
-            ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
+            ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}, **FEW})
             for name, (b, h) in sizes.items()
         ],
         SUITE,

@@ -38,6 +38,7 @@ def test_the_demand_is_the_mean_of_the_largest_ordinate_of_each_record(damping: 
     assert DEMAND.displacement_m(end, damping) == pytest.approx(math.fsum(found) / 7.0)
 
 
+@pytest.mark.slow
 def test_a_longer_range_demands_no_less_and_damping_no_more() -> None:
     ends = (0.4, 1.5, 3.0)
     demands = [DEMAND.displacements_m(end, 0.08) for end in ends]

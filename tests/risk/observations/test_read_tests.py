@@ -300,6 +300,7 @@ def test_many_faults_of_chance_are_one_line_each(folder: Path) -> None:
     assert 20 < ended < 280
 
 
+@pytest.mark.slow
 @settings(
     max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None
 )

@@ -48,8 +48,6 @@ def falls(block: Block, motion: Record | BaseMotion, scale: float, model: Model)
     ("block", "motion", "model"),
     [
         (BLOCK, RECORD, Linear()),
-        (BLOCK, RECORD, Nonlinear()),
-        (LEANING, RECORD, Linear()),
         (LEANING, RECORD.reversed(), Nonlinear()),
         (LEANING, LIFTED, Nonlinear()),
         (WALL, RECORD, Linear()),
@@ -66,12 +64,12 @@ def test_time_histories_agree_with_the_windows(
     # The widest 256 windows are listed, and the share is that of all.
     assert -1e-12 < found.share[0] - sum(widths) / math.log(top / 0.2) < 2e-3
     assert found.share[0] > 0.0
-    scales = np.exp(np.random.default_rng(1).uniform(math.log(0.2), math.log(top), 300))
+    scales = np.exp(np.random.default_rng(1).uniform(math.log(0.2), math.log(top), 60))
     fates = [falls(block, motion, scale, model) for scale in scales.tolist()]
     assert 0 < sum(fates) < len(fates)
     told = [found.falls(0, scale) for scale in scales.tolist()]
     # The windows of so long a record have no end to their number: narrow ones are missed.
-    assert sum(one is not other for one, other in zip(told, fates, strict=True)) <= 3
+    assert sum(one is not other for one, other in zip(told, fates, strict=True)) <= 1
 
 
 @pytest.mark.slow

@@ -81,6 +81,7 @@ def test_every_file_is_there_and_reads_back(rocking: Assessment, tmp_path: Path)
     assert values["settings"]["object"]["values"]["geometry"]["width_m"] == 0.34
 
 
+@pytest.mark.slow
 def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake(
     rocking: Assessment, tmp_path: Path
 ) -> None:
@@ -106,6 +107,7 @@ def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake
     assert float(params.attrib["mean"]) == pytest.approx(mean, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_description_for_loss_tools_names_the_object_once(
     rocking: Assessment, tmp_path: Path
 ) -> None:

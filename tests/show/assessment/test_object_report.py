@@ -205,6 +205,7 @@ def test_a_refused_object_has_a_short_page(slides: Assessment) -> None:
     assert len(page.of("img")) == 1
 
 
+@pytest.mark.slow
 def test_headings_stand_over_content_alone(found: Assessment) -> None:
     """Without hazard, remedies, sensitivity and further measures their sections are gone."""
     fragility = found.fragility

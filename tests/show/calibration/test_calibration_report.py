@@ -91,6 +91,7 @@ def test_no_name_is_markup() -> None:
     assert r"\u202e" in read.text
 
 
+@pytest.mark.slow
 def test_without_scores_the_page_says_so() -> None:
     read = Page(page("unscored"))
     check_alone(read)

@@ -282,6 +282,7 @@ def test_animate_returns_an_animation_that_matplotlib_can_save(tmp_path: Path) -
 # -------------------------------------------------------------------------------------- GIF
 
 
+@pytest.mark.slow
 def test_a_gif_plays_for_ever_at_its_speed_and_holds_its_end(tmp_path: Path) -> None:
     film = film_of(falling(), span=(30.0, 34.0))
     seen: list[str] = []

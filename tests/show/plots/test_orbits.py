@@ -332,6 +332,7 @@ def test_every_figure_has_its_title_its_labels_and_room_for_its_legends() -> Non
                 assert box.y0 <= frame.y0 < frame.y1 <= box.y1, name
 
 
+@pytest.mark.slow
 def test_the_legend_of_a_section_hides_no_state() -> None:
     for listed in (found(), found(4.0), found(0.7, 1.2), found(4.0, restitution=1.0)):
         figure = orbits_figure(listed)

@@ -90,6 +90,7 @@ def fill_at(axes: Axes, x: float, y: float) -> str | None:
     return covering[0] if covering else None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", ["one-sine", "one-cosine"])
 def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
     windows = found(shape)

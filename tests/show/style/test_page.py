@@ -91,6 +91,7 @@ def test_every_legend_goes_where_it_is_wanted(name: str, place: str) -> None:
     assert box.y1 < inches[1] + 0.02
 
 
+@pytest.mark.slow
 def test_a_legend_of_a_plot_goes_where_it_is_wanted_on_anybodys_axes() -> None:
     from tests.show.drawn_maps import found
 

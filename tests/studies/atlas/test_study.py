@@ -122,6 +122,7 @@ def test_the_same_atlas_gives_the_same_bytes(saved: Path, tmp_path: Path) -> Non
 # -------------------------------------------------------------------------------- other planes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("restitution", [0.2, 0.95])
 @pytest.mark.usefixtures("undrawn")
 def test_any_restitution_and_window_has_an_atlas(restitution: float, tmp_path: Path) -> None:

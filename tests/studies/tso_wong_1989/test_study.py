@@ -93,6 +93,7 @@ def test_some_figures_come_in_the_papers_order_without_statements() -> None:
     assert few.counts() == {"reproduced": 0, "corrected": 0, "not-checkable": 0}
 
 
+@pytest.mark.slow
 def test_every_step_is_said(whole: Study, tmp_path: Path) -> None:
     said: list[str] = []
     whole.save(tmp_path / "out", done=said.append)
@@ -112,6 +113,7 @@ def test_a_figure_that_the_paper_has_not_is_refused_with_those_that_it_has(name:
 # ------------------------------------------------------------------------------------- the folder
 
 
+@pytest.mark.slow
 def test_the_whole_study_leaves_these_files(saved: Path) -> None:
     assert set(names(saved)) == files_of(PANELS) | {"claims.json", "report.html"}
     assert names(saved.parent) == ["out"], "nothing is left beside it"

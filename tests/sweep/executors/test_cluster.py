@@ -61,6 +61,7 @@ def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Pat
     assert all(other == trees[0] for other in trees[1:])
 
 
+@pytest.mark.slow
 def test_a_cluster_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     told: list[int] = []
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
@@ -354,6 +355,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 def test_a_cluster_that_is_lost_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     # An hour, which nobody waits who does not try to connect again.
     monkeypatch.setattr(_remote, "ANSWERED", 3600.0)

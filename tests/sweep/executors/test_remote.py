@@ -32,6 +32,7 @@ def test_which_addresses_let_others_in(place: str, expected: bool) -> None:
     assert open_to_others(place) is expected
 
 
+@pytest.mark.slow
 def test_a_cluster_that_lets_others_in_is_announced(
     address: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -195,6 +195,7 @@ def test_a_store_that_no_more_says_what_it_is_is_refused_in_one_line_and_can_be_
     assert run(begun, overwrite=True)[1] == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["sum/zarr.json", "done/zarr.json", "a/zarr.json"])
 @pytest.mark.parametrize("damage", ["truncated", "emptied", "removed", "garbled"])
 def test_the_descriptions_of_arrays_are_written_again(

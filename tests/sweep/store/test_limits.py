@@ -118,6 +118,7 @@ def test_a_store_that_may_only_be_read_is_refused_in_one_line(
         run(small_disk / "b.zarr")
 
 
+@pytest.mark.slow
 def test_a_second_process_is_refused_until_the_first_is_no_more(
     undisturbed: Path, tmp_path: Path
 ) -> None:

@@ -193,6 +193,7 @@ def test_a_store_that_was_about_to_be_begun_is_resumed(tmp_path: Path, undisturb
     assert whole(tmp_path / "a.zarr", undisturbed)
 
 
+@pytest.mark.slow
 def test_another_sweep_takes_the_place_without_a_trace(begun: Path, undisturbed: Path) -> None:
     """Other axes, outputs and chunks: nothing of them stays."""
     from rocksteady.sweep.cases.axes import Axis

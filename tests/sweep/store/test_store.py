@@ -106,6 +106,7 @@ def test_a_finished_store_is_read_and_not_computed(tmp_path: Path) -> None:
     assert {file: file.stat().st_mtime_ns for file in before} == before
 
 
+@pytest.mark.slow
 def test_a_resumed_store_that_is_not_there_is_begun(tmp_path: Path) -> None:
     assert run(Store(tmp_path / "a.zarr", resume=True)).identical(run(None))
 

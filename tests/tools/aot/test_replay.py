@@ -111,7 +111,7 @@ def test_other_processors_give_the_same_bits(name: str, built: Path) -> None:
 def test_many_cells_give_the_same_bits(name: str, built: Path) -> None:
     if name in targets() and not (built / file_name(name)).is_file():
         build([name], built)
-    part = 0.02 if name == ARM else 0.2
+    part = 0.02
     for call in large_calls(ENTRIES, part):
         found = repeated(name, built, [call])
         assert wrong(found) == {}

@@ -56,8 +56,8 @@ def write_calibration(
     >>> from rocksteady import Block, Linear, Sampling, calibrate, write_calibration
     >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
     >>> column = Block.rectangle(width=0.15, height=0.6)
-    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = Sampling(draws=60, gains=2, rounds=1)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(2), model=Linear())
+    >>> few = Sampling(draws=30, gains=2, rounds=1)
     >>> calibration = calibrate(tests, sampling=few, model=Linear())
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_calibration(calibration, folder)]

@@ -175,6 +175,7 @@ def test_force_replaces_and_leaves_the_rest(tmp_path: Path) -> None:
     assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == "old"
 
 
+@pytest.mark.slow
 def test_a_disk_that_fills_up_ends_in_one_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,7 +7,6 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from rocksteady.studies.atlas import study as module
@@ -197,7 +196,7 @@ def test_an_atlas_that_is_killed_at_any_time_gives_the_same_bytes(
 ) -> None:
     folder, kills = tmp_path / "out", 0
     command = [sys.executable, "-m", "rocksteady", *TINY.split(), "--resume", "--out", str(folder)]
-    for wait in (*np.linspace(1.5, 9.0, 16), 1000.0):
+    for wait in (1.5, 2.0, 2.5, 3.0, 4.0, 1000.0):
         running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         try:
             running.communicate(timeout=wait)

@@ -125,6 +125,7 @@ def test_a_table_is_assessed_row_by_row(place: Path) -> None:
     assert "vase" in text.out
 
 
+@pytest.mark.slow
 def test_the_answer_on_a_table_has_its_folder(place: Path) -> None:
     command = "assess objects.csv --records motions --pga-g 0.4 --pgv-m-s 0.45 --out answers"
     assert rocksteady(command).code == 0
@@ -194,6 +195,7 @@ def test_the_example_needs_no_file(tmp_path: Path) -> None:
     assert (tmp_path / "answer" / "fragility.xml").is_file()
 
 
+@pytest.mark.slow
 def test_a_file_and_a_table_of_one_object_print_one_answer(place: Path) -> None:
     """To the bit; a column of the table is a key of the file."""
     toml = (

@@ -26,6 +26,7 @@ def test_the_json_is_that_of_the_function_with_the_start() -> None:
     assert (values["start"], values["direction"], values["cycles"]) == ("rest", "-", 500)
 
 
+@pytest.mark.slow
 def test_manifolds_go_to_the_csv_and_into_the_picture(tmp_path: Path) -> None:
     plot, table = tmp_path / "edge.png", tmp_path / "edge.csv"
     ran = rocksteady(f"{POINT} --manifolds --length 2 --plot {plot} --csv {table}")

@@ -37,6 +37,7 @@ def next_of(points: list[BranchPoint], kind: str) -> BranchPoint:
     return next(point for point in points[1:] if point.type == kind)
 
 
+@pytest.mark.slow
 def test_a_fold_there_and_back_within_one_step_is_found() -> None:
     # Two folds and two doublings within 4e-6 of amplitude: a step passes over all of them.
     point = (2.4189285690767743, 2.973149210133831, 0.8202732251014333)
@@ -121,6 +122,7 @@ def test_nor_do_many_of_them() -> None:
     assert not [found for seed in range(308, 400) for found in branches_disagree(seed)]
 
 
+@pytest.mark.slow
 def test_two_branches_that_all_but_meet_are_told_apart() -> None:
     # Beyond 2.959 a long step straight ahead leads to the branch beside it.
     point = (4.04380985441199, 4.827757935623232, 0.9182915724237672)

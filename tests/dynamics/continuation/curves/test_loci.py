@@ -117,6 +117,7 @@ def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
+@pytest.mark.slow
 @every("plane", PLANES[:3])
 def test_doublings_are_doublings_by_the_map(plane: tuple[str, str]) -> None:
     points = both_ways(first(unsymmetric_branch(), "period-doubling"), plane)
@@ -194,6 +195,7 @@ def test_a_curve_ends_at_its_range_and_can_be_followed_back() -> None:
     assert up.frequency_ratio > breaking.frequency_ratio > down.frequency_ratio
 
 
+@pytest.mark.slow
 def test_steps_do_not_matter_and_points_are_counted() -> None:
     doubling = first(unsymmetric_branch(), "period-doubling")
     plane, within = ("amplitude", "frequency_ratio"), ((1.5, 3.0), (1.5, 2.3))

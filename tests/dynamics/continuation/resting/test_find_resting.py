@@ -94,6 +94,7 @@ def test_near_uplift_the_nonlinear_peak_has_the_same_law() -> None:
     assert point.highest == pytest.approx(law, rel=2e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("restitution", [0.5, 0.8])
 def test_rest_vanishes_with_the_power_that_the_border_has(restitution: float) -> None:
     block = DimensionlessBlock(restitution=restitution)

@@ -63,6 +63,7 @@ def test_the_motion_of_the_first_view_is_that_of_its_formula(
     assert int(shown["quake-impacts"]) == len(run.impacts)
 
 
+@pytest.mark.slow
 def test_a_record_that_python_puts_in_is_shown_first(explorer: Explorer, tmp_path: Path) -> None:
     time = np.arange(0.0, 2.0, 0.005)
     pulse = Record(
@@ -153,6 +154,7 @@ def test_dragging_over_the_verdict_sets_the_scale(explorer: Explorer) -> None:
     assert 1.4 < float(link(page)["scale"]) < 2.2
 
 
+@pytest.mark.slow
 def test_dragging_over_the_spectrum_sets_the_size(explorer: Explorer) -> None:
     page = explorer.open(QUAKE)
     box = page.locator("#panel-spectrum canvas").bounding_box()

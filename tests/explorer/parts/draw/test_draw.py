@@ -89,6 +89,7 @@ def test_ticks_lie_inside_rise_and_say_their_values(
         assert rising or found["at"] == sorted(found["at"], reverse=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("window", "labels"),
     [
@@ -144,6 +145,7 @@ answer(asked.map(({ width, height, x, y, title }) => {
 LONG = "frequency ratio Ω = ω/p along the row of the map at the amplitude A = 2.000 and further"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [200, 304, 360, 700, 1440])
 def test_labels_are_not_cut_and_do_not_overlap(width: int, in_node: InNode) -> None:
     windows: list[dict[str, Any]] = [

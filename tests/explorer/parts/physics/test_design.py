@@ -86,6 +86,7 @@ def run_of(given: dict[str, Any]) -> Trajectory:
     return simulate(block, pulse, model=model)
 
 
+@pytest.mark.slow
 def test_runs_of_blocks_are_those_of_simulate(in_node: InNode) -> None:
     asked, fates = cases(), set()
     for given, found in zip(asked, in_node(ASK % "designRun", asked), strict=True):

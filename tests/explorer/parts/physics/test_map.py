@@ -93,6 +93,7 @@ def assert_equal(asked: dict[str, Any], found: dict[str, Any], start: Any, **mor
     return set(found["kind"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", STARTS)
 @pytest.mark.parametrize(("nonlinear", "size"), [(False, 16), (True, 5)])
 def test_tiles_are_those_of_map_attractors(

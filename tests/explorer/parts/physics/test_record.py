@@ -98,8 +98,8 @@ def agrees(found: dict[str, Any], block: dict[str, Any], record: Record) -> Stat
 def test_runs_are_those_of_the_package_bit_for_bit(in_node: InNode) -> None:
     cases: list[dict[str, Any]] = [
         {"motion": given(*shock), "block": block, "scale": scale}
-        for shock in shocks().values()
-        for block, scale in zip(BLOCKS, (1.0, 0.7, 1.9, 0.37), strict=True)
+        for number, shock in enumerate(shocks().values())
+        for block, scale in list(zip(BLOCKS, (1.0, 0.7, 1.9, 0.37), strict=True))[number % 2 :: 2]
     ]
     met = set()
     for case, found in zip(cases, in_node(RUNS, cases), strict=True):
@@ -179,6 +179,7 @@ def test_fates_over_scales_are_those_of_the_batch_in_chunks_of_any_length(
             assert joined == result[output].values.tolist(), (name, key)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("block", BLOCKS)
 def test_rocking_spectra_are_those_of_the_package(in_node: InNode, block: dict[str, Any]) -> None:
     periods = np.geomspace(0.3, 12.0, 40).tolist()

@@ -84,6 +84,7 @@ def printed(lines: list[str]) -> dict[str, str]:
     return dict(line.split(": ", 1) for line in lines)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("patch", POINTS, ids=str)
 def test_a_script_of_a_motion_prints_what_the_page_computes(
     patch: dict[str, Any], in_node: InNode, run_script: Callable[[str], list[str]]
@@ -110,6 +111,7 @@ def test_a_script_of_a_motion_prints_what_the_page_computes(
         assert float(found["lowest theta/alpha"]) == page["lowest"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("patch", POINTS, ids=str)
 def test_a_command_of_a_motion_runs_and_agrees(
     patch: dict[str, Any], in_node: InNode, run_command: Callable[[str], str]
@@ -156,6 +158,7 @@ def test_scripts_and_commands_of_other_panels_run(
     assert run_command(command)
 
 
+@pytest.mark.slow
 def test_a_script_and_a_command_run_by_themselves(in_node: InNode, tmp_path: Path) -> None:
     script, command = in_node(IMPORTS + COPIED, {"subject": "point"})
     (tmp_path / "copied.py").write_text(script, encoding="utf-8")

@@ -124,6 +124,7 @@ def curve_lines(axes: Axes, colour: str) -> list[Line2D]:
     return [line for line in lines_of(axes, marked=False) if line.get_color() == colour]
 
 
+@pytest.mark.slow
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels() -> None:
     axes = Figure().add_subplot()
     assert plot_bifurcations(over_frequency(), sweeps(), axes) is axes

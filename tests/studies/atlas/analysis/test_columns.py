@@ -21,6 +21,7 @@ from tests.every import every
 BLOCK = DimensionlessBlock(restitution=0.8)
 
 
+@pytest.mark.slow
 @every(("order", "ratio"), [(1, 2.0), (1, 3.0), (3, 4.0), (5, 8.0)])
 @every("restitution", [0.5, 0.8, 0.95])
 def test_a_column_begins_and_breaks_where_the_closed_forms_say(
@@ -125,6 +126,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
     assert min(seen.values()) >= 15
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("top", "ratios"),
     # Too thin to be followed, with cascades, with a graze, and beyond the top; none at all.

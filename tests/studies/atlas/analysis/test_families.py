@@ -9,6 +9,7 @@ from rocksteady.studies.atlas.analysis.families import family_map
 from tests.studies.atlas.small import plane, small
 
 
+@pytest.mark.slow
 def test_a_family_has_each_column_of_the_plane_in_its_order() -> None:
     said: list[str] = []
     family = family_map(plane(), 3, done=said.append)
@@ -35,6 +36,7 @@ def test_areas_are_parts_of_the_window() -> None:
         assert sum(areas) < 1.0
 
 
+@pytest.mark.slow
 def test_the_symmetric_area_is_that_of_the_closed_form_in_the_whole_window() -> None:
     for family in small().families:
         left, right, low, high = family.plane.window

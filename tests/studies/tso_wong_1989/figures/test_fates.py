@@ -154,6 +154,7 @@ def test_period_and_symmetry_are_those_of_the_sampled_angle(seed: int) -> None:
             assert angle.max() > fate.highest - 0.02
 
 
+@pytest.mark.slow
 @every(
     ("a", "w", "order", "branch", "kick"),
     [(2.0, 1.9, 1, 1, 1e-2), (4.0, 6.0, 3, 1, 1e-1), (2.0, 5.0, 3, 2, 1e-2)],

@@ -91,6 +91,7 @@ CASES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kernel", CASES)
 def test_a_sweep_on_a_device_has_the_bits_of_one_on_the_processor(
     kernel: str, memory: DriverInMemory

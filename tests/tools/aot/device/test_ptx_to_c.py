@@ -291,6 +291,7 @@ def _hazards(load: Load, line: str) -> Iterator[tuple[str, int, int]]:
     return ((each.kind, each.line, number) for each in program.hazards())
 
 
+@pytest.mark.slow
 @every("line", MET)
 def test_a_hazard_is_met(load: Load, line: str) -> None:
     (kind, found, number), *more = _hazards(load, line)

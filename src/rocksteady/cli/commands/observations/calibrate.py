@@ -47,7 +47,7 @@ HELP = (
 )
 EXAMPLES = (
     "Examples:\n\n"
-    "rocksteady calibrate --tests tests.csv --records motions --out fit\n\n"
+    "rocksteady calibrate --tests tests.csv --records suite --out fit\n\n"
     "rocksteady calibrate --tests tests.csv --objects blocks.csv --prior prior.toml "
     "--folds session --draws 3000 --json\n\n"
     "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
