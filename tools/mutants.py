@@ -2,7 +2,8 @@
 
 A mutant swaps one comparison, one operator of arithmetic or of logic, drops a sign, a `not` or a
 guard, or moves one constant.  It is killed where the tests of the same folder fail with it, those
-of the same name first.  Mutants are drawn with a seed, equally many from each package.
+of the same name first; what survives is compared with the freeze, kernels excepted.  Mutants are
+drawn with a seed, equally many from each package.
 """
 
 import argparse
@@ -39,6 +40,7 @@ SWAPPED: dict[type[ast.AST], str] = {
     ast.Div: "*",
 }
 PYTEST = (sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider")
+FREEZE = (sys.executable, "-m", "tools.freeze", "compare", "calls", "things", "--workers=1")
 LONGEST = 600.0
 """Seconds after which tests that go on count as failed."""
 
@@ -117,25 +119,30 @@ def tests_of(file: Path) -> list[str]:
     return [*([str(own)] if (ROOT / own).is_file() else []), str(folder)]
 
 
-def is_killed(mutant: Mutant, copy: Path) -> bool:
-    """Run the tests of a mutant in a copy of the tree; return whether one fails."""
+def killer(mutant: Mutant, copy: Path) -> str:
+    """Return what notices a mutant in a copy of the tree: tests, freeze, or nothing."""
     place = copy / mutant.file
-    plain = {"ROCKSTEADY_KERNELS": "python"} if "kernels" in mutant.file.parts else {}
+    kernels = "kernels" in mutant.file.parts
+    checks = {"tests": (*PYTEST, *tests_of(mutant.file))} | ({} if kernels else {"freeze": FREEZE})
+    plain = {"ROCKSTEADY_KERNELS": "python"} if kernels else {}
     place.write_text(mutant.source, encoding="utf-8")
     try:
-        ran = subprocess.run(
-            [*PYTEST, *tests_of(mutant.file)],
-            cwd=copy,
-            env={**os.environ, "PYTHONPATH": str(copy / "src"), **plain},
-            capture_output=True,
-            timeout=LONGEST,
-            check=False,
-        )
+        for name, command in checks.items():
+            ran = subprocess.run(
+                command,
+                cwd=copy,
+                env={**os.environ, "PYTHONPATH": str(copy / "src"), **plain},
+                capture_output=True,
+                timeout=LONGEST,
+                check=False,
+            )
+            if ran.returncode:
+                return name
     except subprocess.TimeoutExpired:
-        return True
+        return name
     finally:
         shutil.copyfile(ROOT / mutant.file, place)
-    return ran.returncode != 0
+    return ""
 
 
 def draw(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
@@ -165,21 +172,22 @@ def main(arguments: list[str] | None = None) -> int:
         for worker in range(given.workers):
             free.put(_copy(Path(scratch, str(worker))))
 
-        def judge(mutant: Mutant) -> bool:
+        def judge(mutant: Mutant) -> str:
             copy = free.get()
             try:
-                return is_killed(mutant, copy)
+                return killer(mutant, copy)
             finally:
                 free.put(copy)
 
         with ThreadPoolExecutor(given.workers) as workers:
-            killed = dict(zip(drawn, workers.map(judge, drawn), strict=True))
-    for mutant, dead in killed.items():
-        if not dead:
-            print(f"survives: {mutant}")
+            killers = {}
+            for mutant, by in zip(drawn, workers.map(judge, drawn), strict=True):
+                killers[mutant] = by
+                print(f"{by or 'survives':8} {mutant}", flush=True)
     for package in given.packages:
-        own = [dead for mutant, dead in killed.items() if mutant.file.parts[2] == package]
-        print(f"{package:10} {sum(own):4d} of {len(own)} killed")
+        own = [by for mutant, by in killers.items() if mutant.file.parts[2] == package]
+        tests, freeze = own.count("tests"), own.count("freeze")
+        print(f"{package:10} {tests:4d} of {len(own)} killed by tests, {freeze} by the freeze")
     return 0
 
 
