@@ -126,6 +126,7 @@ def killer(mutant: Mutant, copy: Path) -> str:
     checks = {"tests": (*PYTEST, *tests_of(mutant.file))} | ({} if kernels else {"freeze": FREEZE})
     plain = {"ROCKSTEADY_KERNELS": "python"} if kernels else {}
     place.write_text(mutant.source, encoding="utf-8")
+    name = ""
     try:
         for name, command in checks.items():
             ran = subprocess.run(
