@@ -114,7 +114,7 @@ pages: .venv ## the manual, where its pages have changed since it was built (doc
 .PHONY: tests-jit
 tests-jit: .venv ## the tests of what calls kernels most, kernels compiled by numba
 	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
-	ROCKSTEADY_KERNELS=jit $(BIN)/python -m rocksteady.kernels.entries
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -q -m slow tests/kernels/test_entries.py
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS) tests/kernels tests/dynamics tests/seismic
 
 .PHONY: tests-floor

@@ -241,7 +241,7 @@ def test_motions_that_graze_on_the_hilltop_meet_nothing_there(
     ("within", "search", "least"),
     [
         (HILLTOP, CurveSearch(max_impacts=6), 0),
-        (LOW, CurveSearch(max_impacts=4, everywhere=True), 15),
+        (LOW, CurveSearch(max_impacts=4, everywhere=True), 5),
         (FAST, CurveSearch(orders=(1, 3), max_impacts=4), 6),
     ],
 )
