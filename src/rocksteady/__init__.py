@@ -61,8 +61,8 @@ use_plots(
 )
 use_describers(
     {
-        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._map_facts"),
-        "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps._map_facts"),
+        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps.map_facts"),
+        "fate map": ({"fate", "cycles"}, "rocksteady.dynamics.maps.map_facts"),
         "rocking ensemble": (
             {"status", "peak_angle", "uplift_time_s"},
             "rocksteady.risk.ensemble._ensemble_facts",

@@ -31,6 +31,8 @@ SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
 }
 """A command with its shaking."""
 HEAVY = ("matplotlib", "numba", "numpy", "scipy", "xarray")
+TABLES = ("dask", "h5py", "jinja2", "pandas", "xarray", "zarr")
+"""What datasets and data frames bring with them."""
 
 
 def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -41,6 +43,23 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
         check=False,
         env={**os.environ, **environment},
     )
+
+
+def loaded_by(*lines: list[str], code: int = 0, **environment: str) -> set[str]:
+    """The modules that a fresh process has loaded after some lines, each with an exit code."""
+    program = (
+        "import sys, rocksteady.cli.app as app\n"
+        f"assert [app.run(line) for line in {lines!r}] == [{code}] * {len(lines)}\n"
+        "print('', *sys.modules, sep='\\n')"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, **environment},
+    )
+    return set(done.stdout.splitlines())
 
 
 # ------------------------------------------------------------------------------- bad input
@@ -238,45 +257,44 @@ def test_version() -> None:
     ],
 )
 def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
-    code = (
-        "import sys, rocksteady.cli.app as app\n"
-        f"assert app.run({arguments!r}) == 0\n"
-        "print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert set(done.stderr.split()) & set(HEAVY) == set()
-    assert "rich" in done.stderr or arguments == ["--version"]
+    loaded = loaded_by(arguments)
+    assert loaded & set(HEAVY) == set()
+    assert "rich" in loaded or arguments == ["--version"]
 
 
 def test_a_refusal_of_flags_loads_nothing_heavy() -> None:
-    code = (
-        "import sys, rocksteady.cli.app as app\n"
-        "assert app.run(['simulate', '-A', '2', '-W', '4', '-r', '1.2']) == 2\n"
-        "print(*{name.partition('.')[0] for name in sys.modules})"
+    refused_line = ["simulate", "-A", "2", "-W", "4", "-r", "1.2"]
+    assert loaded_by(refused_line, code=2) & set(HEAVY) == set()
+
+
+def test_a_summary_loads_no_tables(tmp_path: Path) -> None:
+    """A dataset, and what it imports with it, takes longer than most of what it would hold."""
+    record = at2(tmp_path / "quake.at2", samples())
+    lines = (
+        "steady -A 2 -W 4 -r 0.8",
+        "simulate -A 2 -W 4 -r 0.8",
+        "attractor -A 2 -W 4 -r 0.8",
+        "orbits -A 2 -W 1.9 -r 0.8",
+        "map -A 1:6:3 -W 1:8:3 -r 0.8",
+        "map -A 1:6:3 -W 1:8:3 -r 0.8 --fate --json",
+        "basins -A 2 -W 4 -r 0.8 --angles=-1:1:4 --velocities=-1:1:4",
+        "basins -A 2:3:2 -W 4 -r 0.8 --angles=-1:1:4 --velocities=-1:1:4",
+        "overturn --pulse ricker -W 3 -r 0.9",
+        "overturn --kick --start 0.5,0 --width-m 0.6 --height-m 1.8",
+        "assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
+        f"spectrum --record {record} --alpha-rad 0.2 --periods-s 2:4:2",
+        f"spectrum --record {record} --width-m 0.5 --height-m 2",
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert set(done.stdout.split()) & set(HEAVY) == set()
+    assert loaded_by(*map(str.split, lines)) & {*TABLES, "matplotlib"} == set()
 
 
 @pytest.mark.slow
 def test_a_picture_of_a_history_loads_no_more_than_it_shows(tmp_path: Path) -> None:
     """Compilers, statistics and tables of many cases would take most of its first seconds."""
     picture = tmp_path / "history.png"
-    code = (
-        "import sys, rocksteady.cli.app as app\n"
-        f"flags = ['--cycles', '2', '--plot', {str(picture)!r}]\n"
-        "assert app.run(['simulate', '-A', '2', '-W', '4', '-r', '0.8', *flags]) == 0\n"
-        "print(*{name.partition('.')[0] for name in sys.modules})"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        check=True,
-        env={**os.environ, "ROCKSTEADY_KERNELS": "python"},
-    )
-    loaded = set(done.stdout.splitlines()[-1].split())
-    assert loaded & {"h5py", "jinja2", "numba", "pandas", "scipy", "xarray", "zarr"} == set()
+    line = f"simulate -A 2 -W 4 -r 0.8 --cycles 2 --plot {picture}".split()
+    loaded = loaded_by(line, ROCKSTEADY_KERNELS="python")
+    assert loaded & {*TABLES, "numba", "scipy", "rocksteady.dynamics.basins"} == set()
     assert "matplotlib" in loaded
     assert picture.stat().st_size > 10_000
 

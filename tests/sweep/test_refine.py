@@ -54,7 +54,7 @@ def test_a_smooth_border_is_found_whatever_the_number_of_axes(
     points: tuple[int, ...], coarse: int
 ) -> None:
     grid = grid_of(*points)
-    found = refined(lands, grid, OUTPUTS, classes=("kind", "half"), coarse=coarse)
+    found = refined(lands, grid, OUTPUTS, classes=("kind", "half"), coarse=coarse).to_dataset()
     whole = evaluate(lands, grid, OUTPUTS)
     met = found.met.values
     for name in ("kind", "half"):
@@ -80,7 +80,7 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
         classes=("kind",),
         coarse=2**power,
         run=Run(executor="serial", progress=told.append),
-    )
+    ).to_dataset()
     assert told[0] == 0
     assert sum(told) == grid.size
     assert found.kind.values.min() >= 0
@@ -90,7 +90,7 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
 
 
 def test_every_cell_beside_another_class_was_computed() -> None:
-    found = refined(lands, grid_of(120, 90), OUTPUTS, classes=("kind",), coarse=8)
+    found = refined(lands, grid_of(120, 90), OUTPUTS, classes=("kind",), coarse=8).to_dataset()
     kind, met = found.kind.values, found.met.values
     for axis in (0, 1):
         change = np.diff(kind, axis=axis) != 0
@@ -104,7 +104,7 @@ def test_an_island_between_the_cells_of_the_lattice_is_missed() -> None:
     grid = grid_of(129, 129)
     whole = evaluate(island, grid, OUTPUTS[:1])
     assert bool(whole.kind.any())
-    found = refined(island, grid, OUTPUTS[:1], classes=("kind",), coarse=16)
+    found = refined(island, grid, OUTPUTS[:1], classes=("kind",), coarse=16).to_dataset()
     assert not bool(found.kind.any())
 
 

@@ -8,6 +8,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.sweep.cases.axes import identifier
+from rocksteady.sweep.cases.cells import as_dataset
 from rocksteady.sweep.cases.grid import Grid, each_once
 from rocksteady.sweep.cases.inputs import constants_of
 from rocksteady.sweep.cases.memory import Memory
@@ -20,6 +21,8 @@ from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
     import xarray
+
+    from rocksteady.sweep.cases.cells import Labelled
 
 BATCH = 1024
 """Default largest number of cells in one call of the case function.  Calls grow to it only while
@@ -38,7 +41,7 @@ class Results(Protocol):
         """Keep the results of a job."""
         ...
 
-    def dataset(self) -> "xarray.Dataset":
+    def cells(self) -> "Labelled":
         """Return all results."""
         ...
 
@@ -116,6 +119,32 @@ def evaluate(
     array([[3., 4.],
            [6., 8.]])
     """
+    found = compute_cells(
+        cases,
+        grid,
+        outputs,
+        run=run,
+        batch=batch,
+        numbered=numbered,
+        attributes=attributes,
+    )
+    return as_dataset(found)
+
+
+def compute_cells(
+    cases: Cases,
+    grid: Grid,
+    outputs: Sequence[Output],
+    *,
+    run: Run | None = None,
+    batch: int = BATCH,
+    numbered: str | None = None,
+    attributes: Mapping[str, Any] | None = None,
+) -> "Labelled":
+    """Evaluate a function in every cell of a grid, without making a dataset of what is in memory.
+
+    Parameters and errors are those of `evaluate`.
+    """
     hint = "give a number of cells, as 64"
     task = Task(
         cases=cases,
@@ -140,7 +169,7 @@ def evaluate(
             for answer in answers:
                 results.put(answer)
                 _tell(how.progress, answer.stop - answer.job[0])
-        return results.dataset()
+        return results.cells()
 
 
 def _tell(progress: Progress | None, cells: int) -> None:

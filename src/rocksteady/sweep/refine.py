@@ -10,7 +10,7 @@ import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,17 +18,14 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.sweep.cases.axes import Array, Axis
+from rocksteady.sweep.cases.cells import Cells, cells_of
 from rocksteady.sweep.cases.grid import Grid, within
 from rocksteady.sweep.cases.inputs import attributes_of, inputs_of
-from rocksteady.sweep.cases.labelled import labelled
 from rocksteady.sweep.cases.memory import MOST_CELLS
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
-from rocksteady.sweep.evaluate import BATCH, evaluate
+from rocksteady.sweep.evaluate import BATCH, compute_cells
 from rocksteady.sweep.run import Progress, Run
-
-if TYPE_CHECKING:
-    import xarray
 
 Integers = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -51,7 +48,7 @@ def refined(
     run: Run | None = None,
     batch: int = BATCH,
     attributes: Mapping[str, Any] | None = None,
-) -> "xarray.Dataset":
+) -> Cells:
     """Evaluate a function in the cells of a grid that are near a border of its classes.
 
     Parameters
@@ -66,8 +63,8 @@ def refined(
 
     Returns
     -------
-    xarray.Dataset
-        As from `evaluate`, with one more variable: ``met``, whether a cell was computed.  Where it
+    Cells
+        As of `evaluate`, with one more variable: ``met``, whether a cell was computed.  Where it
         was not, the outputs that make the class are those of the cells around it, and the others
         nan, their lowest integer, or False.
 
@@ -85,8 +82,9 @@ def refined(
     >>> axes = tuple(Axis(name=name, values=np.linspace(0.0, 2.0, 129)) for name in "xy")
     >>> output = Output(name="inside", dtype=np.int8)
     >>> result = refined(inside, Grid(axes=axes), [output], classes=["inside"], coarse=8)
-    >>> whole = evaluate(inside, Grid(axes=axes), [output])
-    >>> bool((result.inside == whole.inside).all()), f"{float(result.met.mean()):.2f}"
+    >>> whole = compute_cells(inside, Grid(axes=axes), [output])
+    >>> same = bool((result["inside"].values == whole["inside"].values).all())
+    >>> same, f"{result['met'].values.mean():.2f}"
     (True, '0.07')
     """
     given = (run or Run()).in_memory("a store holds every cell of its grid")
@@ -104,7 +102,7 @@ def refined(
     def compute(numbers: Integers) -> None:
         if not numbers.size:
             return
-        dataset = evaluate(
+        found = compute_cells(
             functools.partial(_numbered, cases=cases, grid=grid),
             Grid(axes=(Axis(name="number", values=numbers),)),
             wanted,
@@ -112,7 +110,7 @@ def refined(
             batch=batch,
         )
         for name, array in arrays.items():
-            array[numbers] = dataset[name].values
+            array[numbers] = found[name].values
         met[numbers] = True
 
     lattice = _lattice(grid.shape, spacing)
@@ -130,7 +128,7 @@ def refined(
         if tell is not None:
             tell(int(taken.sum()))
         lattice = finer
-    return labelled(grid, (*wanted, MET), {**arrays, MET.name: met}, attributes_given)
+    return cells_of(grid, (*wanted, MET), {**arrays, MET.name: met}, attributes_given)
 
 
 def _numbered(number: NDArray[np.float64], *, cases: Cases, grid: Grid) -> Mapping[str, Array]:

@@ -8,8 +8,8 @@ import xarray as xr
 
 from rocksteady import Axis, Grid, Output, Run, evaluate, open_store
 from rocksteady.errors import ModelError
-from rocksteady.sweep.cases import accessor
-from rocksteady.sweep.cases.accessor import class_counts, flags_of, slabs
+from rocksteady.sweep.cases import facts
+from rocksteady.sweep.cases.facts import class_counts, flags_of, slabs
 from tests.descriptions import fits
 
 
@@ -64,7 +64,7 @@ def test_slabs_of_any_height_count_the_same(monkeypatch: pytest.MonkeyPatch) -> 
     assert flags_of(data.kind) == {0: "a", 1: "b", 2: "c"}
     whole = class_counts(data, "kind")
     assert list(whole.values()) == np.bincount(codes.ravel()).tolist()
-    monkeypatch.setattr(accessor, "SLAB", 20)
+    monkeypatch.setattr(facts, "SLAB", 20)
     parts = list(slabs(data, "kind"))
     assert [part.shape for (part,) in parts] == [(2, 9)] * 6
     np.testing.assert_array_equal(np.concatenate([part for (part,) in parts]), codes)

@@ -1,7 +1,7 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -125,37 +125,40 @@ def maps(
 
     lanes = "driver.lane_fates" if equations.name == "linear" else "loop.nonlinear_lane_fates"
     announce_compilation(lanes if fate else "attractors.settle_cells")
-    from rocksteady.dynamics.maps.attractor_map import map_attractors
-    from rocksteady.dynamics.maps.fate_map import map_fates
+    from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
+    from rocksteady.dynamics.maps.fate_map import FATES
+    from rocksteady.dynamics.maps.grid_map import map_of
+    from rocksteady.dynamics.maps.map_facts import describe
+    from rocksteady.sweep.cases.cells import as_dataset
 
-    what = map_fates if fate else map_attractors
-    limit: dict[str, Any] = {} if cycles is None else {"cycles" if fate else "max_cycles": cycles}
     with (
         sweep.resumable(context.find_root().obj),
         start.as_typed(),
         sweeping("following motions", case.cells) as meter,
     ):
-        dataset = what(
+        cells = map_of(
+            FATES if fate else ATTRACTORS,
             case.body,
             series.of(case.motion) if series.given else None,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.motion.frequency_ratio),
+            cycles=cycles,
             refine=refine,
             model=equations,
             run=replace(run, progress=meter),
-            **limit,
         )
-    description = dataset.rocksteady.describe()
+    description = describe(cells)
     values = {"computed": meter.computed, **description.to_dict(), **case.values}
     values |= {"store": run.place and str(run.place.path), "seconds": meter.seconds}
     if output.csv is not None:
-        write_cells(output.csv, dataset)
+        write_cells(output.csv, as_dataset(cells))
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, dataset)
+        write_netcdf(sweep.netcdf, as_dataset(cells))
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        write_figure(output.plot, map_figure(dataset, description.headline, output.page, colouring))
+        figure = map_figure(as_dataset(cells), description.headline, output.page, colouring)
+        write_figure(output.plot, figure)
     if output.as_json:
         print_json("map", values)
     else:

@@ -32,11 +32,10 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
-    import xarray
-
     from rocksteady.model.blocks.sides import Restitution
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
+    from rocksteady.sweep.cases.cells import Labelled
 
 HELP = (
     "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "
@@ -174,8 +173,8 @@ def spectrum(
 
     announce_compilation("records.record_fates")
     from rocksteady.seismic.spectra.describe import describe
-    from rocksteady.seismic.spectra.many import simulate_many
-    from rocksteady.seismic.spectra.rocking import compute_rocking_spectrum
+    from rocksteady.seismic.spectra.many import cells_of_many
+    from rocksteady.seismic.spectra.rocking import spectrum_cells
 
     count = len(blocks) or len(slenderness) * len(periods)
     with (
@@ -186,16 +185,16 @@ def spectrum(
         common: dict[str, Any] = {"model": equations, "scales": scales}
         common["run"] = replace(run, progress=meter)
         if blocks:
-            dataset = simulate_many(blocks, motions, **common)
+            cells: Labelled = cells_of_many(blocks, motions, **common)
         else:
             sizes: dict[str, Any] = {"alpha": slenderness, "periods_s": periods}
             sizes |= {"restitution": ("wall", ratio) if one_sided else ratio, "gravity": gravity}
-            dataset = compute_rocking_spectrum(motions, **sizes, **common)
-    dataset = dataset.load()
-    dataset.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
-    described = describe(dataset)
+            cells = spectrum_cells(motions, **sizes, **common)
+    cells = cells.load()
+    cells.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
+    described = describe(cells)
     factor = housner_factor(ratio)
-    names = zip(dataset["record"].values.tolist(), recorded.record or [], strict=True)
+    names = zip(cells["record"].values.tolist(), recorded.record or [], strict=True)
     values = {
         **described.to_dict(),
         "restitution": ratio if factor is None else form_text(factor),
@@ -207,7 +206,7 @@ def spectrum(
         "store": run.place and str(run.place.path),
         **({} if lifting is None else {"vertical_processing": list(lifting.processing)}),
     }
-    write_files(dataset, described.headline, output, sweep)
+    write_files(cells, described.headline, output, sweep)
     if output.as_json:
         print_json("spectrum", values)
     else:
@@ -255,18 +254,19 @@ def motions_of(
     return [BaseMotion(records[0], lifting.record)], lifting
 
 
-def write_files(
-    dataset: "xarray.Dataset", title: str, output: OutputFlags, sweep: SweepFlags
-) -> None:
+def write_files(cells: "Labelled", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
     """Write the files that the flags name."""
+    from rocksteady.sweep.cases.cells import as_dataset
+
     if output.csv is not None:
-        write_cells(output.csv, dataset)
+        write_cells(output.csv, as_dataset(cells))
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, dataset)
+        write_netcdf(sweep.netcdf, as_dataset(cells))
     if output.plot is not None:
         from rocksteady.seismic.spectra.suite import summarise_spectra
         from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 
+        dataset = as_dataset(cells)
         suite = dataset.sizes["record"] > 1
         figure = (
             suite_figure(summarise_spectra(dataset), title, output.page)

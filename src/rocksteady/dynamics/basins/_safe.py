@@ -12,7 +12,7 @@ from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
@@ -49,7 +49,7 @@ def safe_states(
         Harmonics of a Fourier series; none for a single sinusoid.
     """
     axes = (("amplitudes", amplitudes), ("velocities", velocities), ("angles", angles))
-    data = evaluate(
+    data = compute_cells(
         functools.partial(
             _safe,
             sides=sides,

@@ -46,7 +46,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -419,7 +419,7 @@ def compute_basins(
         seed=seed_value(seed),
         cell=(spacing(angle), spacing(velocity)),
     )
-    data = evaluate(
+    data = compute_cells(
         cases,
         Grid(axes=(velocity, angle)),
         CELL_OUTPUTS,
@@ -427,7 +427,7 @@ def compute_basins(
         batch=batch_size(periods),
         numbered="number",
     )
-    cells = {str(name): data[name].values for name in data.data_vars}
+    cells = {str(name): data[str(name)].values for name in data.data_vars}
     label, attractors = labelled(block, start, equations, cells)
     return Basins(
         block=block,

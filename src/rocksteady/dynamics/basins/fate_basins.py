@@ -31,7 +31,7 @@ from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -391,14 +391,14 @@ def compute_fate_basins(
     sides = sides_of(block, chosen)
     table = finite_table(motion, block, chosen, time_pt=time_pt)
     axes = window_axes(block, angles, velocities, _reaches(table, sides))
-    data = evaluate(
+    data = compute_cells(
         functools.partial(_fates, table=table, sides=sides),
         Grid(axes=(axes[1], axes[0])),
         (*OUTPUTS, STILL),
         run=run,
         batch=BATCH,
     )
-    cells: dict[str, NDArray[Any]] = {str(name): data[name].values for name in data.data_vars}
+    cells: dict[str, NDArray[Any]] = {str(name): data[str(name)].values for name in data.data_vars}
     return FateBasins(
         block=block,
         motion=motion,

@@ -13,14 +13,15 @@ from rocksteady.dynamics.batch.attractors import (
     settled_cells,
 )
 from rocksteady.dynamics.history.start import HasStart, Start
-from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.dynamics.maps.grid_map import Question, map_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
+from rocksteady.sweep.cases.cells import as_dataset
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def map_attractors(
     array([[3, 3],
            [2, 2]], dtype=int8)
     """
-    return map_of(
+    cells = map_of(
         ATTRACTORS,
         block,
         motion,
@@ -109,6 +110,7 @@ def map_attractors(
         model=model,
         run=run,
     )
+    return as_dataset(cells)
 
 
 def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
@@ -139,6 +141,7 @@ ATTRACTORS = Question(
     outputs=outputs_of_orbits(),
     classes=("kind", "period", "impacts"),
     counted="max_cycles",
+    cycles=2000,
     batch=batch_size,
     load=lambda _: load_kernel(),
 )

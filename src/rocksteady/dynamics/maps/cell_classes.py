@@ -8,9 +8,12 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.outcomes import NO_START_LABEL, AttractorKind, Status
+from rocksteady.sweep.cases.facts import slabs
 
 if TYPE_CHECKING:
     import xarray
+
+    from rocksteady.sweep.cases.cells import Labelled, Variable
 
 Classes = NDArray[np.int8]
 
@@ -48,7 +51,7 @@ MEANINGS = {
 """The class of each of a map's ``flag_meanings``; subharmonic motions differ by their period."""
 
 
-def flags_of_cells(kind: "xarray.DataArray") -> dict[int, CellClass]:
+def flags_of_cells(kind: "Variable | xarray.DataArray") -> dict[int, CellClass]:
     """Return the class of each value that the kinds or fates of a map may have.
 
     Raises
@@ -117,7 +120,7 @@ def counts_of(classes: Classes) -> dict[CellClass, int]:
     return {cell_class: int(counts[cell_class]) for cell_class in CellClass}
 
 
-def map_counts(dataset: "xarray.Dataset") -> tuple[dict[str, int], dict[str, int]]:
+def map_counts(dataset: "Labelled") -> tuple[dict[str, int], dict[str, int]]:
     """Return how many cells of a map each class has, by the words of the map.
 
     Parameters
@@ -132,8 +135,6 @@ def map_counts(dataset: "xarray.Dataset") -> tuple[dict[str, int], dict[str, int
     subharmonic
         Number of subharmonic cells of each kind that occurs.
     """
-    from rocksteady.sweep.cases.accessor import slabs  # which loads xarray, and pictures do not
-
     name, periods = ("fate", ()) if "fate" in dataset else ("kind", ("period",))
     flags = flags_of_cells(dataset[name])
     words = dict(

@@ -8,14 +8,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.fates import ENDS, batch_size, ends_of, load_kernel
 from rocksteady.dynamics.history.start import HasStart, Start
-from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.dynamics.maps.grid_map import Question, map_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
+from rocksteady.sweep.cases.cells import as_dataset
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
 
@@ -80,7 +81,7 @@ def map_fates(
     >>> print(cells.fate.attrs["flag_meanings"])
     rocking at-rest overturned undecided no-start
     """
-    return map_of(
+    cells = map_of(
         FATES,
         block,
         motion,
@@ -91,6 +92,7 @@ def map_fates(
         model=model,
         run=run,
     )
+    return as_dataset(cells)
 
 
 def _fates(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
@@ -122,6 +124,7 @@ FATES = Question(
     ),
     classes=("fate",),
     counted="cycles",
+    cycles=200,
     batch=batch_size,
     load=load_kernel,
 )

@@ -39,7 +39,7 @@ from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -356,7 +356,7 @@ def compute_noise_fates(
         base = BaseMotion(finite(base.horizontal, noise), base.vertical)
     finite_table(base, block, chosen)  # refused here, before anything is computed
     vertical = None if base.vertical is None else _plain(base.vertical)
-    data = evaluate(
+    data = compute_cells(
         functools.partial(
             _fates,
             block=block,
@@ -373,7 +373,7 @@ def compute_noise_fates(
         batch=BATCH,
     )
     cells: dict[str, NDArray[Any]] = {
-        str(name): np.moveaxis(data[name].values, 0, -1) for name in data.data_vars
+        str(name): np.moveaxis(data[str(name)].values, 0, -1) for name in data.data_vars
     }
     return NoiseFates(
         block=block,

@@ -44,7 +44,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -363,7 +363,7 @@ def find_fatal_kick(
     ]
     closest = 0.0 if isinstance(chosen, Linear) else CLOSEST
     names = [f"{moment}{'+' if cell.direction > 0 else '-'}" for moment, cell in enumerate(cells)]
-    data = evaluate(
+    data = compute_cells(
         functools.partial(_windows_of, low=low, high=high, closest=closest),
         Grid(axes=(Axis(name="kick", values=names, long_name="kick", items=cells),)),
         outputs(),

@@ -21,7 +21,7 @@ from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
 
 if TYPE_CHECKING:
-    import xarray
+    from rocksteady.sweep.cases.cells import Labelled
 
 Floats = NDArray[np.float64]
 
@@ -98,7 +98,7 @@ def keep(columns: dict[str, NDArray[Any]], cell: int, windows: Found, most: int)
         columns[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
 
 
-def kept_windows(data: "xarray.Dataset") -> dict[str, Any]:
+def kept_windows(data: "Labelled") -> dict[str, Any]:
     """Return the fields of `WindowLists` from the outputs of a sweep, one row per cell."""
     kept = max(1, int(data["windows"].values.max()))
 

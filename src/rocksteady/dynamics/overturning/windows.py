@@ -34,7 +34,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -338,7 +338,7 @@ def find_overturning_windows(
     part = RESOLUTION if resolution is None else resolution
     step = in_range("resolution", part, 1e-6, 0.1, "[]", hint=hint)
     load_kernel(body, chosen, unit)
-    data = evaluate(
+    data = compute_cells(
         functools.partial(
             windows_at,
             block=body,

@@ -30,7 +30,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
@@ -189,14 +189,14 @@ def fall_shares(
         )
     )
     load_kernel(model)
-    dataset = evaluate(
+    cells = compute_cells(
         functools.partial(_fates, draws=draws),
         grid,
         (Output(name="fell", dtype=np.int8, long_name="whether it fell"),),
         run=run,
         attributes={"model": model.name},
     )
-    fell = dataset["fell"].transpose("draw", "pool", "ground", "level").values
+    fell = cells["fell"].values.transpose(3, 2, 0, 1)  # draw, object, record, level
     # Neighbouring draws fill the prior evenly, so that both halves do.
     shares = np.stack([fell[: draws // 2].mean(axis=0), fell[draws // 2 :].mean(axis=0)])
     ahead = shares[:, : len(pools.each)]

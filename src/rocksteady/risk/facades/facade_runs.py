@@ -23,7 +23,7 @@ from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
 from rocksteady.risk.facades.record_demand import FEWEST, different_motions
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
-from rocksteady.seismic.spectra.many import DIRECTIONS, simulate_many
+from rocksteady.seismic.spectra.many import DIRECTIONS, cells_of_many
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
@@ -314,7 +314,7 @@ def run_facade(
         motions.append(across if up is None else BaseMotion(across, up))
     equations = Nonlinear() if model is None else model
     signs = DIRECTIONS if directions == "both" else (directions,)
-    dataset = simulate_many(
+    cells = cells_of_many(
         mechanism.block(),
         motions,
         reverse="both" if directions == "both" else directions == DIRECTIONS[1],
@@ -323,8 +323,8 @@ def run_facade(
     )
     shape = (len(grounds), len(signs))
     over = mechanism.run_d0_m / mechanism.d0_m  # at most 1
-    status = dataset["status"].values.astype(np.int64).reshape(shape)
-    tilt = dataset["peak_angle"].values.reshape(shape)
+    status = cells["status"].values.astype(np.int64).reshape(shape)
+    tilt = cells["peak_angle"].values.reshape(shape)
     return FacadeRuns(
         facade=facade,
         limit_state=limit_state,

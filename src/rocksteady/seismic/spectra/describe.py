@@ -11,9 +11,12 @@ from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, plural
 from rocksteady.seismic.spectra.suite import QUANTILES, summarise_spectra
+from rocksteady.sweep.cases.cells import as_dataset
 
 if TYPE_CHECKING:
     import xarray
+
+    from rocksteady.sweep.cases.cells import Labelled
 
 FALLS = "falls"
 MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
@@ -32,7 +35,7 @@ MEASURES = {
 """Coordinates of a block, and their keys."""
 
 
-def describe(dataset: "xarray.Dataset") -> Description:
+def describe(dataset: "Labelled") -> Description:
     """Describe rocking spectra, or the runs of many blocks.
 
     Parameters
@@ -69,7 +72,7 @@ def describe(dataset: "xarray.Dataset") -> Description:
     rows = _rows(dataset)
     suite: list[dict[str, Any]] = []
     if dataset.sizes.get("record", 1) > 1:
-        summary = summarise_spectra(dataset)
+        summary = summarise_spectra(as_dataset(dataset))
         facts.append(Fact("quantiles", list(QUANTILES)))
         suite = _suite_rows(summary)
     shown = suite or rows
@@ -84,14 +87,14 @@ def describe(dataset: "xarray.Dataset") -> Description:
     return Description(headline=_headline(dataset), facts=facts, tables=tables)
 
 
-def _headline(dataset: "xarray.Dataset") -> str:
+def _headline(dataset: "Labelled") -> str:
     """Return what shakes which blocks, in a line."""
     names = np.atleast_1d(dataset["record"].values).tolist()
     parts = [_shortened(names[0]) if len(names) == 1 else plural(len(names), "record")]
     if _vertical(dataset) is not None:
         parts[0] += " and vertical"
     scale = np.unique(dataset["scale"].values)
-    if "level" in dataset.dims:
+    if "level" in dataset.sizes:
         parts.append(plural(dataset.sizes["level"], "level"))
     elif len(scale) > 1:
         parts.append(f"scales {number(scale[0])} to {number(scale[-1])}")
@@ -111,7 +114,7 @@ def _headline(dataset: "xarray.Dataset") -> str:
     return ("Runs: " if "level" in dataset.coords else "Rocking spectrum: ") + ", ".join(parts)
 
 
-def _vertical(dataset: "xarray.Dataset") -> str | None:
+def _vertical(dataset: "Labelled") -> str | None:
     """Return the names of the vertical records; None where there are none."""
     vertical = str(dataset.attrs["vertical"])
     return None if vertical == "none" else vertical
@@ -127,28 +130,27 @@ def _counts(counts: dict[str, int]) -> str:
     return ", ".join(f"{count:,} {label}" for label, count in counts.items() if count)
 
 
-def _cells(dataset: "xarray.Dataset", variables: Sequence[str]) -> list[dict[str, Any]]:
+def _cells(dataset: "Labelled", variables: Sequence[str]) -> list[dict[str, Any]]:
     """Return a row for each cell: coordinates and variables, in C order."""
-    import xarray
-
     over = [str(name) for name in dataset["status" if "status" in dataset else "overturned"].dims]
     names = ["record", "direction", "block", "scale", "pga_g", *MEASURES]
     several = {name: dataset.coords[name] for name in names if name in dataset.coords}
-    shape = {name: dataset.sizes[name] for name in over}
-    pattern = xarray.DataArray(np.empty(tuple(shape.values())), dims=over)
+    shape = tuple(dataset.sizes[name] for name in over)
     columns: dict[str, list[Any]] = {}
     for name, values in several.items():
         if name in ("direction", "block") and name not in over:
             continue
-        full, _ = xarray.broadcast(values.drop_vars(list(values.coords)), pattern)
-        columns[MEASURES.get(name, name)] = full.transpose(*over).values.ravel().tolist()
+        along = sorted(map(str, values.dims), key=over.index)
+        ordered = values.values.transpose([values.dims.index(dim) for dim in along])
+        full = ordered[tuple(slice(None) if dim in along else np.newaxis for dim in over)]
+        columns[MEASURES.get(name, name)] = np.broadcast_to(full, shape).ravel().tolist()
     for name in variables:
-        whole = dataset[name].transpose(*over, ...).values
-        columns[name] = whole.reshape(pattern.size, *whole.shape[len(over) :]).tolist()
+        whole = dataset[name].values
+        columns[name] = whole.reshape(-1, *whole.shape[len(over) :]).tolist()
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
-def _rows(dataset: "xarray.Dataset") -> list[dict[str, Any]]:
+def _rows(dataset: "Labelled") -> list[dict[str, Any]]:
     """Return a row for each run."""
     rows = _cells(dataset, ("status", "peak_angle", "peak_velocity", "impacts"))
     single = "scale" not in dataset["status"].dims and "level" not in dataset.coords

@@ -33,8 +33,9 @@ from rocksteady.seismic.spectra.grounds import (
     turned_round,
 )
 from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.cells import Cells, Variable
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -108,6 +109,26 @@ def simulate_many(
     >>> (result.status == Status.OVERTURNED).mean("record").values
     array([0., 1.])
     """
+    cells = cells_of_many(
+        blocks, motions, pga_g=pga_g, scales=scales, reverse=reverse, model=model, run=run
+    )
+    return cells.to_dataset()
+
+
+def cells_of_many(
+    blocks: Block | Sequence[Block],
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    pga_g: ArrayLike | None = None,
+    scales: ArrayLike | None = None,
+    reverse: bool | Literal["both"] = False,
+    model: Model | None = None,
+    run: Run | None = None,
+) -> Cells:
+    """Return many blocks on many records before they become a dataset.
+
+    Parameters and errors are those of `simulate_many`.
+    """
     bodies = blocks_of(blocks)
     grounds = grounds_of(motions)
     names = names_of(ground.record for ground in grounds)
@@ -154,7 +175,7 @@ def simulate_many(
         ),
     )
     load_kernel(equations)
-    result = evaluate(
+    result = compute_cells(
         functools.partial(
             _fates,
             peak_m_s2=None if pga_g is None else STANDARD_GRAVITY,
@@ -169,19 +190,32 @@ def simulate_many(
             "vertical": ", ".join(names_of(ground.vertical for ground in grounds)) or "none",
         },
     )
-    shape = [len(directions), len(grounds), len(levels), len(bodies)]
-    whole = _unfolded(result, shape, names, directions)
-    whole = whole.assign_coords(
-        scale=(("record", "level"), factors, {"long_name": "factor of all accelerations"}),
-        pga_g=(
-            ("record", "level"),
-            factors * (peaks / STANDARD_GRAVITY)[:, np.newaxis],
-            {"units": "g", "long_name": "PGA of the horizontal component"},
+    dims = ("block", "record", "direction", "level")
+    shape = (len(directions), len(grounds), len(levels), len(bodies))
+    variables = {}
+    for output in OUTPUTS:
+        values = result[output.name].values.reshape(shape).transpose(3, 1, 0, 2)
+        variables[output.name] = Variable(dims, values, output.attributes)
+    pga = factors * (peaks / STANDARD_GRAVITY)[:, np.newaxis]
+    ways = {"long_name": "sign of the horizontal component"}
+    coords = {
+        **{
+            each: Variable((each,), result[each].values, result[each].attrs)
+            for each in ("level", "block")
+        },
+        "record": Variable(("record",), np.array(names), {"long_name": "ground motion"}),
+        "direction": Variable(("direction",), np.array(directions), ways),
+        "scale": Variable(
+            ("record", "level"), factors, {"long_name": "factor of all accelerations"}
         ),
-        **_measures(bodies),
-    )
+        "pga_g": Variable(
+            ("record", "level"), pga, {"units": "g", "long_name": "PGA of the horizontal component"}
+        ),
+    }
+    for name, (dim, values, words) in _measures(bodies).items():
+        coords[name] = Variable((dim,), np.array(values), words)
     name = "scale" if pga_g is None else "pga_g"
-    whole = whole.assign_coords({name: ("level", levels, whole[name].attrs)})
+    coords[name] = Variable(("level",), np.array(levels), coords[name].attrs)
     single = {
         "block": isinstance(blocks, Block),
         "record": is_single_motion(motions),
@@ -190,8 +224,8 @@ def simulate_many(
             pga_g if pga_g is not None else 1.0 if scales is None else scales
         ),
     }
-    whole = whole.transpose("block", "record", "direction", "level")
-    return whole.isel({name: 0 for name, dropped in single.items() if dropped})
+    whole = Cells(variables, coords, result.attrs, result.encoding)
+    return whole.without([name for name, once in single.items() if once])
 
 
 def _fates(
@@ -246,25 +280,6 @@ def _directions(reverse: object) -> tuple[str, ...]:
     raise InputError(
         "reverse", reverse, "it must be True, False or 'both'", "leave it out for as recorded"
     )
-
-
-def _unfolded(
-    result: "xarray.Dataset", shape: Sequence[int], names: Sequence[str], directions: Sequence[str]
-) -> "xarray.Dataset":
-    """Return a result whose axis of motions is one of directions and one of records."""
-    count = shape[1]
-    parts = [
-        result.isel(motion=slice(place * count, (place + 1) * count))
-        .rename(motion="record")
-        .assign_coords(record=("record", list(names), {"long_name": "ground motion"}))
-        for place in range(shape[0])
-    ]
-    import xarray
-
-    along = xarray.DataArray(
-        list(directions), dims="direction", attrs={"long_name": "sign of the horizontal component"}
-    )
-    return xarray.concat(parts, dim=along.rename("direction"), combine_attrs="override")
 
 
 def _measures(bodies: Sequence[Block]) -> dict[str, Any]:

@@ -41,7 +41,7 @@ from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -379,7 +379,7 @@ def find_overturning_scales(
     check_grounds(grounds, [high] * len(grounds), [block], chosen)
     axis = Axis(name="record", values=names, long_name="record", items=grounds)
     follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=sides_of(block, chosen))
-    data = evaluate(
+    data = compute_cells(
         functools.partial(
             _windows_of, block=block, model=chosen, low=low, high=high, resolution=step
         ),

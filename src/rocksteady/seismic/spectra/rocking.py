@@ -35,12 +35,15 @@ from rocksteady.seismic.spectra.grounds import (
     scale_values,
 )
 from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.cells import Cells, Variable, as_dataset
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
+
+    from rocksteady.sweep.cases.cells import Labelled
 
 Floats = NDArray[np.float64]
 
@@ -124,6 +127,34 @@ def compute_rocking_spectrum(
     >>> spectrum.status.values
     array([2, 2, 1], dtype=int8)
     """
+    cells = spectrum_cells(
+        motions,
+        alpha=alpha,
+        periods_s=periods_s,
+        restitution=restitution,
+        model=model,
+        scales=scales,
+        gravity=gravity,
+        run=run,
+    )
+    return as_dataset(cells)
+
+
+def spectrum_cells(
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    alpha: ArrayLike,
+    periods_s: ArrayLike,
+    restitution: SpectrumRestitution,
+    model: Model | None,
+    scales: ArrayLike | None,
+    gravity: float,
+    run: Run | None,
+) -> "Labelled":
+    """Return rocking spectra before they become a dataset.
+
+    Parameters and errors are those of `compute_rocking_spectrum`.
+    """
     grounds = grounds_of(motions)
     slenderness = [alpha_value(value) for value in axis_values("alpha", alpha)]
     hint = "give periods 2 pi/p in seconds"
@@ -162,7 +193,7 @@ def compute_rocking_spectrum(
         gravity=corner.gravity,
         model=equations,
     )
-    result = evaluate(
+    result = compute_cells(
         cases,
         Grid(axes=axes),
         OUTPUTS,
@@ -182,10 +213,12 @@ def compute_rocking_spectrum(
         "period": is_single_number(periods_s),
     }
     words = {"units": "rad s-1", "long_name": "frequency parameter of the block"}
-    rates = ("period", 2.0 * math.pi / np.array(periods), words)
-    return result.assign_coords(p=rates).isel(
-        {name: 0 for name, dropped in single.items() if dropped}
-    )
+    rates = 2.0 * math.pi / np.array(periods)
+    dropped = [name for name, once in single.items() if once]
+    if isinstance(result, Cells):
+        result.coords["p"] = Variable(("period",), rates, words)
+        return result.without(dropped)
+    return result.assign_coords(p=("period", rates, words)).isel(dict.fromkeys(dropped, 0))
 
 
 def _rectangle(

@@ -6,47 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.dynamics.basins.basins import Basins
-from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
-from rocksteady.dynamics.basins.fate_basins import FateBasins
-from rocksteady.dynamics.basins.over.shares import BasinShares
-from rocksteady.dynamics.continuation.curves.bifurcation_curves import BifurcationCurves
-from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
-from rocksteady.dynamics.edges.edge_state import EdgeState
-from rocksteady.dynamics.edges.manifold import Manifold
-from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.overturning.kicks import FatalKicks
-from rocksteady.dynamics.overturning.windows import OverturningWindows
-from rocksteady.dynamics.steady.regions import RegionMap
-from rocksteady.dynamics.steady.response import ResponseCurve
-from rocksteady.dynamics.steady.states import SteadyOrbit
-from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
-from rocksteady.seismic.measures.time_course import IntegratedRecord
-from rocksteady.seismic.spectra.overturning_scales import OverturningScales
-from rocksteady.show.plots.branches.bifurcations import plot_bifurcations
-from rocksteady.show.plots.branches.curves import plot_bifurcation_curves
-from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
-from rocksteady.show.plots.orbits import plot_multipliers, plot_section
-from rocksteady.show.plots.overturning import plot_overturning
-from rocksteady.show.plots.overturning_scales import plot_fatal_kicks, plot_overturning_scales
-from rocksteady.show.plots.portraits.basins import plot_basins, plot_erosion, plot_safe_basin
-from rocksteady.show.plots.portraits.edges import plot_edge_state
-from rocksteady.show.plots.portraits.fate_basins import plot_fate_basins
-from rocksteady.show.plots.portraits.manifolds import plot_manifolds
-from rocksteady.show.plots.portraits.shares import plot_basin_shares
-from rocksteady.show.plots.records import (
-    Quantity,
-    plot_husid,
-    plot_integrated_record,
-    plot_response_spectra,
-)
-from rocksteady.show.plots.steady import (
-    LOGARITHMIC_SPAN,
-    plot_orbit,
-    plot_regions,
-    plot_response,
-)
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend
 from rocksteady.show.style.page import SCREEN, Page
@@ -55,9 +14,31 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from rocksteady.dynamics.basins.basins import Basins
+    from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
+    from rocksteady.dynamics.basins.fate_basins import FateBasins
+    from rocksteady.dynamics.basins.over.shares import BasinShares
+    from rocksteady.dynamics.continuation.curves.bifurcation_curves import BifurcationCurves
+    from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
+    from rocksteady.dynamics.edges.edge_state import EdgeState
+    from rocksteady.dynamics.edges.manifold import Manifold
+    from rocksteady.dynamics.history.trajectory import Trajectory
+    from rocksteady.dynamics.orbits.orbit import Orbit
+    from rocksteady.dynamics.overturning.kicks import FatalKicks
+    from rocksteady.dynamics.overturning.windows import OverturningWindows
+    from rocksteady.dynamics.steady.regions import RegionMap
+    from rocksteady.dynamics.steady.response import ResponseCurve
+    from rocksteady.dynamics.steady.states import SteadyOrbit
+    from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
+    from rocksteady.seismic.measures.time_course import IntegratedRecord
+    from rocksteady.seismic.spectra.overturning_scales import OverturningScales
+    from rocksteady.show.plots.records import Quantity
 
-def simulation_figure(trajectory: Trajectory, title: str = "", page: Page = SCREEN) -> "Figure":
+
+def simulation_figure(trajectory: "Trajectory", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of a time history, its base motion and its phase portrait."""
+    from rocksteady.show.plots.motion import plot_phase_portrait
+
     with page.figure(9.6, 4.4, title, stacked=1.5) as figure:
         history, base, portrait = _panels_of_motion(figure, page.stacks(9.6), (2.3, 1.0))
         _draw_history(trajectory, history, base, page)
@@ -67,7 +48,7 @@ def simulation_figure(trajectory: Trajectory, title: str = "", page: Page = SCRE
 
 
 def orbit_figure(
-    orbit: Orbit, course: Trajectory, title: str = "", page: Page = SCREEN
+    orbit: "Orbit", course: "Trajectory", title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of one period of an orbit: history, base, phase portrait and multipliers.
 
@@ -82,6 +63,9 @@ def orbit_figure(
     page
         Width of the figure, and place of its legends.
     """
+    from rocksteady.show.plots.motion import plot_phase_portrait
+    from rocksteady.show.plots.orbits import plot_multipliers
+
     with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
         shape = (1.25, 0.9, 1.0)
         history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
@@ -93,7 +77,7 @@ def orbit_figure(
 
 
 def cloud_figure(
-    whole: Trajectory, part: Trajectory, *, since: float, title: str = "", page: Page = SCREEN
+    whole: "Trajectory", part: "Trajectory", *, since: float, title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of a motion that does not repeat: a part of it, and the section it fills.
 
@@ -110,6 +94,9 @@ def cloud_figure(
     page
         Width of the figure, and place of its legends.
     """
+    from rocksteady.show.plots.motion import plot_phase_portrait
+    from rocksteady.show.plots.orbits import plot_section
+
     with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
         shape = (1.25, 0.9, 1.0)
         history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
@@ -120,8 +107,10 @@ def cloud_figure(
     return figure
 
 
-def orbits_figure(orbits: Sequence[Orbit], title: str = "", page: Page = SCREEN) -> "Figure":
+def orbits_figure(orbits: "Sequence[Orbit]", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of orbits: their Poincare section beside their multipliers."""
+    from rocksteady.show.plots.orbits import plot_multipliers, plot_section
+
     with page.figure(10.4, 4.8, title, stacked=1.75) as figure:
         if page.stacks(10.4):
             section, plane = figure.subplots(2, 1, height_ratios=(1.0, 1.2))
@@ -159,8 +148,10 @@ def _panels_of_motion(figure: "Figure", stacked: bool, shape: Sequence[float]) -
     return [history, base, *map(figure.add_subplot, places[2:])]
 
 
-def _draw_history(trajectory: Trajectory, history: "Axes", base: "Axes", page: Page) -> None:
+def _draw_history(trajectory: "Trajectory", history: "Axes", base: "Axes", page: Page) -> None:
     """Draw a time history above its base motion, which share the time axis."""
+    from rocksteady.show.plots.motion import plot_base, plot_trajectory
+
     plot_trajectory(trajectory, history, legend=page.legend)
     history.set_xlabel("")
     history.tick_params(labelbottom=False)
@@ -168,8 +159,8 @@ def _draw_history(trajectory: Trajectory, history: "Axes", base: "Axes", page: P
 
 
 def steady_figure(
-    orbits: Sequence[tuple[str, SteadyOrbit]],
-    curves: RegionMap,
+    orbits: "Sequence[tuple[str, SteadyOrbit]]",
+    curves: "RegionMap",
     *,
     point: tuple[float, float],
     title: str = "",
@@ -190,6 +181,8 @@ def steady_figure(
     page
         Width of the figure, and place of its legends.
     """
+    from rocksteady.show.plots.steady import LOGARITHMIC_SPAN, plot_orbit, plot_regions
+
     with page.figure(9.6, 4.4, title, stacked=1.75) as figure:
         motion, base, plane = _panels_of_motion(figure, page.stacks(9.6), (1.0, 1.0))
         motion.axhline(0.0, color=palette.INK, lw=0.7)
@@ -224,25 +217,32 @@ def steady_figure(
 
 
 def response_figure(
-    curves: Sequence[ResponseCurve], *, hertz: bool = False, title: str = "", page: Page = SCREEN
+    curves: "Sequence[ResponseCurve]", *, hertz: bool = False, title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of response curves."""
+    from rocksteady.show.plots.steady import plot_response
+
     with page.figure(7.2, 4.4, title) as figure:
         plot_response(curves, figure.add_subplot(), hertz=hertz, legend=page.legend)
     return figure
 
 
-def basins_figure(basins: Basins, title: str = "", page: Page = SCREEN) -> "Figure":
+def basins_figure(basins: "Basins", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of basins of attraction."""
+    from rocksteady.show.plots.portraits.basins import plot_basins
+
     with page.figure(7.6, 4.8, title) as figure:
         plot_basins(basins, figure.add_subplot(), legend=page.legend)
     return figure
 
 
 def edge_figure(
-    edge: EdgeState, manifolds: Sequence[Manifold] = (), title: str = "", page: Page = SCREEN
+    edge: "EdgeState", manifolds: "Sequence[Manifold]" = (), title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of an edge state, and of the manifolds of its saddle where given."""
+    from rocksteady.show.plots.portraits.edges import plot_edge_state
+    from rocksteady.show.plots.portraits.manifolds import plot_manifolds
+
     with page.figure(7.0, 5.2, title) as figure:
         axes = figure.add_subplot()
         if manifolds:
@@ -251,28 +251,34 @@ def edge_figure(
     return figure
 
 
-def shares_figure(shares: BasinShares, title: str = "", page: Page = SCREEN) -> "Figure":
+def shares_figure(shares: "BasinShares", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the shares of basins over a parameter."""
+    from rocksteady.show.plots.portraits.shares import plot_basin_shares
+
     with page.figure(7.6, 4.4, title) as figure:
         plot_basin_shares(shares, figure.add_subplot(), legend=page.legend)
     return figure
 
 
-def fate_basins_figure(fates: FateBasins, title: str = "", page: Page = SCREEN) -> "Figure":
+def fate_basins_figure(fates: "FateBasins", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the fates over a window of initial states."""
+    from rocksteady.show.plots.portraits.fate_basins import plot_fate_basins
+
     with page.figure(7.6, 4.8, title) as figure:
         plot_fate_basins(fates, figure.add_subplot(), legend=page.legend)
     return figure
 
 
 def erosion_figure(
-    erosion: Erosion, drops: Sequence[IntegrityDrop] = (), title: str = "", page: Page = SCREEN
+    erosion: "Erosion", drops: "Sequence[IntegrityDrop]" = (), title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of the measures of integrity, and of up to three safe basins below them.
 
     These are the last before the heteroclinic tangency (of the nonlinear model the first of all),
     the first after the first drop, and the last of all; one where two of them are the same.
     """
+    from rocksteady.show.plots.portraits.basins import plot_erosion, plot_safe_basin
+
     last = len(erosion.amplitude) - 1
     tangency = erosion.heteroclinic
     before = 0 if tangency is None else int((erosion.amplitude <= tangency).sum()) - 1
@@ -291,18 +297,22 @@ def erosion_figure(
 
 
 def overturning_figure(
-    windows: OverturningWindows, title: str = "", page: Page = SCREEN
+    windows: "OverturningWindows", title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of an overturning spectrum."""
+    from rocksteady.show.plots.overturning import plot_overturning
+
     with page.figure(8.0, 4.6, title) as figure:
         plot_overturning(windows, figure.add_subplot(), legend=page.legend)
     return figure
 
 
 def fatal_figure(
-    result: OverturningScales | FatalKicks, title: str = "", page: Page = SCREEN
+    result: "OverturningScales | FatalKicks", title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of the scales of records, or of the kicks, that overturn a block."""
+    from rocksteady.show.plots.overturning_scales import plot_fatal_kicks, plot_overturning_scales
+
     height = 2.0 + 0.3 * len(result.names) if isinstance(result, OverturningScales) else 3.8
     with page.figure(8.0, height, title) as figure:
         axes = figure.add_subplot()
@@ -314,13 +324,15 @@ def fatal_figure(
 
 
 def bifurcation_figure(
-    diagram: BifurcationDiagram,
+    diagram: "BifurcationDiagram",
     *,
     top: float | None = None,
     title: str = "",
     page: Page = SCREEN,
 ) -> "Figure":
     """Return a figure of branches over a parameter, with sweeps beneath them."""
+    from rocksteady.show.plots.branches.bifurcations import plot_bifurcations
+
     with page.figure(8.8, 4.8, title or diagram.describe().headline) as figure:
         axes = figure.add_subplot()
         if diagram.branches or diagram.sweeps:
@@ -332,8 +344,10 @@ def bifurcation_figure(
     return figure
 
 
-def curves_figure(curves: BifurcationCurves, *, title: str = "", page: Page = SCREEN) -> "Figure":
+def curves_figure(curves: "BifurcationCurves", *, title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of the bifurcation curves of a plane."""
+    from rocksteady.show.plots.branches.curves import plot_bifurcation_curves
+
     with page.figure(8.0, 5.4, title or curves.describe().headline) as figure:
         axes = figure.add_subplot()
         plot_bifurcation_curves(curves, axes, legend=page.legend)
@@ -343,8 +357,8 @@ def curves_figure(curves: BifurcationCurves, *, title: str = "", page: Page = SC
 
 
 def record_figure(
-    courses: Sequence[IntegratedRecord],
-    spectra: Sequence[ResponseSpectrum],
+    courses: "Sequence[IntegratedRecord]",
+    spectra: "Sequence[ResponseSpectrum]",
     title: str = "",
     page: Page = SCREEN,
 ) -> "Figure":
@@ -359,6 +373,12 @@ def record_figure(
     page
         Width of the figure, and place of its legends.
     """
+    from rocksteady.show.plots.records import (
+        plot_husid,
+        plot_integrated_record,
+        plot_response_spectra,
+    )
+
     if len(courses) > 1:
         with page.figure(7.2, 4.8, title) as figure:
             plot_response_spectra(spectra, figure.add_subplot(), legend=page.legend)

@@ -1,17 +1,14 @@
 """Results of a sweep held in memory."""
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from rocksteady.sweep.cases.cells import Cells, cells_of
 from rocksteady.sweep.cases.grid import within
 from rocksteady.sweep.cases.inputs import attributes_of, inputs_of
-from rocksteady.sweep.cases.labelled import labelled
 from rocksteady.sweep.cases.task import Answer, CellRange, Task
-
-if TYPE_CHECKING:
-    import xarray
 
 MOST_CELLS = 50_000_000
 """Of a grid whose results have to fit into memory."""
@@ -49,6 +46,6 @@ class Memory:
         for name, array in answer.arrays.items():
             self._arrays[name][answer.job[0] : answer.stop] = array
 
-    def dataset(self) -> "xarray.Dataset":
+    def cells(self) -> Cells:
         """Return the result."""
-        return labelled(self._task.grid, self._task.outputs, self._arrays, self._attributes)
+        return cells_of(self._task.grid, self._task.outputs, self._arrays, self._attributes)

@@ -305,6 +305,6 @@ class StoreWriter:
             "make room and resume it",
         )
 
-    def dataset(self) -> "xarray.Dataset":
+    def cells(self) -> "xarray.Dataset":
         """Return the result, read from the store where it is used."""
         return dataset_of(contents_of(self._folder, self._unreadable))

@@ -58,7 +58,7 @@ from rocksteady.results.description import Description
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -342,7 +342,7 @@ def compute_basin_shares(
         cell=(spacing(angle), spacing(velocity)),
         states=len(angle) * len(velocity),
     )
-    data = evaluate(
+    data = compute_cells(
         cases,
         Grid(axes=(along, velocity, angle)),
         CELL_OUTPUTS,
@@ -355,7 +355,7 @@ def compute_basin_shares(
         zip(line, clocks, tables, strict=True)
     ):
         start = replace(moved, phase=half * math.pi + rest)
-        cells = {str(name): data[name][place].values.ravel() for name in data.data_vars}
+        cells = {str(name): data[str(name)][place].values.ravel() for name in data.data_vars}
         places.append(Here(block=block_at, motion=start, sides=sides, cells=cells))
     seed_neighbours(places, how.max_cycles, equations)
     matched = BasinMatching() if matching is None else matching

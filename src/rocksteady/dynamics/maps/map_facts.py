@@ -10,10 +10,10 @@ from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.model.equations import LINEAR_NOTE
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
-from rocksteady.sweep.cases.accessor import cell_count, count_table, grid_facts
+from rocksteady.sweep.cases.facts import cell_count, count_table, grid_facts
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from rocksteady.sweep.cases.cells import Labelled
 
 WORDS = {"alpha": angle, "radius": length, "width": length, "height": length}
 """How engineers write a parameter."""
@@ -22,7 +22,7 @@ LABELS = {"acceleration_m_s2": "peak acceleration", "frequency_hz": "frequency"}
 START = ("start", "branch", "order", "side", "kick", "angle", "velocity")
 
 
-def describe(dataset: "xr.Dataset") -> Description:
+def describe(dataset: "Labelled") -> Description:
     """Return the cells of each class of a map, its grid, and what is no axis."""
     fates = "fate" in dataset
     name = "fate" if fates else "kind"
@@ -49,7 +49,7 @@ def describe(dataset: "xr.Dataset") -> Description:
     return Description(headline(dataset), facts, [table], notes)
 
 
-def headline(dataset: "xr.Dataset") -> str:
+def headline(dataset: "Labelled") -> str:
     """Return what is no axis in a few words."""
     given = dataset.attrs
     parts = []
@@ -84,18 +84,18 @@ def headline(dataset: "xr.Dataset") -> str:
     return f"{what}: " + ", ".join(parts)
 
 
-def _cycles(dataset: "xr.Dataset") -> int | None:
+def _cycles(dataset: "Labelled") -> int | None:
     """Return for how many forcing periods the motions were followed."""
     cycles = dataset.attrs.get("cycles", dataset.attrs.get("max_cycles"))
     return None if cycles is None else int(cycles)
 
 
-def _model(dataset: "xr.Dataset") -> str:
+def _model(dataset: "Labelled") -> str:
     """Return the name of the equations of motion."""
     return str(dataset.attrs.get("model", "linear"))
 
 
-def _parameters(dataset: "xr.Dataset") -> list[Fact]:
+def _parameters(dataset: "Labelled") -> list[Fact]:
     """Return the parameters that are no axes."""
     names = [*reversed(list(AXES)), "gravity", "negative_restitution", *START]
     given = {name: dataset.attrs[name] for name in dict.fromkeys(names) if name in dataset.attrs}
@@ -106,7 +106,7 @@ def _parameters(dataset: "xr.Dataset") -> list[Fact]:
     ]
 
 
-def _against_wall(dataset: "xr.Dataset") -> bool:
+def _against_wall(dataset: "Labelled") -> bool:
     """Return whether the block stands against a wall."""
     return bool(dataset.attrs.get("one_sided", 0))
 

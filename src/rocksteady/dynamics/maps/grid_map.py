@@ -22,12 +22,12 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Cases
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.refine import refined
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
-    import xarray
+    from rocksteady.sweep.cases.cells import Labelled
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,6 +44,8 @@ class Question:
         The outputs that make a class, where only the surroundings of borders are computed.
     counted
         Public name of the argument that becomes ``cycles``.
+    cycles
+        Its default.
     batch
         Returns how many cells one call takes, from the forcing periods that each is followed for.
     load
@@ -54,6 +56,7 @@ class Question:
     outputs: tuple[Output, ...]
     classes: tuple[str, ...]
     counted: str
+    cycles: int
     batch: Callable[[int], int]
     load: Callable[[Model], None]
 
@@ -65,11 +68,11 @@ def map_of(
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | HasStart | None,
-    cycles: int,
+    cycles: int | None,
     refine: int | None,
     model: Model | None,
     run: Run | None,
-) -> "xarray.Dataset":
+) -> "Labelled":
     """Return the answers to a question over a grid of parameters.
 
     Parameters and errors are those of `rocksteady.map_attractors`.
@@ -85,7 +88,7 @@ def map_of(
         model=chosen_model(model, block),
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
-    periods = periods_value(question.counted, cycles)
+    periods = periods_value(question.counted, question.cycles if cycles is None else cycles)
     question.load(scenario.model)
     cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
     how: dict[str, Any] = {
@@ -94,7 +97,7 @@ def map_of(
         "attributes": {**scenario.attributes, question.counted: periods},
     }
     if refine is None:
-        return evaluate(cases, grid, question.outputs, **how)
+        return compute_cells(cases, grid, question.outputs, **how)
     classes = question.classes
     return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
 

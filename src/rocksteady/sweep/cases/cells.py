@@ -1,0 +1,134 @@
+"""Cells of a sweep: arrays over the axes of a grid, which become a dataset where one is asked for.
+
+xarray takes longer to import than a sweep of many cells to compute.  What is read as a dataset is
+read, in memory, needs numpy alone.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.sweep.cases.axes import Array
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output, words_of
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True, eq=False)
+class Variable:
+    """Values over some axes, read as those of an `xarray.DataArray`."""
+
+    dims: tuple[str, ...]
+    values: Array
+    attrs: Mapping[str, Any]
+
+    @property
+    def size(self) -> int:
+        """Number of values."""
+        return self.values.size
+
+    def __getitem__(self, rows: int | slice) -> "Variable":
+        dims = self.dims[1:] if isinstance(rows, int) else self.dims
+        return Variable(dims, np.asarray(self.values[rows]), self.attrs)
+
+    def without(self, axes: Collection[str]) -> "Variable":
+        """Return the first values along some axes."""
+        first = tuple(0 if name in axes else slice(None) for name in self.dims)
+        dims = tuple(name for name in self.dims if name not in axes)
+        return Variable(dims, np.asarray(self.values[first]), self.attrs)
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """Variables over axes, read as those of an `xarray.Dataset`."""
+
+    data_vars: dict[str, Variable]
+    coords: dict[str, Variable]
+    attrs: dict[str, Any]
+    encoding: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        """Number of points of each axis."""
+        variables = (*self.data_vars.values(), *self.coords.values())
+        return {
+            k: n for each in variables for k, n in zip(each.dims, each.values.shape, strict=True)
+        }
+
+    def __getitem__(self, name: str) -> Variable:
+        return self.data_vars[name] if name in self.data_vars else self.coords[name]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.data_vars or name in self.coords
+
+    def without(self, axes: Collection[str]) -> "Cells":
+        """Return the first cells along some axes."""
+        variables, coords = (
+            {name: each.without(axes) for name, each in some.items()}
+            for some in (self.data_vars, self.coords)
+        )
+        return Cells(variables, coords, self.attrs, self.encoding)
+
+    def load(self) -> "Cells":
+        """Return them: they are in memory."""
+        return self
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return them as a dataset."""
+        import xarray
+
+        import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
+
+        variables, coords = (
+            {name: (each.dims, each.values, each.attrs) for name, each in some.items()}
+            for some in (self.data_vars, self.coords)
+        )
+        dataset = xarray.Dataset(variables, coords=coords, attrs=self.attrs)
+        dataset.encoding = self.encoding
+        return dataset
+
+
+if TYPE_CHECKING:
+    Labelled = Cells | xarray.Dataset
+    """What a sweep leaves: cells in memory, or a dataset that reads a store where it is used."""
+
+
+def cells_of(
+    grid: Grid,
+    outputs: Sequence[Output],
+    arrays: Mapping[str, Array],
+    attributes: Mapping[str, Any],
+) -> Cells:
+    """Return arrays of shape (cells,) over the axes of the grid.
+
+    Parameters
+    ----------
+    grid, outputs
+        What the arrays are.
+    arrays
+        One for each output.
+    attributes
+        From `rocksteady.sweep.cases.inputs.attributes_of`.
+    """
+    return Cells(
+        {
+            output.name: Variable(
+                grid.names, arrays[output.name].reshape(grid.shape), output.attributes
+            )
+            for output in outputs
+        },
+        {
+            axis.name: Variable((axis.name,), axis.points, words_of(axis.long_name, axis.units))
+            for axis in grid.axes
+        },
+        dict(attributes),
+    )
+
+
+def as_dataset(gridded: "Labelled") -> "xarray.Dataset":
+    """Return what a sweep leaves as a dataset."""
+    return gridded.to_dataset() if isinstance(gridded, Cells) else gridded
