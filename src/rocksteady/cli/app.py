@@ -10,11 +10,13 @@ import signal
 import sys
 import traceback
 import warnings
+from copy import copy
 from functools import cache
 from typing import Annotated, Any, TextIO
 
 import typer
 from typer.exceptions import TyperException
+from typer.models import CommandInfo
 
 from rocksteady import __version__
 from rocksteady.cli.commands import (
@@ -132,7 +134,7 @@ def run(arguments: list[str]) -> int:
     terminal.tidy_environment()
     terminal.drop_notes()
     try:
-        code = _program().main(
+        code = _program(arguments[0] if arguments else None).main(
             arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments
         )
         sys.stdout.flush()
@@ -163,9 +165,26 @@ def _flag(name: str, arguments: list[str]) -> str:
 
 
 @cache
-def _program() -> Any:
-    """Return the program as typer builds it, once."""
-    return typer.main.get_command(app)
+def _program(first: str | None) -> Any:
+    """Return the program as typer builds it, once for each first word.
+
+    Flags take long to build: beside a command or --help only what is called has them.
+    """
+    names = {command.name for command in app.registered_commands}
+    if first not in {*names, "study", "--help", "-h", "--version"}:  # all, as to complete a line
+        return typer.main.get_command(app)
+    program = copy(app)
+    program.registered_commands = [
+        command if command.name == first else _without_flags(command)
+        for command in app.registered_commands
+    ]
+    return typer.main.get_command(program)
+
+
+def _without_flags(command: CommandInfo) -> CommandInfo:
+    bare = copy(command)
+    bare.callback = lambda: None
+    return bare
 
 
 def _interrupted() -> int:

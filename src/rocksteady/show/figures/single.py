@@ -311,6 +311,7 @@ def fatal_figure(
     result: "OverturningScales | FatalKicks", title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of the scales of records, or of the kicks, that overturn a block."""
+    from rocksteady.seismic.spectra.overturning_scales import OverturningScales
     from rocksteady.show.plots.overturning_scales import plot_fatal_kicks, plot_overturning_scales
 
     height = 2.0 + 0.3 * len(result.names) if isinstance(result, OverturningScales) else 3.8
