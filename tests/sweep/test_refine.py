@@ -13,6 +13,7 @@ from rocksteady import DimensionlessBlock, Run, map_attractors
 from rocksteady.errors import InputError, ModelError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.refine import refined
@@ -54,7 +55,7 @@ def test_a_smooth_border_is_found_whatever_the_number_of_axes(
     points: tuple[int, ...], coarse: int
 ) -> None:
     grid = grid_of(*points)
-    found = refined(lands, grid, OUTPUTS, classes=("kind", "half"), coarse=coarse).to_dataset()
+    found = as_dataset(refined(lands, grid, OUTPUTS, classes=("kind", "half"), coarse=coarse))
     whole = evaluate(lands, grid, OUTPUTS)
     met = found.met.values
     for name in ("kind", "half"):
@@ -73,14 +74,15 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
 ) -> None:
     told: list[int] = []
     grid = grid_of(*points)
-    found = refined(
+    cells = refined(
         lands,
         grid,
         OUTPUTS,
         classes=("kind",),
         coarse=2**power,
         run=Run(executor="serial", progress=told.append),
-    ).to_dataset()
+    )
+    found = as_dataset(cells)
     assert told[0] == 0
     assert sum(told) == grid.size
     assert found.kind.values.min() >= 0
@@ -90,7 +92,7 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
 
 
 def test_every_cell_beside_another_class_was_computed() -> None:
-    found = refined(lands, grid_of(120, 90), OUTPUTS, classes=("kind",), coarse=8).to_dataset()
+    found = as_dataset(refined(lands, grid_of(120, 90), OUTPUTS, classes=("kind",), coarse=8))
     kind, met = found.kind.values, found.met.values
     for axis in (0, 1):
         change = np.diff(kind, axis=axis) != 0
@@ -104,7 +106,7 @@ def test_an_island_between_the_cells_of_the_lattice_is_missed() -> None:
     grid = grid_of(129, 129)
     whole = evaluate(island, grid, OUTPUTS[:1])
     assert bool(whole.kind.any())
-    found = refined(island, grid, OUTPUTS[:1], classes=("kind",), coarse=16).to_dataset()
+    found = as_dataset(refined(island, grid, OUTPUTS[:1], classes=("kind",), coarse=16))
     assert not bool(found.kind.any())
 
 

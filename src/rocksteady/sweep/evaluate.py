@@ -8,9 +8,9 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.sweep.cases.axes import identifier
-from rocksteady.sweep.cases.cells import as_dataset
 from rocksteady.sweep.cases.grid import Grid, each_once
 from rocksteady.sweep.cases.inputs import constants_of
+from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.cases.memory import Memory
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.queue import Queue

@@ -1,5 +1,6 @@
 """Maps of fates: every cell is how a time history ends at that point."""
 
+import inspect
 import math
 from itertools import product
 from pathlib import Path
@@ -18,10 +19,13 @@ from rocksteady import (
     Status,
     Steady,
     Store,
+    map_attractors,
     map_fates,
     open_store,
     simulate,
 )
+from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
+from rocksteady.dynamics.maps.fate_map import FATES
 from rocksteady.outcomes import NO_START
 from tests.dynamics.maps.drawn import drawn_case
 from tests.every import every
@@ -147,3 +151,9 @@ def test_bad_values_are_refused(axes: Any, more: dict[str, Any], valid: str) -> 
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     with pytest.raises((InputError, ModelError), match=valid):
         map_fates(BLOCK, shaking, axes=axes, **more)
+
+
+def test_the_command_follows_motions_as_long_as_the_functions_do() -> None:
+    for function, question in ((map_fates, FATES), (map_attractors, ATTRACTORS)):
+        default = inspect.signature(function).parameters[question.counted].default
+        assert question.cycles == default

@@ -129,7 +129,7 @@ def maps(
     from rocksteady.dynamics.maps.fate_map import FATES
     from rocksteady.dynamics.maps.grid_map import map_of
     from rocksteady.dynamics.maps.map_facts import describe
-    from rocksteady.sweep.cases.cells import as_dataset
+    from rocksteady.sweep.cases.labelled import as_dataset
 
     with (
         sweep.resumable(context.find_root().obj),

@@ -256,7 +256,7 @@ def motions_of(
 
 def write_files(cells: "Labelled", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
     """Write the files that the flags name."""
-    from rocksteady.sweep.cases.cells import as_dataset
+    from rocksteady.sweep.cases.labelled import as_dataset
 
     if output.csv is not None:
         write_cells(output.csv, as_dataset(cells))

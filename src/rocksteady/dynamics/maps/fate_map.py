@@ -16,7 +16,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
-from rocksteady.sweep.cases.cells import as_dataset
+from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
 

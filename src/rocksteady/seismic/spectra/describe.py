@@ -11,7 +11,7 @@ from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, plural
 from rocksteady.seismic.spectra.suite import QUANTILES, summarise_spectra
-from rocksteady.sweep.cases.cells import as_dataset
+from rocksteady.sweep.cases.labelled import as_dataset
 
 if TYPE_CHECKING:
     import xarray

@@ -35,6 +35,7 @@ from rocksteady.seismic.spectra.grounds import (
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.cells import Cells, Variable
 from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 
@@ -112,7 +113,7 @@ def simulate_many(
     cells = cells_of_many(
         blocks, motions, pga_g=pga_g, scales=scales, reverse=reverse, model=model, run=run
     )
-    return cells.to_dataset()
+    return as_dataset(cells)
 
 
 def cells_of_many(

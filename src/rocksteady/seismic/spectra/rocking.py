@@ -35,8 +35,9 @@ from rocksteady.seismic.spectra.grounds import (
     scale_values,
 )
 from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.cases.cells import Cells, Variable, as_dataset
+from rocksteady.sweep.cases.cells import Cells, Variable
 from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Run
 

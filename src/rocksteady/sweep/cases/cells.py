@@ -77,20 +77,6 @@ class Cells:
         """Return them: they are in memory."""
         return self
 
-    def to_dataset(self) -> "xarray.Dataset":
-        """Return them as a dataset."""
-        import xarray
-
-        import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
-
-        variables, coords = (
-            {name: (each.dims, each.values, each.attrs) for name, each in some.items()}
-            for some in (self.data_vars, self.coords)
-        )
-        dataset = xarray.Dataset(variables, coords=coords, attrs=self.attrs)
-        dataset.encoding = self.encoding
-        return dataset
-
 
 if TYPE_CHECKING:
     Labelled = Cells | xarray.Dataset
@@ -127,8 +113,3 @@ def cells_of(
         },
         dict(attributes),
     )
-
-
-def as_dataset(gridded: "Labelled") -> "xarray.Dataset":
-    """Return what a sweep leaves as a dataset."""
-    return gridded.to_dataset() if isinstance(gridded, Cells) else gridded

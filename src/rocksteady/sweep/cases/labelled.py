@@ -1,0 +1,27 @@
+"""Labelled dataset of what a sweep leaves."""
+
+from typing import TYPE_CHECKING
+
+from rocksteady.sweep.cases.cells import Cells
+
+if TYPE_CHECKING:
+    import xarray
+
+    from rocksteady.sweep.cases.cells import Labelled
+
+
+def as_dataset(found: "Labelled") -> "xarray.Dataset":
+    """Return what a sweep leaves as a dataset."""
+    if not isinstance(found, Cells):
+        return found
+    import xarray
+
+    import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
+
+    variables, coords = (
+        {name: (each.dims, each.values, each.attrs) for name, each in some.items()}
+        for some in (found.data_vars, found.coords)
+    )
+    dataset = xarray.Dataset(variables, coords=coords, attrs=found.attrs)
+    dataset.encoding = found.encoding
+    return dataset
