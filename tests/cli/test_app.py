@@ -15,6 +15,7 @@ from rocksteady.cli import app
 from rocksteady.cli.console import terminal
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.bad_input import BAD_INPUT
+from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
