@@ -222,14 +222,3 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     assert {file.name: file.read_bytes() for file in folder.iterdir()} == {
         file.name: file.read_bytes() for file in whole.iterdir()
     }
-
-
-@pytest.mark.slow
-def test_the_whole_study_from_the_command_line(tmp_path: Path) -> None:
-    ran = rocksteady("paper --json --out", tmp_path / "out")
-    assert ran.code == 0
-    verdicts = {claim["id"]: claim["verdict"] for claim in ran.json["claims"]}
-    assert [verdicts[f"E{number}"] for number in range(1, 10)] == ["corrected"] * 9
-    for name in FIGURES:
-        for kind in ("png", "svg", "csv"):
-            assert (tmp_path / "out" / f"figure-{name}.{kind}").stat().st_size > 1000
