@@ -47,6 +47,10 @@ def emit(bitcode: bytes, target: Target) -> bytes:
     module.triple = target.triple
     module.data_layout = str(machine.target_data)
     hide(module)
+    if "windows" in target.triple:  # where a library shows only what is marked
+        for function in module.functions:
+            if function.name.startswith("rs_"):
+                function.storage_class = "dllexport"
     optimise(module, machine, unrolled=not target.static)
     missing = set(externals(module)) - RUNTIME
     if missing:

@@ -40,9 +40,11 @@ class Target:
 
 
 WASM, PAGE = "wasm32", "wasm32-page"
-_LINUX = ("x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17")
+_X86_64 = {
+    "linux": ("x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17"),
+    "windows": ("x86_64-pc-windows-gnu", "x86_64-windows-gnu"),
+}
 _ARM_LINUX = ("aarch64-unknown-linux-gnu", "aarch64-linux-gnu.2.17")
-_WINDOWS = ("x86_64-pc-windows-gnu", "x86_64-windows-gnu")
 _WASM = (
     "wasm32-unknown-unknown",
     "generic",
@@ -63,15 +65,12 @@ TARGETS = {
     target.name: target
     for target in (
         *(
-            Target(f"linux-x86-64-{level}", _LINUX[0], f"x86-64-{level}", features, _LINUX[1])
+            Target(f"{system}-x86-64-{level}", triple, f"x86-64-{level}", features, linker)
+            for system, (triple, linker) in _X86_64.items()
             for level, features in _LEVELS.items()
         ),
         Target("linux-aarch64", _ARM_LINUX[0], "generic", "+neon", _ARM_LINUX[1]),
         Target("macos-arm64", "arm64-apple-macosx11.0", "apple-m1", "", "aarch64-macos.11.0"),
-        *(
-            Target(f"windows-x86-64-{level}", _WINDOWS[0], f"x86-64-{level}", "", _WINDOWS[1])
-            for level in ("v2", "v3")
-        ),
         Target(WASM, *_WASM, static=True),
         Target(PAGE, *_WASM, static=True, entries=tuple(_CALLED_BY_PAGES.split())),
     )

@@ -1,6 +1,7 @@
 """What a shared library needs of the system that loads it, against what the tag promises."""
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import lief
@@ -24,7 +25,7 @@ GLIBC = re.compile(r"GLIBC_(\d+(?:\.\d+)*)")
 lief.logging.disable()  # of files that it cannot read it returns None, too
 
 
-def faults(library: Path, tag: str) -> list[str]:
+def faults(library: Path, tag: str, kernels: Sequence[str] = ()) -> list[str]:
     """Return why a system to which a tag belongs could not load a library; nothing if it can.
 
     Parameters
@@ -33,6 +34,8 @@ def faults(library: Path, tag: str) -> list[str]:
         File of the library.
     tag
         Platform tag of the wheel, as ``manylinux_2_28_x86_64``.
+    kernels
+        Names of the kernels that it must show.
     """
     said = TAG.fullmatch(tag)
     if said is None:
@@ -50,6 +53,9 @@ def faults(library: Path, tag: str) -> list[str]:
         for name in _needed(found)
         if not re.fullmatch(PRESENT[system], name)
     ]
+    shown = {str(each.name).removeprefix("_") for each in found.exported_functions}
+    if absent := [name for name in kernels if f"rs_{name}" not in shown]:
+        wrong.append(f"it lacks the kernels {', '.join(absent)}")
     promised = _numbers(said["version"])
     if isinstance(found, lief.ELF.Binary):
         wrong += [

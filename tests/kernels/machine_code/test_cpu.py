@@ -1,5 +1,13 @@
 """Which level of instructions a processor is taken to have."""
 
+import ctypes
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from rocksteady.kernels.machine_code import _cpu
 from rocksteady.kernels.machine_code._cpu import level_of, x86_64_level
 from tests.every import every
 
@@ -32,3 +40,16 @@ def test_a_text_that_tells_nothing_is_the_lowest_level(text: str) -> None:
 
 def test_this_processor_has_a_level() -> None:
     assert x86_64_level() in {2, 3, 4}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="compares with /proc/cpuinfo")
+def test_numpy_tells_what_windows_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    described = Path("/proc/cpuinfo").read_text("ascii", "replace")
+    windows = SimpleNamespace(
+        kernel32=SimpleNamespace(IsProcessorFeaturePresent=lambda _: level_of(described) > 2)
+    )
+    monkeypatch.setattr(ctypes, "windll", windows, raising=False)
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert x86_64_level() == level_of(described)
+    monkeypatch.setitem(sys.modules, _cpu._NUMPY, None)  # of another release
+    assert x86_64_level() == min(level_of(described), 3)

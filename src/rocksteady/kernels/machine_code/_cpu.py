@@ -10,16 +10,21 @@ _LEVELS = {
     3: "avx avx2 bmi1 bmi2 f16c fma abm movbe",
 }
 """Flags of Linux that a level needs beyond those of the levels below it; 2 is taken for granted."""
-_AVX2, _AVX512F = 40, 41
-"""Features of Windows: PF_AVX2_INSTRUCTIONS_AVAILABLE, PF_AVX512F_INSTRUCTIONS_AVAILABLE."""
+_AVX2 = 40
+"""Feature of Windows: PF_AVX2_INSTRUCTIONS_AVAILABLE, which stands for level 3."""
+_NUMPY = "numpy._core._multiarray_umath"
+"""Module of NumPy with the features of this processor by name; in capitals, as AVX512F."""
 
 
 def x86_64_level() -> int:
     """Return 2, 3 or 4; 2 where neither Linux nor Windows tells."""
     if sys.platform == "win32":
-        # Windows tells of AVX-512 as a whole only by its foundation: level 4 is not claimed.
-        has = ctypes.windll.kernel32.IsProcessorFeaturePresent
-        return 3 if has(_AVX2) else 2
+        # Windows tells the foundation of AVX-512 alone: NumPy has asked the processor for the rest.
+        features = getattr(sys.modules.get(_NUMPY), "__cpu_features__", {})
+        flags = {name.lower() for name, found in features.items() if found}
+        if ctypes.windll.kernel32.IsProcessorFeaturePresent(_AVX2):
+            flags.update(_LEVELS[3].split())
+        return _level_of_flags(flags)
     try:
         description = Path("/proc/cpuinfo").read_text(encoding="ascii", errors="replace")
     except OSError:
