@@ -182,9 +182,9 @@ bench-explorer: .venv library ## time the explorer's page; writes its part of do
 	$(BIN)/python -m bench.explorer
 
 .PHONY: wheels
-wheels: .venv ## build a wheel for each platform into dist/, and check the one of this machine
+wheels: .venv ## build a wheel for each platform and one for GPUs into dist/, and check that of this machine
 	@rm -rf build/libraries
-	@rm -f dist/rocksteady-*.whl
+	@rm -f dist/rocksteady*.whl
 	$(BIN)/python -m tools.aot build --out build/libraries
 	$(BIN)/python -m tools.aot.web.program build/libraries
 	$(BIN)/python -m tools.aot.device build --out build/libraries --architectures sm_80

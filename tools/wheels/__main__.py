@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tools.wheels.building import build
+from tools.wheels.building import build, build_programs
 from tools.wheels.first_start import check
 from tools.wheels.platforms import PLATFORMS
 
@@ -17,7 +17,7 @@ def main(arguments: list[str]) -> int:
     """Run one of the two."""
     parser = argparse.ArgumentParser(prog="python -m tools.wheels", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    building = commands.add_parser("build", help="one wheel for each platform")
+    building = commands.add_parser("build", help="one wheel for each platform, one for GPUs")
     building.add_argument("--libraries", type=Path, required=True, help="what tools.aot has built")
     building.add_argument("--out", type=Path, required=True, help="folder for the wheels")
     checking = commands.add_parser("check", help="the wheel of this machine, as a new user")
@@ -26,6 +26,7 @@ def main(arguments: list[str]) -> int:
     if asked.command == "build":
         for platform in PLATFORMS:
             print(f"wrote {build(platform, asked.libraries, asked.out)}")
+        print(f"wrote {build_programs(asked.libraries, asked.out)}")
         return 0
     with tempfile.TemporaryDirectory() as folder:
         rows = check(sorted(asked.wheels.glob("*.whl")), Path(folder, "environment"))

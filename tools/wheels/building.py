@@ -1,40 +1,67 @@
-"""Wheels of the package: libraries of the platform, programs of GPUs, the explorer's module."""
+"""Wheels of the package, and the wheel rocksteady-gpu, which brings its programs for GPUs."""
 
+import tomllib
+import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from hatchling.builders.wheel import WheelBuilder
 
+from rocksteady import __version__
 from rocksteady.explorer import _program as program
 from rocksteady.explorer import module
-from rocksteady.kernels.machine_code.programs import sources_of
+from rocksteady.explorer._bundle import script
+from rocksteady.kernels.devices import FORMS
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.programs import BROUGHT, LEAST, file_name, sources_of
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tools.wheels.needs import faults
-from tools.wheels.platforms import Platform
+from tools.wheels.platforms import PURE, Platform
 
 ROOT = Path(__file__).parents[2]
 INSIDE = "rocksteady/kernels/machine_code/libraries"
 """Folder of the libraries and of the module in a wheel."""
-LARGEST = 5_000_000
-"""Bytes of a wheel, of which libraries take some 0.9 MB and programs for GPUs 1.1 MB."""
+LARGEST = 3_300_000
+"""Bytes of a wheel. That of Linux on x86-64 has 3.0 million, its three libraries 0.87 of them."""
+PROGRAMS = "rocksteady-gpu"
+"""Name of the package of programs for GPUs."""
+PARTS = ["*.mjs", "*.mts"]
+"""Scripts of the explorer's page, which stand in a wheel as one shortened script."""
 
 
 class _Builder(WheelBuilder):
     """Builds a wheel as hatchling builds any other, with a platform's tag and compiled files."""
 
-    def __init__(self, platform: Platform, files: Sequence[Path]) -> None:
-        super().__init__(str(ROOT))
+    def __init__(
+        self, config: dict[str, Any], platform: Platform, files: Sequence[Path], inside: str
+    ) -> None:
+        super().__init__(str(ROOT), config=config)
         self._platform = platform
-        self._files = files
+        self._files = {str(file): f"{inside}/{file.name}" for file in files}
 
     def get_default_build_data(self) -> dict[str, Any]:
         """Return what hatchling lets a project say about its wheel."""
         return super().get_default_build_data() | {
             "tag": f"py3-none-{self._platform.tag}",
             "pure_python": not self._platform.targets,
-            "force_include": {str(file): f"{INSIDE}/{file.name}" for file in self._files},
+            "force_include": self._files,
         }
+
+    def made(self, out: Path, wrong: Sequence[str]) -> Path:
+        """Build the wheel, unless something is wrong or it is too large."""
+        if wrong:
+            raise SystemExit("\n".join(wrong))
+        (built,) = self.build(directory=str(out), versions=["standard"])
+        wheel, packed = Path(built), Path(f"{built}.tmp")
+        with zipfile.ZipFile(wheel) as plain, zipfile.ZipFile(packed, "w") as harder:
+            for each in plain.infolist():
+                harder.writestr(each, plain.read(each), zipfile.ZIP_DEFLATED, compresslevel=9)
+        packed.replace(wheel)
+        size = wheel.stat().st_size
+        if size > LARGEST:
+            raise SystemExit(f"{wheel} has {size} bytes, and {LARGEST} is the most")
+        return wheel
 
 
 def build(platform: Platform, libraries: Path, out: Path) -> Path:
@@ -46,7 +73,7 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
         The platform.
     libraries
         Folder that ``python -m tools.aot build`` wrote its libraries to, and
-        ``python -m tools.aot.device`` its programs.
+        ``python -m tools.aot.web.program`` the script of the page.
     out
         Folder for the wheel.
 
@@ -58,28 +85,68 @@ def build(platform: Platform, libraries: Path, out: Path) -> Path:
     Raises
     ------
     SystemExit
-        If a library, a program or the module is missing, if a program or the module was made from
+        If a library, the module or the script is missing, if the module or the script was made from
         other sources, if systems to which the tag belongs could not load a library, or if the wheel
         is too large.
     """
-    page, script = libraries / module.NAME, libraries / program.NAME
-    compiled, programs = platform.libraries(libraries), platform.programs(libraries)
-    files = [*compiled, page, script, *programs]
+    page, short = libraries / module.NAME, libraries / program.NAME
+    compiled = platform.libraries(libraries)
     wrong = list(filter(None, [module.fault(page)]))
-    wrong += [f"{file} is missing" for file in (script, *programs) if not file.is_file()]
-    wrong += [
-        f"{file} was made from other sources"
-        for file in programs
-        if file.is_file() and sources_of(file) != sources_hash()
-    ]
+    if not short.is_file():
+        wrong.append(f"{short} is missing")
+    elif not short.read_text("utf-8").startswith(program.heading(script())):
+        wrong.append(f"{short} was made from other parts")
     for file in compiled:
-        found = faults(file, platform.tag) if file.is_file() else ["it is missing"]
+        found = faults(file, platform.tag, list(ENTRIES)) if file.is_file() else ["it is missing"]
         wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
-    if wrong:
-        raise SystemExit("\n".join(wrong))
-    (built,) = _Builder(platform, files).build(directory=str(out), versions=["standard"])
-    wheel = Path(built)
-    size = wheel.stat().st_size
-    if size > LARGEST:
-        raise SystemExit(f"{wheel} has {size} bytes, and {LARGEST} is the most")
-    return wheel
+    config = _config()
+    # In a checkout `make gpu` writes the programs, so that the extra of the sources has no package.
+    asked = f"{PROGRAMS} == {__version__}; sys_platform != 'darwin'"
+    config["project"]["optional-dependencies"]["gpu"].append(asked)
+    config["tool"]["hatch"]["build"]["targets"]["wheel"]["exclude"] = PARTS
+    return _Builder(config, platform, [*compiled, page, short], INSIDE).made(out, wrong)
+
+
+def programs(folder: Path) -> list[Path]:
+    """Return the files of the programs for GPUs: the oldest ones, which newer GPUs run too."""
+    return [folder / file_name(LEAST, form.queued.__name__) for form in FORMS.values()]
+
+
+def build_programs(libraries: Path, out: Path) -> Path:
+    """Build the wheel rocksteady-gpu.
+
+    Parameters
+    ----------
+    libraries
+        Folder that ``python -m tools.aot.device build`` wrote its programs to.
+    out
+        Folder for the wheel.
+
+    Raises
+    ------
+    SystemExit
+        If a program is missing or was made from other sources, or if the wheel is too large.
+    """
+    files = programs(libraries)
+    wrong = [
+        f"{file} is missing or was made from other sources"
+        for file in files
+        if sources_of(file) != sources_hash()
+    ]
+    project = _config()["project"]
+    kept = ("requires-python", "license", "license-files", "authors", "classifiers")
+    config = {
+        "project": {
+            "name": PROGRAMS,
+            "version": __version__,
+            "description": "Programs for GPUs of the package rocksteady",
+            "dependencies": [f"rocksteady[gpu] == {__version__}"],
+            **{name: project[name] for name in kept},
+        },
+        "tool": {"hatch": {"build": {"targets": {"wheel": {"bypass-selection": True}}}}},
+    }
+    return _Builder(config, PURE, files, BROUGHT).made(out, wrong)
+
+
+def _config() -> dict[str, Any]:
+    return tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))

@@ -3,9 +3,6 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from rocksteady.kernels.devices import FORMS
-from rocksteady.kernels.machine_code.programs import LEAST, file_name
-
 
 @dataclass(frozen=True)
 class Platform:
@@ -19,23 +16,15 @@ class Platform:
         Targets of `tools.aot` whose libraries are inside, from the oldest processor to the newest.
     suffix
         Of their files.
-    gpus
-        Whether a GPU on which kernels run can be there.
     """
 
     tag: str
     targets: tuple[str, ...] = ()
     suffix: str = ""
-    gpus: bool = True
 
     def libraries(self, folder: Path) -> list[Path]:
         """Return the files of its libraries, from the folder that `tools.aot` writes to."""
         return [folder / f"rocksteady-{target}{self.suffix}" for target in self.targets]
-
-    def programs(self, folder: Path) -> list[Path]:
-        """Return the files of its programs for GPUs: the oldest ones, which newer GPUs run too."""
-        names = [form.queued.__name__ for form in FORMS.values()] if self.gpus else []
-        return [folder / file_name(LEAST, name) for name in names]
 
 
 PURE = Platform("any")
@@ -48,7 +37,7 @@ PLATFORMS = (
         ".so",
     ),
     Platform("manylinux_2_28_aarch64", ("linux-aarch64",), ".so"),
-    Platform("macosx_11_0_arm64", ("macos-arm64",), ".dylib", gpus=False),
-    Platform("win_amd64", ("windows-x86-64-v2", "windows-x86-64-v3"), ".dll"),
+    Platform("macosx_11_0_arm64", ("macos-arm64",), ".dylib"),
+    Platform("win_amd64", ("windows-x86-64-v2", "windows-x86-64-v3", "windows-x86-64-v4"), ".dll"),
     PURE,
 )

@@ -3,8 +3,9 @@
 import hashlib
 
 from rocksteady.errors import MissingKernelsError
-from rocksteady.explorer._bundle import script
+from rocksteady.explorer._bundle import ENTRY, script
 from rocksteady.explorer.module import page_module
+from rocksteady.kernels.machine_code.library import installed_folder
 
 NAME = "explorer.js"
 """File of the shortened script, beside the page's module."""
@@ -14,8 +15,11 @@ def program() -> str:
     """Return the script of the page, for the page and its workers.
 
     The shortened one does the same with shorter names; it is taken only if it was made from these
-    parts, and from beside the page's module, where no other user can write.
+    parts, and from beside the page's module, where no other user can write.  A wheel brings the
+    shortened one without the parts.
     """
+    if not ENTRY.is_file():
+        return (installed_folder() / NAME).read_bytes().decode("utf-8")
     whole = script()
     try:
         program_text = (page_module().parent / NAME).read_bytes().decode("utf-8")

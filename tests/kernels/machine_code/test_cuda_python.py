@@ -23,7 +23,7 @@ from tests.kernels.machine_code.test_gpu import FORM
 
 folder = Path(sys.argv[1])
 write_program(folder, (8, 0), "queued_squares", sources_hash())
-programs.installed_folder = lambda: folder
+programs.brought_folders = lambda: [folder]
 print(gpu())
 with gpu().stream() as stream, gpu().stream() as another:
     for cells in (5, 1000):

@@ -21,8 +21,8 @@ def folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Path, Path
     installed, built = tmp_path / "installed", tmp_path / "built"
     for folder in (installed, built):
         folder.mkdir(mode=0o700)
+    monkeypatch.setattr(module, "brought_folders", lambda: [installed])
     for changed in (module, library_module):
-        monkeypatch.setattr(changed, "installed_folder", lambda: installed)
         monkeypatch.setattr(changed, "built_folder", lambda: built)
     return installed, built
 
@@ -38,8 +38,8 @@ def refused() -> None:
         program(NAME, (9, 0))
     assert str(raised.value) == (
         "executor = 'gpu' is not valid: the GPU program of queued_lane_fates is not in this "
-        "installation, or it is of other sources; install a wheel, which brings it, or run "
-        "'make gpu' in a checkout; leave the executor out for threads"
+        "installation, or it is of other sources; install 'rocksteady[gpu]', or run 'make gpu' in "
+        "a checkout; leave the executor out for threads"
     )
 
 
@@ -83,6 +83,15 @@ def test_an_installed_program_goes_before_one_built_here(folders: tuple[Path, Pa
     checked(write_program(folders[1], (9, 0), NAME, sources_hash()))
     installed = write_program(folders[0], (8, 0), NAME, sources_hash())
     assert program(NAME, (9, 0)) == installed
+
+
+def test_a_wheel_of_their_own_brings_programs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert module.brought_folders() == []
+    (tmp_path / module.BROUGHT).mkdir()
+    monkeypatch.syspath_prepend(tmp_path)
+    assert module.brought_folders() == [tmp_path / module.BROUGHT]
 
 
 def test_a_file_that_cannot_be_read_is_no_program(tmp_path: Path) -> None:

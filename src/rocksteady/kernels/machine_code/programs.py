@@ -3,17 +3,20 @@
 import inspect
 import re
 from collections.abc import Iterable, Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.machine_code.device import Form
-from rocksteady.kernels.machine_code.library import built_folder, installed_folder, may_be_loaded
+from rocksteady.kernels.machine_code.library import built_folder, may_be_loaded
 from rocksteady.kernels.machine_code.sources import sources_hash
 
 Capability = tuple[int, int]
 """Compute capability of a GPU, as (9, 0)."""
 LEAST: Capability = (8, 0)
 """Lowest compute capability for which there are programs."""
+BROUGHT = "rocksteady_gpu"
+"""Folder, beside the package, of the programs that the wheel rocksteady-gpu brings."""
 
 
 def program(kernel: str, capability: Capability) -> Path:
@@ -31,7 +34,7 @@ def program(kernel: str, capability: Capability) -> Path:
     InputError
         If this installation has no such program, or one of other sources.
     """
-    for folder in (installed_folder(), built_folder()):
+    for folder in (*brought_folders(), built_folder()):
         for path in _candidates(folder, kernel, capability):
             if may_be_loaded(path) and sources_of(path) == sources_hash():
                 return path
@@ -39,8 +42,8 @@ def program(kernel: str, capability: Capability) -> Path:
         "executor",
         "gpu",
         f"the GPU program of {kernel} is not in this installation, or it is of other sources",
-        "install a wheel, which brings it, or run 'make gpu' in a checkout; leave the executor "
-        "out for threads",
+        "install 'rocksteady[gpu]', or run 'make gpu' in a checkout; leave the executor out for "
+        "threads",
     )
 
 
@@ -54,6 +57,12 @@ def check_programs(forms: Iterable[Form], capability: Capability) -> None:
     """
     for form in forms:
         program(inspect.unwrap(form.queued).__name__, capability)
+
+
+def brought_folders() -> list[Path]:
+    """Return the folder of the programs that the wheel rocksteady-gpu brings; none without it."""
+    found = find_spec(BROUGHT)
+    return [Path(place) for place in (found and found.submodule_search_locations) or ()]
 
 
 def file_name(capability: Capability, kernel: str) -> str:

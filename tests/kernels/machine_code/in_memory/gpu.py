@@ -65,7 +65,7 @@ def gpu_in_memory(folder: Path, memory: DriverInMemory | None = None) -> Iterato
         write_program(folder, (8, 0), name, sources_hash())
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(driver_module, "_bindings", lambda: memory)
-        patch.setattr(programs, "installed_folder", lambda: folder)
+        patch.setattr(programs, "brought_folders", lambda: [folder])
         patch.setattr(programs, "built_folder", lambda: folder / "none")
         gpu.cache_clear()
         try:
