@@ -3,7 +3,7 @@
 import json
 import re
 import shutil
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -128,15 +128,15 @@ class Parts:
         """Return where a sweep of the study is kept, written `chunk` cells at a time."""
         return Store(self.folder / f"part-{name}.zarr", resume=True, chunk=chunk)
 
-    def files(self, make: Callable[[], Mapping[str, bytes]], *names: str) -> list[bytes]:
-        """Return the bytes of files that are kept; all made, and kept, where one is not there."""
-        files = [self.folder / name for name in names]
+    def kept(self, *names: str) -> list[bytes] | None:
+        """Return the bytes of files that are kept; None where one is not there."""
         with suppress(OSError):
-            return [file.read_bytes() for file in files]
-        made = make()
-        for file in files:
-            save_whole("out", file, partial(Path.write_bytes, data=made[file.name]))
-        return [made[name] for name in names]
+            return [(self.folder / name).read_bytes() for name in names]
+        return None
+
+    def keep(self, name: str, data: bytes) -> None:
+        """Keep the bytes of a file."""
+        save_whole("out", self.folder / name, partial(Path.write_bytes, data=data))
 
     @property
     def swept(self) -> bool:

@@ -2,10 +2,12 @@
 
 import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady import InputError, __version__
 from rocksteady.show.export import folders
@@ -13,6 +15,7 @@ from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
+from rocksteady.studies.processes import in_processes
 from rocksteady.studies.tso_wong_1989._report import ReportedPanel, report_html
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict
@@ -21,6 +24,9 @@ from rocksteady.studies.tso_wong_1989.figures.histories import History, historie
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SCHEMA = "rocksteady/paper/1"
 REFERENCE = (
@@ -100,6 +106,7 @@ class Study:
         force: bool = False,
         parts: Parts | None = None,
         done: Done = nothing,
+        processes: int = 1,
     ) -> list[Path]:
         """Write the figures with their data and, for the whole study, statements and report.
 
@@ -115,6 +122,8 @@ class Study:
             Where finished pictures are kept, to go on with after an interruption.
         done
             Called with the name of each figure, and of the report, when it has been written.
+        processes
+            How many draw; default 1, which is this one.
 
         Returns
         -------
@@ -132,28 +141,35 @@ class Study:
             parts.begin()
         within = None if parts is None else parts.folder
         return folders.fill_folder(
-            folder, lambda stage: self._write(stage, parts, done), within=within
+            folder, lambda stage: self._write(stage, parts, done, processes), within=within
         )
 
-    def _write(self, stage: Path, parts: Parts | None, done: Done) -> None:
+    def _write(self, stage: Path, parts: Parts | None, done: Done, processes: int) -> None:
         """Write every file into a hidden folder."""
         began = time.perf_counter()
         sections = []
-        for timed in self.panels:
-            start = time.perf_counter()
-            panel = timed.panel
-            names = dict(file_names(panel))
-            pictures = _pictures(panel, parts)
-            for kind, picture in pictures.items():
-                (stage / names[kind]).write_bytes(picture)
-            save_csv("out", stage / names["csv"], panel.header, panel.rows)
-            for name, (header, rows) in panel.more_tables.items():
-                save_csv("out", stage / names[name], header, rows)
-            seconds = timed.seconds + time.perf_counter() - start
-            sections.append(
-                ReportedPanel(panel=panel, picture=svg_data_uri(pictures["svg"]), seconds=seconds)
-            )
-            done(f"figure {panel.id}")
+        names = [dict(file_names(timed.panel)) for timed in self.panels]
+        pictures = [parts and parts.kept(*(each[kind] for kind in PICTURES)) for each in names]
+        missing = [
+            partial(_drawn, timed.panel.draw)
+            for timed, kept in zip(self.panels, pictures, strict=True)
+            if kept is None
+        ]
+        with closing(in_processes(missing, processes)) as drawn:
+            for timed, its, files in zip(self.panels, names, pictures, strict=True):
+                panel = timed.panel
+                data, drawing = next(drawn) if files is None else (files, 0.0)
+                for kind, picture in zip(PICTURES, data, strict=True):
+                    (stage / its[kind]).write_bytes(picture)
+                    if files is None and parts is not None:
+                        parts.keep(its[kind], picture)
+                save_csv("out", stage / its["csv"], panel.header, panel.rows)
+                for name, (header, rows) in panel.more_tables.items():
+                    save_csv("out", stage / its[name], header, rows)
+                address = svg_data_uri(data[PICTURES.index("svg")])
+                seconds = timed.seconds + drawing
+                sections.append(ReportedPanel(panel=panel, picture=address, seconds=seconds))
+                done(f"figure {panel.id}")
         if not self.claims:
             return
         save_text("out", stage / "claims.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
@@ -168,16 +184,12 @@ class Study:
         done("report")
 
 
-def _pictures(panel: Panel, parts: Parts | None) -> dict[str, bytes]:
-    """Return a panel in each format of a picture."""
-    names = {f"figure-{panel.id}.{kind}": kind for kind in PICTURES}
-
-    def draw() -> dict[str, bytes]:
-        figure = panel.draw()
-        return {name: figure_bytes(figure, kind) for name, kind in names.items()}
-
-    pictures = list(draw().values()) if parts is None else parts.files(draw, *names)
-    return dict(zip(PICTURES, pictures, strict=True))
+def _drawn(draw: "Callable[[], Figure]") -> tuple[list[bytes], float]:
+    """Return a figure in each format of a picture, and how long that took [s]."""
+    start = time.perf_counter()
+    figure = draw()
+    pictures = [figure_bytes(figure, kind) for kind in PICTURES]
+    return pictures, time.perf_counter() - start
 
 
 def parts_of(only: Sequence[str], folder: Path | str, *, resume: bool, force: bool) -> Parts:

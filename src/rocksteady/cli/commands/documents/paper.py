@@ -47,6 +47,7 @@ def paper(
 ) -> None:
     """Run `rocksteady paper`; `HELP` is what its users read."""
     from rocksteady.studies.tso_wong_1989.study import check_folder, parts_of, reproduce, steps
+    from rocksteady.sweep.cases.queue import usable_cores
 
     figures = only or []
     check_folder(out, figures, force=force or resume)
@@ -56,7 +57,9 @@ def paper(
         with progress("computing", steps(figures)) as done:
             study = reproduce(only=figures, done=done)
         with progress("drawing", study.steps) as done:
-            files = study.save(out, force=force or resume, parts=parts, done=done)
+            files = study.save(
+                out, force=force or resume, parts=parts, done=done, processes=usable_cores()
+            )
     parts.remove()
     if as_json:
         names = [file.name for file in files]
