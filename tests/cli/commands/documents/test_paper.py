@@ -198,6 +198,7 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
 ) -> None:
     command, whole, folder = "paper --only 10 --only 13a", tmp_path / "whole", tmp_path / "out"
     assert rocksteady(f"{command} --out", whole).code == 0
+    monkeypatch.setattr("rocksteady.sweep.cases.queue.usable_cores", lambda: 1)
     drawn: list[str] = []
 
     def drawing(figure: object, kind: str) -> bytes:
