@@ -1,6 +1,7 @@
 """Calls in processes of their own: their order, where they run, and one that ends its process."""
 
 import os
+from collections.abc import Callable
 from functools import partial
 
 import pytest
@@ -29,7 +30,8 @@ def test_what_a_call_prints_is_no_answer(capfd: pytest.CaptureFixture[str]) -> N
 
 
 def test_a_call_that_ends_its_process_ends_the_others() -> None:
-    answers = in_processes([os.getpid, partial(os._exit, 3), *[os.getpid] * 9], 2)
+    calls: list[Callable[[], int]] = [os.getpid, partial(os._exit, 3), *[os.getpid] * 9]
+    answers = in_processes(calls, 2)
     next(answers)
     with pytest.raises(UnfinishedError, match="ended, with status 3"):
         list(answers)

@@ -169,7 +169,9 @@ def _lower(file: Path) -> int:
     write(lower(ENTRIES, progress), scratch)
     scratch.replace(file)
     took = time.perf_counter() - began
-    print(f"{chr(13) * sys.stdout.isatty()}  {seen} kernels lowered, {took:.0f} s", flush=True)
+    print(
+        f"{chr(13) * sys.stdout.isatty()}  {len(ENTRIES)} kernels lowered, {took:.0f} s", flush=True
+    )
     return 0
 
 

@@ -9,12 +9,15 @@ cells.
 
 import functools
 import gc
-from collections.abc import Iterator, Mapping
+import itertools
+import multiprocessing
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from llvmlite import binding, ir
-from numba.core import cgutils, codegen, cpu, types
+from numba.core import bytecode, cgutils, codegen, cpu, types
 from numba.core.registry import cpu_target
 from numba.core.runtime.nrt import rtsys
 from numba.core.targetconfig import ConfigStack
@@ -25,10 +28,14 @@ from rocksteady.kernels.machine_code import compilation
 BYTE = ir.IntType(8)
 CELL = ir.IntType(64)
 STATUS = ir.IntType(32)
+SHARING = ("march", "settle_cells")
+"""Entries that call most of what kernels in lanes call, too; they are lowered before those."""
 
 
 def lower(kernels: Mapping[str, Any], progress: Any) -> binding.ModuleRef:
     """Return kernels and what they call as one module, neither optimised nor for a target.
+
+    Those that march in lanes are lowered in a second process, where there are others too.
 
     Must run in a process of its own: numba compiles nothing for this machine any more.
 
@@ -45,14 +52,38 @@ def lower(kernels: Mapping[str, Any], progress: Any) -> binding.ModuleRef:
     _remember_types()
     gc.disable()  # what numba makes stays until the end: an eighth of the time
     compilation.EXTRA_OPTIONS.update(no_cpython_wrapper=True, no_cfunc_wrapper=True)
-    lowered = {}
-    for name, kernel in kernels.items():
-        progress(name)
-        lowered[name] = kernel.compile()
-    whole = binding.parse_assembly("")
-    for module in modules:
-        whole.link_in(module)
-    whole.link_in(binding.parse_assembly(str(_entries(lowered))))
+
+    def part(names: Collection[str]) -> binding.ModuleRef:
+        """Return kernels as one module, with what has been lowered since the last one."""
+        lowered = {}
+        for name in names:
+            progress(name)
+            lowered[name] = kernels[name].compile()
+        whole = binding.parse_assembly("")
+        for module in modules:
+            whole.link_in(module)
+        modules.clear()
+        whole.link_in(binding.parse_assembly(str(_entries(lowered))))
+        return whole
+
+    def apart(file: Path) -> None:
+        """Write the lanes into a file, with names that the other process gives to nothing."""
+        identity: Any = bytecode.FunctionIdentity
+        identity._unique_ids = itertools.count(10**6)
+        write(part(lanes), file)
+
+    lanes = [name for name, kernel in kernels.items() if "lanes." in kernel.__module__]
+    rest = [name for name in kernels if name not in lanes]
+    if not (lanes and rest and "fork" in multiprocessing.get_all_start_methods()):
+        return part([*kernels])
+    whole = part([name for name in rest if name in SHARING])
+    with TemporaryDirectory(prefix="rocksteady-") as scratch:
+        file = Path(scratch, "lanes.bc")
+        other = multiprocessing.get_context("fork").Process(target=apart, args=(file,))
+        other.start()
+        whole.link_in(part([name for name in rest if name not in SHARING]))
+        other.join()
+        whole.link_in(binding.parse_bitcode(file.read_bytes()))
     return whole
 
 
@@ -69,7 +100,7 @@ def _keep_raw_modules() -> list[binding.ModuleRef]:
         for function in module.functions:
             # One that may be merged and that nobody has named yet would be dropped.
             if not function.is_declaration and function.linkage == binding.Linkage.linkonce_odr:
-                function.linkage = "external"
+                function.linkage = "weak_odr"
         self._final_module.link_in(module)
 
     def finalize(self: Any) -> None:
