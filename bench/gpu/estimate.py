@@ -105,7 +105,8 @@ MODELS = (
 INTRODUCTION = """\
 Written by `make resources`; do not edit. **No GPU has run these programs.** What stands here is
 what the assembler of NVIDIA makes of them, and an estimate; `make bench-gpu` measures. The wheel
-rocksteady-gpu brings those for sm_80, which newer GPUs run too; those for sm_90 differ in their header.
+rocksteady-gpu brings those for sm_80, which newer GPUs run too; those for sm_90 differ in their
+header.
 
 *Registers*, *stack* and *spills* are of one thread, functions that are called included; *threads
 resident* are those that a multiprocessor holds at a time, in blocks of {block}; *occupancy* is
