@@ -309,8 +309,8 @@ endef
 # $(call side-by-side,COMMAND,COMMAND): both; fails where one does.
 side-by-side = $(1) & $(2); second=$$?; wait $$! && exit $$second
 
-# $(call ahead,TARGET): starts a target in the background; the check of that name waits for it. Kernels
-# are lowered on one core, and types are checked on one: together they take half the time.
+# $(call ahead,TARGET): starts a target in the background; the check of that name waits for it. Neither
+# the lowering of kernels nor the check of types keeps two cores busy.
 ahead = { $(MAKE) --no-print-directory $(1) >/dev/null 2>&1 & };
 
 # $(call run-in-turn,TARGETS,MAKE): one after the other, with their names, how long each took and its
