@@ -6,7 +6,7 @@ Those of the standard library run the caller's script again, and outlive a calle
 import pickle
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from queue import SimpleQueue
@@ -17,7 +17,7 @@ from rocksteady.errors import UnfinishedError
 T = TypeVar("T")
 
 
-def in_processes(calls: Sequence[Callable[[], T]], processes: int) -> Iterator[T]:
+def in_processes(calls: Sequence[Callable[[], T]], processes: int) -> Generator[T, None, None]:
     """Yield what calls return, in their order.
 
     Parameters

@@ -119,7 +119,7 @@ def evaluate(
     array([[3., 4.],
            [6., 8.]])
     """
-    found = compute_cells(
+    cells = compute_cells(
         cases,
         grid,
         outputs,
@@ -128,7 +128,7 @@ def evaluate(
         numbered=numbered,
         attributes=attributes,
     )
-    return as_dataset(found)
+    return as_dataset(cells)
 
 
 def compute_cells(

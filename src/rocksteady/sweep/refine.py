@@ -102,7 +102,7 @@ def refined(
     def compute(numbers: Integers) -> None:
         if not numbers.size:
             return
-        found = compute_cells(
+        cells = compute_cells(
             functools.partial(_numbered, cases=cases, grid=grid),
             Grid(axes=(Axis(name="number", values=numbers),)),
             wanted,
@@ -110,7 +110,7 @@ def refined(
             batch=batch,
         )
         for name, array in arrays.items():
-            array[numbers] = found[name].values
+            array[numbers] = cells[name].values
         met[numbers] = True
 
     lattice = _lattice(grid.shape, spacing)

@@ -149,7 +149,10 @@ class Study:
         began = time.perf_counter()
         sections = []
         names = [dict(file_names(timed.panel)) for timed in self.panels]
-        pictures = [parts and parts.kept(*(each[kind] for kind in PICTURES)) for each in names]
+        pictures = [
+            None if parts is None else parts.kept(*(each[kind] for kind in PICTURES))
+            for each in names
+        ]
         missing = [
             partial(_drawn, timed.panel.draw)
             for timed, kept in zip(self.panels, pictures, strict=True)

@@ -1,4 +1,4 @@
-"""Cells of a sweep: arrays over the axes of a grid, which become a dataset where one is asked for.
+"""Cells of a sweep: arrays over the axes of a grid, which become a dataset only where needed.
 
 xarray takes longer to import than a sweep of many cells to compute.  What is read as a dataset is
 read, in memory, needs numpy alone.

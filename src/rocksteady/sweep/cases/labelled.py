@@ -10,18 +10,18 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
 
-def as_dataset(found: "Labelled") -> "xarray.Dataset":
+def as_dataset(cells: "Labelled") -> "xarray.Dataset":
     """Return what a sweep leaves as a dataset."""
-    if not isinstance(found, Cells):
-        return found
+    if not isinstance(cells, Cells):
+        return cells
     import xarray
 
     import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
 
     variables, coords = (
         {name: (each.dims, each.values, each.attrs) for name, each in some.items()}
-        for some in (found.data_vars, found.coords)
+        for some in (cells.data_vars, cells.coords)
     )
-    dataset = xarray.Dataset(variables, coords=coords, attrs=found.attrs)
-    dataset.encoding = found.encoding
+    dataset = xarray.Dataset(variables, coords=coords, attrs=cells.attrs)
+    dataset.encoding = cells.encoding
     return dataset
