@@ -115,7 +115,7 @@ def flags_of(command: Any) -> set[str]:
     return own.union(*map(flags_of, getattr(command, "commands", {}).values()))
 
 
-NO_MESSAGES = {"_worker.py", "knet.py"}
+NO_MESSAGES = {"_worker.py", "knet.py", "processes.py"}
 """Modules whose texts with brackets are code, or keys of a header."""
 CALLED = re.compile(
     r"(?<![\w.{/<-])(?P<name>(?:[A-Za-z_]\w*\.)*[A-Za-z_]\w{2,})\((?P<given>[^()]*)\)?"

@@ -287,7 +287,7 @@ def _unknown(error: TyperException, path: str) -> str | None:
 
 def _command_of(arguments: list[str]) -> str:
     """Return the command that arguments call, where the error does not name it."""
-    known = getattr(_program(), "commands", {})
+    known = getattr(_program(next(iter(arguments), None)), "commands", {})
     words = ["rocksteady", *(each for each in arguments[:1] if each in known)]
     return " ".join(words)
 
