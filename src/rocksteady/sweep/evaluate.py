@@ -141,7 +141,7 @@ def compute_cells(
     numbered: str | None = None,
     attributes: Mapping[str, Any] | None = None,
 ) -> "Labelled":
-    """Evaluate a function in every cell of a grid, without making a dataset of what is in memory.
+    """Evaluate a function in every cell of a grid; a store alone makes a dataset.
 
     Parameters and errors are those of `evaluate`.
     """

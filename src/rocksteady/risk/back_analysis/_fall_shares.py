@@ -196,7 +196,7 @@ def fall_shares(
         run=run,
         attributes={"model": model.name},
     )
-    fell = cells["fell"].values.transpose(3, 2, 0, 1)  # draw, object, record, level
+    fell = cells["fell"].transpose("draw", "pool", "ground", "level").values
     # Neighbouring draws fill the prior evenly, so that both halves do.
     shares = np.stack([fell[: draws // 2].mean(axis=0), fell[draws // 2 :].mean(axis=0)])
     ahead = shares[:, : len(pools.each)]

@@ -140,12 +140,12 @@ def _cells(dataset: "Labelled", variables: Sequence[str]) -> list[dict[str, Any]
     for name, values in several.items():
         if name in ("direction", "block") and name not in over:
             continue
-        along = sorted(map(str, values.dims), key=over.index)
-        ordered = values.values.transpose([values.dims.index(dim) for dim in along])
+        along = [dim for dim in over if dim in values.dims]
+        ordered = values.transpose(*along).values
         full = ordered[tuple(slice(None) if dim in along else np.newaxis for dim in over)]
         columns[MEASURES.get(name, name)] = np.broadcast_to(full, shape).ravel().tolist()
     for name in variables:
-        whole = dataset[name].values
+        whole = dataset[name].transpose(*over, ...).values
         columns[name] = whole.reshape(-1, *whole.shape[len(over) :]).tolist()
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 

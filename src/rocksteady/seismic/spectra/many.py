@@ -126,7 +126,7 @@ def cells_of_many(
     model: Model | None = None,
     run: Run | None = None,
 ) -> Cells:
-    """Return many blocks on many records before they become a dataset.
+    """Return the runs of many blocks on many records as cells.
 
     Parameters and errors are those of `simulate_many`.
     """

@@ -152,7 +152,7 @@ def spectrum_cells(
     gravity: float,
     run: Run | None,
 ) -> "Labelled":
-    """Return rocking spectra before they become a dataset.
+    """Return rocking spectra as cells.
 
     Parameters and errors are those of `compute_rocking_spectrum`.
     """

@@ -1,7 +1,7 @@
 """Cells of a sweep: arrays over the axes of a grid, which become a dataset only where needed.
 
-xarray takes longer to import than a sweep of many cells to compute.  What is read as a dataset is
-read, in memory, needs numpy alone.
+Importing xarray takes longer than computing many cells.  Cells need NumPy alone, and are read as a
+dataset is.
 """
 
 from collections.abc import Collection, Mapping, Sequence
@@ -34,6 +34,13 @@ class Variable:
     def __getitem__(self, rows: int | slice) -> "Variable":
         dims = self.dims[1:] if isinstance(rows, int) else self.dims
         return Variable(dims, np.asarray(self.values[rows]), self.attrs)
+
+    def transpose(self, *axes: Any) -> "Variable":
+        """Return the values with axes in this order; `...` stands for all others."""
+        rest = [name for name in self.dims if name not in axes]
+        dims = tuple(name for axis in axes for name in (rest if axis is ... else [axis]))
+        values = self.values.transpose([self.dims.index(name) for name in dims])
+        return Variable(dims, values, self.attrs)
 
     def without(self, axes: Collection[str]) -> "Variable":
         """Return the first values along some axes."""
@@ -74,7 +81,7 @@ class Cells:
         return Cells(variables, coords, self.attrs, self.encoding)
 
     def load(self) -> "Cells":
-        """Return them: they are in memory."""
+        """Return the cells, which are in memory."""
         return self
 
 

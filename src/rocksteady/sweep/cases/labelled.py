@@ -1,4 +1,4 @@
-"""Labelled dataset of what a sweep leaves."""
+"""Datasets made of the cells of a sweep."""
 
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def as_dataset(cells: "Labelled") -> "xarray.Dataset":
-    """Return what a sweep leaves as a dataset."""
+    """Return the cells of a sweep as a dataset."""
     if not isinstance(cells, Cells):
         return cells
     import xarray
