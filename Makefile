@@ -116,10 +116,10 @@ pages: .venv ## the manual, where its pages have changed since it was built (doc
 	@$(BIN)/python -m tools.done manual || $(MAKE) --no-print-directory docs
 
 .PHONY: tests-jit
-tests-jit: .venv ## the tests of what calls kernels most, kernels compiled by numba
+tests-jit: .venv ## the kernels' tests, kernels compiled by numba; tests-floor runs the others so
 	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -q -m slow tests/kernels/test_entries.py
-	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS) tests/kernels tests/dynamics tests/seismic
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS) tests/kernels
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]
