@@ -139,7 +139,7 @@ def test_the_disk_finds_those_that_do_not_force(force: bool, tmp_path: Path) -> 
     ("names", "step"),
     [
         (["a.csv"], 5),
-        pytest.param(list(WRITERS), 1, marks=pytest.mark.slow),
+        pytest.param(list(WRITERS), 4, marks=pytest.mark.slow),
     ],
 )
 def test_a_kill_leaves_the_old_file_or_the_new_one(

@@ -72,32 +72,12 @@ SNIPPETS = {
 """The Python of the pages by page and line, each with what the page shows that it prints."""
 
 
-def is_long(code: str) -> bool:
-    """Return whether a block calibrates: every one does so anew, for half a minute."""
-    return "rs.calibrate(" in code
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "block",
-    [
-        pytest.param(block, id=place, marks=[pytest.mark.slow] if is_long(block.body) else [])
-        for place, block in SNIPPETS.items()
-    ],
-)
+@pytest.mark.parametrize("block", list(SNIPPETS.values()), ids=list(SNIPPETS))
 def test_each_block_of_python_runs_alone(block: Block, tmp_path: Path) -> None:
     out = run_alone(block.body, tmp_path)
     if block.printed is not None:
         assert out == block.printed
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("place", [at for at, block in SNIPPETS.items() if is_long(block.body)])
-def test_a_long_block_runs_alone_with_few_draws_and_records(place: str, tmp_path: Path) -> None:
-    code = SNIPPETS[place].body
-    few = code.replace("draws=300", "draws=30, gains=2, rounds=1").replace("suite(12)", "suite(2)")
-    assert few.count("draws=30,") == few.count("suite(2)") == 1
-    assert run_alone(few, tmp_path).count("accuracy") == 4
 
 
 def run_alone(code: str, folder: Path) -> str:

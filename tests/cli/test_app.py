@@ -247,13 +247,7 @@ def test_version() -> None:
     [
         ["--help"],
         ["steady", "--help"],
-        ["simulate", "-h"],
-        ["attractor", "--help"],
-        ["orbits", "-h"],
-        ["basins", "--help"],
-        ["bifurcate", "--help"],
-        ["curves", "--help"],
-        ["record", "--help"],
+        ["record", "-h"],
         ["--version"],
     ],
 )

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -45,8 +46,13 @@ def page_of(name: str, page: Path) -> Path:
     return base.with_name(base.name + ".md").resolve()
 
 
-def targets(page: Path) -> Iterator[Path]:
-    """Yield the files that a page links, in sentences, on cards and in lists of pages."""
+@cache
+def targets(page: Path) -> tuple[Path, ...]:
+    """Return the files that a page links, in sentences, on cards and in lists of pages."""
+    return tuple(_targets(page))
+
+
+def _targets(page: Path) -> Iterator[Path]:
     text = page.read_text(encoding="utf-8")
     for included in INCLUDE.findall(text):
         yield (page.parent / included).resolve()

@@ -84,8 +84,3 @@ def run(tmp_path: Path, count: int, seed: int) -> None:
 @pytest.mark.slow
 def test_three_hundred_changes(tmp_path: Path) -> None:
     run(tmp_path, 300, seed=1971)
-
-
-@pytest.mark.slow
-def test_a_thousand_changes(tmp_path: Path) -> None:
-    run(tmp_path, 1000, seed=1940)

@@ -115,8 +115,8 @@ def test_a_hundred_and_fifty_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_five_hundred_files(tmp_path: Path) -> None:
-    run(tmp_path, 500, seed=1989)
+def test_two_hundred_files(tmp_path: Path) -> None:
+    run(tmp_path, 200, seed=1989)
 
 
 @every("name", sorted(WRITTEN))

@@ -40,10 +40,10 @@ def plainly(path: Path, skipped: int, width: int, unit: float) -> Floats:
 
 
 @pytest.mark.slow
-def test_every_file_of_the_suite() -> None:
+def test_every_third_file_of_the_suite() -> None:
     paths = sorted(real("suite_at2").glob("*.AT2"))
     assert len(paths) == SUITE
-    for path in paths:
+    for path in paths[::3]:
         (found,) = read_recordings(path)
         expected = plainly(path, 4, 15, G)
         np.testing.assert_array_equal(found.record.acceleration_m_s2, expected, err_msg=path.name)

@@ -213,7 +213,7 @@ def test_more_curves_than_colours_differ_by_marks() -> None:
 
 
 @pytest.mark.slow
-@every("name", NAMES)
+@every("name", NAMES[::2])
 def test_a_name_from_outside_is_shown_as_it_is(name: str) -> None:
     spectra = [compute_response_spectrum(shock(each), [0.1, 0.3, 1.0]) for each in (name, "other")]
     axes = plot_response_spectra(spectra, Figure().add_subplot())

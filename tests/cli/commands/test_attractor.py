@@ -240,7 +240,6 @@ def test_without_an_orbit_the_csv_holds_the_cloud_or_nothing(
         CHAOS,
         "attractor -A 1.08 -W 0.6 -r 0.05",
         "attractor -A 1 -W 4 -r 0.8",
-        "attractor -A 2 -W 1.7 -r 0.8 --start steady",
         "attractor --block tso-wong-1989 -A 2 -W 4.2 --start steady -n 3",
     ],
 )

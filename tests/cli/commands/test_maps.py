@@ -220,7 +220,7 @@ def drawn_flags(number: int) -> dict[str, str]:
 
 
 @pytest.mark.slow
-@every("number", range(24))
+@every("number", range(8))
 def test_a_cell_of_any_size_is_what_the_command_attractor_says(number: int, tmp_path: Path) -> None:
     given = drawn_flags(number)
     start = ["--start", ("rest", "0.2,-0.1")[number % 2], "--cycles", "100"]

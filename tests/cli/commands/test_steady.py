@@ -316,12 +316,9 @@ PNG = b"\x89PNG\r\n"
         (POINT, "png", PNG),
         (POINT, "svg", b"<?xml"),
         (POINT, "pdf", b"%PDF"),
-        (POINT, "PNG", PNG),
         ("steady -A 0.1 -W 4 -r 0.8", "png", PNG),
-        ("steady -A 2 -W 60 -r 1", "png", PNG),
         ("steady -A 1:3:3 -W 2:8:20 -r 0.8", "png", PNG),
         ("steady -A 0.01:0.02:2 -W 2:8:5 -r 0.8", "png", PNG),
-        ("steady --alpha-rad 0.2 --p-rad-s 6.28 -A 3 -W 2:8:20 -r 0.8 -n 3", "png", PNG),
     ],
 )
 def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:

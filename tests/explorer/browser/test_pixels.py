@@ -12,7 +12,7 @@ from tests.explorer.browser.test_touch import MAP, at
 from tests.explorer.browser.watched import Explorer, drawn, turn_to, until
 
 SEED = 7
-POINTS = 60
+POINTS = 30
 NOTE = "document.querySelector(\"[data-panel='map'] .note\").textContent"
 CELLS = """(canvas, places) => {
   const ratio = canvas.width / canvas.clientWidth, pen = canvas.getContext('2d');

@@ -118,8 +118,8 @@ def test_the_readout_is_what_python_computes_at_some_states(explorer: Explorer) 
 
 
 @pytest.mark.slow
-def test_the_readout_is_what_python_computes_at_200_states(explorer: Explorer) -> None:
-    assert {"rest", "no start"} <= compare(explorer, 200)
+def test_the_readout_is_what_python_computes_at_70_states(explorer: Explorer) -> None:
+    assert {"rest", "no start"} <= compare(explorer, 70)
 
 
 @pytest.mark.slow

@@ -309,9 +309,9 @@ def test_full_equations_count_flips_of_their_tolerance() -> None:
 
 @pytest.mark.slow
 def test_intervals_of_alpha_cover_at_their_rate() -> None:
-    """Forty tests, gain error .2: 20 trials, whose share has a standard error of .07."""
+    """Forty tests, gain error .2: 10 trials, whose share has a standard error of .095."""
     case = next(case for case in CASES if case.sigma == "0.2")
-    assert coverage(case, 20, sampling=Sampling(draws=450))["covered"] >= 0.7
+    assert coverage(case, 10, sampling=Sampling(draws=450))["covered"] >= 0.6
 
 
 def test_a_limit_is_said_of_the_object_that_meets_it() -> None:

@@ -151,10 +151,10 @@ def test_scattered_intensities_have_a_band_too() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("within", [0.0, 0.5])
 def test_bands_of_56_records_cover_what_they_promise(within: float) -> None:
-    """Of 90 %: above .83 but for what chance does to 40 suites, two standard deviations."""
-    shares = coverage(56, 40, within=within, draws=1 if within == 0.0 else 5)
+    """Of 90 %: above .83 but for what chance does to 20 suites, two standard deviations."""
+    shares = coverage(56, 20, within=within, draws=1 if within == 0.0 else 5)
     for name, share in shares.items():
-        assert share > 0.83 - 0.095, (name, share)
+        assert share > 0.83 - 0.134, (name, share)
     assert len(shares) == 5
     assert TOTAL_BETA > 0.0
 

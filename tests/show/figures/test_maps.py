@@ -104,7 +104,7 @@ def test_axes_with_one_value_and_selected_values_stand_in_the_title() -> None:
 
 
 @pytest.mark.slow
-@every("count", [2, 3, 5, 12])
+@every("count", [2, 5])
 def test_a_third_axis_becomes_panels_with_one_legend(count: int) -> None:
     values = np.linspace(0.7, 0.9, count)
     data = random_map(

@@ -17,7 +17,7 @@ from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import simulation_figure
 from rocksteady.show.style import palette
 
-THEMES = ["dark_background", "Solarize_Light2", "classic", "ggplot", "fivethirtyeight"]
+THEMES = ["dark_background", "classic"]
 HOSTILE = {"text.usetex": True, "savefig.bbox": "tight", "figure.autolayout": True}
 """Settings that some people have in their `matplotlibrc`."""
 

@@ -13,7 +13,6 @@ from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.study import Atlas, steps
 from tests.cli.program import refused, rocksteady
 from tests.every import every
-from tests.strategies import rest_slow
 from tests.studies.atlas.small import smallest, tiny
 
 PROGRESS = re.compile(r"(computing|drawing): \d+ of \d+ \(\d+ %\), .+")
@@ -74,11 +73,8 @@ def test_the_text_says_where_to_look_and_progress_goes_to_standard_error(tmp_pat
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("drawn", rest_slow([False, True], 1))
-def test_it_computes_what_it_is_asked_for(
-    drawn: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    for name in () if drawn else DRAWN:
+def test_it_computes_what_it_is_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in DRAWN:
         monkeypatch.setattr(module, name, tiny)
     ran = rocksteady("study atlas -r 0.9 -A 1:3:3 -W 2:6:3 -n 1 --json --out", tmp_path / "out")
     assert ran.code == 0
@@ -119,7 +115,7 @@ def plain(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 
 
 @pytest.mark.slow
-@every("step", ["coexistence", "from_rest", "report_html"])
+@every("step", ["coexistence", "report_html"])
 def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
     step: str, plain: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -196,7 +192,7 @@ def test_an_atlas_that_is_killed_at_any_time_gives_the_same_bytes(
 ) -> None:
     folder, kills = tmp_path / "out", 0
     command = [sys.executable, "-m", "rocksteady", *TINY.split(), "--resume", "--out", str(folder)]
-    for wait in (1.5, 2.0, 2.5, 3.0, 4.0, 1000.0):
+    for wait in (1.5, 2.5, 1000.0):
         running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         try:
             running.communicate(timeout=wait)
@@ -206,7 +202,7 @@ def test_an_atlas_that_is_killed_at_any_time_gives_the_same_bytes(
             kills += 1
             continue
         assert running.returncode == 0
-    assert kills > 2
+    assert kills > 0
     assert contents(folder) == whole
     assert not (folder / ".unfinished").exists()
 

@@ -24,8 +24,9 @@ def canvas(page: Page, panel: str) -> dict[str, float]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("state", POINTS)
-@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+@pytest.mark.parametrize(
+    ("state", "model"), list(zip(POINTS, ["linear", "nonlinear", "linear"], strict=True))
+)
 def test_each_motion_is_chosen_by_a_click(
     state: dict[str, float], model: str, explorer: Explorer
 ) -> None:

@@ -22,7 +22,6 @@ from rocksteady.dynamics.overturning.window_cells import follow
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.pulses import PULSES
 from tests.explorer.in_node import InNode
-from tests.strategies import rest_slow
 
 SHAPES = list(PULSES)
 QUICK = ["one-sine", "triangle", "ricker"]
@@ -122,8 +121,7 @@ def test_fates_over_frequency_and_amplitude_are_those_of_the_package(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("shapes", rest_slow([QUICK, OTHERS], 1), ids="-".join)
-@pytest.mark.parametrize("nonlinear", MODELS)
+@pytest.mark.parametrize(("shapes", "nonlinear"), [(QUICK, True), (OTHERS, False)])
 def test_windows_at_one_frequency_are_those_of_the_package(
     in_node: InNode, shapes: list[str], nonlinear: bool
 ) -> None:

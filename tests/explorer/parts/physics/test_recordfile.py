@@ -264,6 +264,7 @@ def test_real_files_give_the_samples_of_the_package(in_node: InNode) -> None:
     paths = [path for path in sorted(FOLDER.glob("*/*")) if path.suffix.lower() in (".at2", ".csv")]
     if not paths:
         pytest.skip("there are no records in ../shared/records")
+    paths = paths[::3]
     found = read(in_node, {path.name: path.read_bytes() for path in paths})
     for path in paths:
         assert "refused" not in found[path.name], found[path.name]

@@ -91,7 +91,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
     # The search knows nothing of continuation; it is told apart by impacts and period.
     rng = np.random.default_rng(20)
     seen = {"symmetric": 0, "unsymmetric": 0, "doubled": 0, "nothing": 0}
-    for _ in range(110):
+    for _ in range(40):
         order = int(rng.choice([1, 1, 3]))
         ratio = float(rng.uniform(1.5, 3.2) if order == 1 else rng.uniform(2.5, 5.4))
         bands = column(0.8, ratio, 8.0, order)
@@ -123,7 +123,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
             assert not any(
                 orbit.stable for orbit in several if (orbit.period, orbit.impacts) == (order, 2)
             ), (order, ratio, amplitude)
-    assert min(seen.values()) >= 15
+    assert min(seen.values()) >= 5
 
 
 @pytest.mark.slow
