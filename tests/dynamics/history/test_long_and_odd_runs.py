@@ -141,8 +141,8 @@ def test_time_never_runs_backwards() -> None:
 
 @pytest.mark.slow
 def test_time_never_runs_backwards_in_millions_of_bounces() -> None:
-    """Without loss a velocity of 1e-50 bounces until the run's limit of flights is reached."""
-    never_backwards(1.0, range(-97, -10, 42))
+    """Without loss a velocity of 1e-55 bounces until the run's limit of flights is reached."""
+    never_backwards(1.0, (-55,))
 
 
 def test_a_start_that_is_zero_but_for_rounding_lifts_to_where_the_base_pushes() -> None:

@@ -151,8 +151,8 @@ def test_no_zero_is_missed_or_invented(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(100, 130))
-def test_no_zero_is_missed_in_three_million_flights(seed: int) -> None:
+@pytest.mark.parametrize("seed", range(100, 110))
+def test_no_zero_is_missed_in_a_million_flights(seed: int) -> None:
     none_missed(seed, sample_size(100_000, 300))
 
 
@@ -401,5 +401,5 @@ def test_the_landing_jumps_where_the_flight_grazes_the_floor() -> None:
 
 
 @pytest.mark.slow
-def test_three_thousand_grazing_jumps() -> None:
-    check_grazing_jumps(52, 100 if PLAIN else 3000)
+def test_a_thousand_grazing_jumps() -> None:
+    check_grazing_jumps(52, 100 if PLAIN else 1000)

@@ -19,6 +19,8 @@ from tools.aot.replay.outcome import MissingProgramError, Repeated, read
 CALLS = loaded(RECORDED.read_bytes())
 QUICK = ("C", "node", "Chromium", "wasmtime")
 """Targets for which nothing more is compiled than the library and the module."""
+OTHERS = ("linux-x86-64-v2", ARM)
+"""Targets that are compiled first. x86-64-v3 is left out: v2 and this processor are beside it."""
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="no library is loaded")
 
@@ -99,7 +101,7 @@ def test_what_a_replay_prints_is_read() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name in RUNS if name not in QUICK])
+@pytest.mark.parametrize("name", OTHERS)
 def test_other_processors_give_the_same_bits(name: str, built: Path) -> None:
     if name in targets() and not (built / file_name(name)).is_file():
         build([name], built)
@@ -107,12 +109,11 @@ def test_other_processors_give_the_same_bits(name: str, built: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", RUNS)
+@pytest.mark.parametrize("name", [*OTHERS, *QUICK])
 def test_many_cells_give_the_same_bits(name: str, built: Path) -> None:
     if name in targets() and not (built / file_name(name)).is_file():
         build([name], built)
-    part = 0.02
-    for call in large_calls(ENTRIES, part):
-        found = repeated(name, built, [call])
-        assert wrong(found) == {}
-        assert found[0].values > 1000 * part
+    part = 0.01
+    found = repeated(name, built, large_calls(ENTRIES, part))
+    assert wrong(found) == {}
+    assert min(each.values for each in found) > 1000 * part

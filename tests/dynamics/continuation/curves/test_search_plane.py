@@ -84,8 +84,7 @@ def held_to_shooting(found: BifurcationCurves, kind: str, *, most: int = 10) -> 
     ("alpha", "within"),
     [
         (0.1, ((5.05, 5.15), (2.9, 3.85))),
-        pytest.param(0.3, ((4.4, 5.4), (2.5, 4.0)), marks=pytest.mark.slow),
-        pytest.param(0.5, ((3.6, 5.4), (2.5, 4.6)), marks=pytest.mark.slow),
+        (0.5, ((3.6, 5.4), (2.5, 4.6))),
     ],
 )
 def test_doubling_grazes_are_those_of_shooting(
@@ -102,9 +101,8 @@ def test_doubling_grazes_are_those_of_shooting(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("alpha", [0.1, 0.3])
-def test_generalised_doublings_are_those_of_shooting(alpha: float) -> None:
-    held_to_shooting(harmonics(block_of(alpha, 0.5), Nonlinear()), "generalised-doubling", most=1)
+def test_generalised_doublings_are_those_of_shooting() -> None:
+    held_to_shooting(harmonics(block_of(0.3, 0.5), Nonlinear()), "generalised-doubling", most=1)
 
 
 @pytest.mark.slow
@@ -113,7 +111,7 @@ def test_cusps_are_those_of_shooting() -> None:
         block_of(0.1, 0.8),
         Harmonic(amplitude=2.0, frequency_ratio=1.8),
         OVER_RESTITUTION,
-        within=((0.84, 0.92), (1.55, 1.8)),
+        within=((0.9, 0.93), (1.7, 1.8)),
         search=CurveSearch(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
         model=Nonlinear(),
     )

@@ -28,12 +28,11 @@ STACK = 8 * 1024
 """Most bytes of stack that a kernel declares."""
 
 
-QUICK = {"lane_fates", "fates_of_sides"}
-"""Forms whose PTX is executed in every run; the first has votes, the second loops of its own."""
-PARAMS = [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in FORMS]
+NAMES = ("lane_fates", "settle_cells", "nonlinear_record_fates")
+"""Forms that are executed: with votes, with room for a history, and with what all cells share."""
 
 
-@pytest.fixture(params=PARAMS)
+@pytest.fixture(params=NAMES)
 def run(request: pytest.FixtureRequest) -> tuple[Form, Executed, str]:
     """A form, the device that executes it, and its PTX."""
     if not targets() or not compilers(TARGETS[targets()[0]]):
