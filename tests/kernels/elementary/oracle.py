@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 Draw = Callable[[np.random.Generator, int], Floats]
 
 COUNT = 100_000
-MANY = 1_000_000
+MANY = 500_000
 CHUNK = 100_000
 LARGEST = np.finfo(np.float64).max
 
