@@ -227,7 +227,7 @@ def relatives(value: Any) -> list[Any]:
 
 @pytest.mark.slow
 def test_valid_numbers_of_every_type_are_taken() -> None:
-    wrong = {}
+    wrong: dict[str, object] = {}
     for label, call in calls().items():
         for name, value in call.arguments.items():
             others = relatives(value)
