@@ -86,6 +86,7 @@ def test_an_exact_object_falls_where_simulate_says_so() -> None:
     )
     assert 0 < fell.sum() < fell.size
     assert np.array_equal(result.weights[:, ::3] > 1e-9, fell)
+    assert "not checked by records that are left out" in result.summary()
 
 
 def test_records_filed_with_another_factor_or_sign_change_nothing() -> None:

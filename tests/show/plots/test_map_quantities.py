@@ -150,6 +150,9 @@ def test_over_one_axis_the_quantity_is_a_diagram(by: Any) -> None:
     kept = np.sort(expected.values[np.isfinite(expected.values)])
     dots = np.sort(drawn[np.isfinite(drawn)])
     assert set(kept.tolist()) <= set(dots.tolist())
+    # Of exponents 0 is seen too, and they have most of the height.
+    low, high = axes.get_ylim()
+    assert by != "lyapunov" or 0.8 * (high - low) < np.ptp([0.0, *kept]) < high - low
 
 
 def test_panels_share_their_colours() -> None:

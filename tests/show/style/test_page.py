@@ -18,7 +18,7 @@ from matplotlib.legend import Legend
 from rocksteady import InputError, plot_map, plot_trajectory
 from rocksteady.show.export.files import figure_bytes, save_figure
 from rocksteady.show.style.legends import PLACES
-from rocksteady.show.style.page import Page, width_mm_of
+from rocksteady.show.style.page import Page, _shorten, width_mm_of
 from tests.every import every
 from tests.show.drawn_figures import NAMES, TITLE, makers, texts_of
 
@@ -173,6 +173,15 @@ def test_a_narrow_title_stands_in_lines_that_say_all() -> None:
     suptitle = figure.get_suptitle()
     assert "\n" in suptitle
     assert suptitle.replace("\n", " ") == TITLE
+
+
+def test_a_label_is_broken_where_it_is_longer_than_its_room() -> None:
+    label = Figure().supxlabel("some words of a label")
+    room = label.get_window_extent().width
+    for given, lines in ((room, 1), (0.9 * room, 2)):
+        _shorten(label, given, "width")
+        assert len(label.get_text().splitlines()) == lines
+    assert label.get_text().split() == "some words of a label".split()
 
 
 def test_no_figure_warns() -> None:

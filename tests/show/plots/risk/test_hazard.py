@@ -33,6 +33,8 @@ def test_hazard_and_fragility_are_those_of_the_risk() -> None:
     assert y == pytest.approx(ndtr(np.log(x / 0.4653) / 0.592), abs=1e-12)
     assert (axes.get_xlabel(), axes.get_xscale()) == ("PGV [m/s]", "log")
     assert beside.get_ylim() == (0.0, 1.0)
+    for each in (axes, beside):
+        assert each.yaxis.label.get_color() == each.lines[0].get_color()
     assert axes.get_title("center") + axes.get_title("left") == (
         f"falls {risk().annual_rate:.3g} times a year"
     )
