@@ -158,6 +158,8 @@ def test_what_is_not_valid_is_refused_in_one_line() -> None:
         (lambda: Scan(trials=0), "chosen by simulated surveys"),
         (lambda: Scan(temper=0.0), "temper = 0"),
         (lambda: Scan(draws=1), "draws"),
+        (lambda: Scan(draws=10_001), "to 10000;"),
+        (lambda: Scan(levels=201), "to 200;"),
         (lambda: Survey(objects=OBJECTS, fell=[True]), "there are 5 objects"),
         (lambda: Survey(objects=[*OBJECTS, OBJECTS[0]], fell=[True] * 6), "two objects"),
         (lambda: Survey(objects=[], fell=[]), "a survey has 1"),

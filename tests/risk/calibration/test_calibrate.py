@@ -279,6 +279,15 @@ def test_a_measured_peak_narrows_alpha() -> None:
     assert widths[1] < 0.85 * widths[0]
 
 
+def test_numbers_of_runs_have_their_ranges() -> None:
+    for name, low, high in (("draws", 30, 100_000), ("gains", 1, 1000)):
+        for value in (low - 1, high + 1):
+            with pytest.raises(InputError, match=f"^{name} = .* from {low} to {high}"):
+                Sampling(**{name: value})  # type: ignore[arg-type]
+    for draws, rounds in ((30, 1), (250, 2), (1500, 6)):
+        assert len(Sampling(draws=draws).per_round) == rounds
+
+
 def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) -> None:
     """Of the draws of a concentrated posterior a handful count: no number follows from them."""
     once = Sampling(draws=40, gains=2, rounds=1)

@@ -140,6 +140,26 @@ def test_without_half_of_the_redrawn_suites_there_is_no_band() -> None:
     assert words.startswith("there is no confidence band: ")
 
 
+def test_a_curve_without_a_slope_is_bounded_as_clopper_and_pearson_have_it() -> None:
+    levels = np.tile([1.0, 2.0], (12, 1))
+    levels[0], levels[1] = (
+        1.0,
+        2.0,
+    )  # so 11 of 12 records are tried at the lowest, and as many above
+    at = np.array([0.5, 1.0, 1.5, 2.0, 3.0])
+    many, few = 1.0 - 0.05 ** (1.0 / 12.0), 1.0 - 0.05 ** (1.0 / 11.0)
+    for fell, low, high in (
+        (levels < 0.0, [0.0] * 5, [many, many, few, few, 1.0]),
+        (levels > 0.0, [0.0, 1.0 - few, 1.0 - few, 1.0 - many, 1.0 - many], [1.0] * 5),
+        (levels > 1.0, [0.0, 0.0, 0.0, 1.0, 1.0], [0.0, 0.0, 1.0, 1.0, 1.0]),
+    ):
+        groups = np.repeat(np.arange(12), 2)
+        curve = fit_curve(
+            levels.ravel(), 1.0 * fell.ravel(), groups=groups, bands=Bands(confidence=0.95)
+        )
+        np.testing.assert_allclose(curve.probability_band(at), [low, high], rtol=1e-12)
+
+
 def test_scattered_intensities_have_a_band_too() -> None:
     suite = make_suite(40, seed=5, scatter=0.4)
     found = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.special import expit, ndtr
 
 from rocksteady import HazardCurve
-from rocksteady.risk.hazard._convolution import convolve
+from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import Converted, Lognormal
 from tests.every import every
 
@@ -126,6 +126,21 @@ def test_parts_add_up_and_quantiles_divide_the_integral(hazard: HazardCurve) -> 
         # What is below a level: the integral up to it, without what counts beyond it.
         part = convolve(curve.probability, curve.knots, below)
         assert (part.total - part.lump + parts[0]) / found.total == pytest.approx(share, rel=1e-9)
+
+
+def test_the_lump_lies_at_the_last_level() -> None:
+    ends = np.log([[1.0, 2.0], [2.0, 4.0]])
+    found = Integral(
+        ends=ends, values=np.array([1.0, 2.0]), lump=1.0, below=0.0, above=0.0, density=np.ones_like
+    )
+    for span, last, share in (
+        ((1.0, 4.0), 4.0, 0.25),
+        ((1.0, 4.0), 3.9, 0.0),
+        ((1.0, 2.0), 4.0, 0.75),
+        ((2.0, 4.0), 3.9, 0.25),
+    ):
+        assert found.share_outside(span, last) == share
+    assert found.quantile(0.75) <= 4.0 * (1.0 + 1e-12) < found.quantile(0.76) == math.inf
 
 
 def test_what_lies_outside_is_that_of_power_laws() -> None:

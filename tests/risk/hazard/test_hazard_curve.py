@@ -71,6 +71,7 @@ def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
         ({"levels": [0.1], "rates": [0.1]}, "a row of two or more"),
         ({"measure": "pga"}, "one of pga_g, pgv_m_s, sa_g:PERIOD, sa_avg_g:PERIOD"),
         ({"measure": "sa_g"}, 'write a period in seconds, as "sa_g:1.0"'),
+        ({"measure": "sa_g:9e-7"}, "measure = 'sa_g:9e-7' is not valid"),
         ({"measure": "sa_g:-1"}, "measure = 'sa_g:-1' is not valid"),
         ({"measure": "p_pgv_per_uplift"}, "measure = 'p_pgv_per_uplift' is not valid"),
         ({"weight": 1.5}, "weight = 1.5 is not valid"),

@@ -149,7 +149,8 @@ def test_the_average_is_a_geometric_mean() -> None:
         ({"periods_s": []}, "periods_s"),
         ({"periods_s": [[1.0]]}, "periods_s"),
         ({"periods_s": [1.0, math.nan]}, "periods_s"),
-        ({"periods_s": [1e-6]}, "periods_s"),
+        ({"periods_s": [0.99 * 0.01 * 0.02]}, "periods_s"),
+        ({"periods_s": [1e9 + 0.5]}, "periods_s"),
         ({"periods_s": [1.0], "damping": 1.0}, "damping"),
         ({"periods_s": [1.0], "damping": -0.1}, "damping"),
     ],
@@ -159,3 +160,4 @@ def test_what_is_refused(given: dict[str, Any], name: str) -> None:
         compute_response_spectrum(noise(1), **given)
     with pytest.raises(InputError, match="ascend"):
         average_spectral_acceleration(noise(1), 1.0, factors=(3.0, 0.2))
+    assert compute_response_spectrum(noise(1), [0.01 * 0.02, 1e9]).damping == 0.05

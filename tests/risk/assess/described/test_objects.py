@@ -149,6 +149,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"assessment": {"period_s": 1.0}}, "[assessment] period_s = 1.0 is not valid: pgv_m_s has"),
     ({"assessment": {"damage_states": ["tilted"]}}, "damage_states = 'tilted' is not valid"),
     ({"assessment": {"replicates": 50}}, "a band needs 100 suites or more"),
+    ({"assessment": {"replicates": 100_001}}, "it must be a whole number from 0 to 100000;"),
     ({"assessment": {"target_probability": 1}}, "it must lie in (0, 1)"),
     ({"assessment": {"damage_states": []}}, "there must be one or more, each of another name"),
     ({"assessment": {"damage_states": [{"name": "a", "peek": 1}]}}, "did you mean peak?"),
