@@ -40,7 +40,8 @@ SWAPPED: dict[type[ast.AST], str] = {
     ast.Div: "*",
 }
 PYTEST = (sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider")
-FREEZE = (sys.executable, "-m", "tools.freeze", "compare", "calls", "things", "--workers=1")
+FROZEN = ("calls", "things", "figures")
+FREEZE = (sys.executable, "-m", "tools.freeze", "compare", *FROZEN, "--workers=1")
 LONGEST = 600.0
 """Seconds after which tests that go on count as failed."""
 

@@ -34,6 +34,7 @@ def _entries() -> list[str]:
 PARTS = {
     "calls": Part(_once, results.freeze_calls),
     "things": Part(_once, results.freeze_things),
+    "figures": Part(_once, results.freeze_figures),
     "kernels": Part(_entries, kernels.freeze_entry),
     "cells": Part(_once, kernels.freeze_cells),
     "commands": Part(lambda: commands.lines(long=False), commands.freeze_line),
@@ -47,5 +48,5 @@ PARTS = {
     "views": Part(lambda: list(TABS), explorer.freeze_view),
 }
 """All parts, those that take longest first."""
-LARGE = {"long-commands", "targets", "physics", "views"}
+LARGE = {"figures", "long-commands", "targets", "physics", "views"}
 """Parts of the large set alone."""

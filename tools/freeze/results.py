@@ -5,22 +5,40 @@ import enum
 import inspect
 import shutil
 import tempfile
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
 
 import rocksteady as rs
+from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.figures.facades import facade_figure
+from rocksteady.show.figures.observations import (
+    back_analysis_figure,
+    calibration_figure,
+    predictions_figure,
+    restitution_figure,
+)
+from rocksteady.show.style.page import Page
 from tests.public.calls import calls, close_pictures
 from tests.public.things import things
+from tests.show.drawn_figures import makers
 from tools.freeze.files import files_of, left
 from tools.freeze.records import FILE
 from tools.freeze.values import plain, shown, tidy
 
 ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
 """Things and calls whose answer is the machine's."""
+FIGURES: dict[str, Callable[..., Any]] = {
+    "calibration": calibration_figure,
+    "back analysis": back_analysis_figure,
+    "predictions": predictions_figure,
+    "restitution_fit": restitution_figure,
+    "facade check": facade_figure,
+}
+"""Whole figures of things."""
 
 
 @cache
@@ -70,6 +88,16 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
             for file, content in left(folder, before):
                 yield f"{FILE}{file}", content
         close_pictures()
+
+
+def freeze_figures(_: str) -> Iterator[tuple[str, str]]:
+    """Yield every kind of whole figure, at its own width and in a column of a journal."""
+    with contextlib.chdir(room()):
+        of_things = {name: partial(draw, things()[name]) for name, draw in FIGURES.items()}
+    for name, draw in (makers() | of_things).items():
+        for page in (Page(), Page(width_mm=84.0)):
+            picture = figure_bytes(draw(page=page), "svg").decode()
+            yield f"{name}{FILE}{page.width_mm or 'natural'}.svg", picture
 
 
 def freeze_stores(_: str) -> Iterator[tuple[str, str]]:
