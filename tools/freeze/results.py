@@ -21,6 +21,12 @@ from rocksteady.show.figures.observations import (
     predictions_figure,
     restitution_figure,
 )
+from rocksteady.show.figures.single import (
+    curves_figure,
+    edge_figure,
+    fatal_figure,
+    fate_basins_figure,
+)
 from rocksteady.show.style.page import Page
 from tests.public.calls import calls, close_pictures
 from tests.public.things import things
@@ -37,6 +43,11 @@ FIGURES: dict[str, Callable[..., Any]] = {
     "predictions": predictions_figure,
     "restitution_fit": restitution_figure,
     "facade check": facade_figure,
+    "edge": edge_figure,
+    "fates": fate_basins_figure,
+    "curves": curves_figure,
+    "scales": fatal_figure,
+    "kicks": fatal_figure,
 }
 """Whole figures of things."""
 

@@ -3,9 +3,11 @@
 import hashlib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from rocksteady import InputError, RocksteadyError, read_survey
+from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 from tests.every import every
 
 HEADER = "name,width_m,height_m,base,outcome,reversed,photo\n"
@@ -68,3 +70,16 @@ def test_a_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
         read_survey(tmp_path / "none.csv")
     with pytest.raises(InputError, match="survey"):
         read_survey(tmp_path)
+
+
+def test_the_objects_of_a_made_survey_fill_their_ranges_and_the_slender_fall() -> None:
+    survey = make_synthetic_survey(200)
+    sizes = [(str(each.width_m), str(each.height_m)) for each in survey.objects]
+    width, height = (
+        np.array([np.mean([float(end) for end in pair[k].split(":")]) for pair in sizes])
+        for k in (0, 1)
+    )
+    for values, low, high in ((height, 0.5, 1.6), (height / width, 2.5, 6.0)):
+        assert low <= values.min() < 1.05 * low < 0.95 * high < values.max() <= high
+    fell = np.array(survey.fell)
+    assert (width / height)[fell].max() < (width / height)[~fell].min()

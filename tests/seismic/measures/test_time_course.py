@@ -119,6 +119,7 @@ def test_scaling_and_reversing_scales_and_reverses(seed: int) -> None:
     ):
         assert two.value == pytest.approx(-2.0 * one.value, rel=1e-12)
         assert two.t_s == pytest.approx(one.t_s)
+    assert integrate_record(record.scaled(0.01)).drifts == course.drifts
 
 
 def test_el_centro_as_chopra_prints_it() -> None:

@@ -247,6 +247,8 @@ def test_far_multipliers_are_at_their_angle_and_the_logarithm_of_their_modulus()
     assert dict(zip(names, radii, strict=True)) == pytest.approx(
         {"$10^{3}$": 1.0 + 3.0 / 7.0, "$10^{6}$": 1.0 + 6.0 / 7.0}
     )
+    for text, radius in zip(axes.texts, radii, strict=False):  # on its ring
+        assert math.hypot(*text.get_position()) == pytest.approx(radius)
     assert "log" in axes.texts[2].get_text()
     for radius in circles(axes):
         assert radius < axes.get_xlim()[1]
