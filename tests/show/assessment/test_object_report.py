@@ -6,6 +6,7 @@ import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from rocksteady.results.numbers import number
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.show.assessment._assessment_pictures import tornado_rows
 from rocksteady.show.assessment.object_report import report_html, write_report
 from rocksteady.show.export.manifest import make_manifest
 from tests.show.assessment.pages import Page, check_alone
@@ -70,6 +72,23 @@ def _page(html: str) -> Page:
 @pytest.fixture(scope="module", name="slides")
 def _slides() -> Assessment:
     return assess_object(statue(friction=0.1), SUITE[:3])
+
+
+def test_bars_go_from_the_low_to_the_high_end_the_widest_first() -> None:
+    cases = [
+        SimpleNamespace(parameter=parameter, change=change, probability=probability)
+        for parameter, change, probability in (
+            ("", "", 0.3),
+            ("width", "-5 % alone", 0.5),
+            ("width", "+5 % alone", 0.2),
+            ("mass centre", "-2 %", 0.25),
+            ("friction", "+10 %", 0.9),
+            ("restitution", "+1 %", math.nan),
+        )
+    ]
+    rows = tornado_rows(SimpleNamespace(cases=cases))  # type: ignore[arg-type]
+    assert [row[1:] for row in rows] == [(0.3, 0.9), (0.5, 0.2), (0.25, 0.3)]
+    assert rows[1][0].endswith(", -5 % to +5 %")
 
 
 @pytest.mark.slow

@@ -181,7 +181,7 @@ def test_a_label_is_broken_where_it_is_longer_than_its_room() -> None:
     for given, lines in ((room, 1), (0.9 * room, 2)):
         _shorten(label, given, "width")
         assert len(label.get_text().splitlines()) == lines
-    assert label.get_text().split() == "some words of a label".split()
+    assert label.get_text().split() == ["some", "words", "of", "a", "label"]
 
 
 def test_no_figure_warns() -> None:

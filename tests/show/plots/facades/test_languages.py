@@ -1,11 +1,13 @@
 """Words of facades: the same keys and places in each language, and numbers as it writes them."""
 
 import re
+from types import SimpleNamespace
 
 import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.risk.facades.remark import TEMPLATES
+from rocksteady.show.plots.facades.headline import LOOKS, headline_of, verdict_of
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.every import every
 
@@ -43,3 +45,21 @@ def test_italian_numbers_have_a_comma() -> None:
 def test_a_language_that_is_not_there_is_refused_by_name() -> None:
     with pytest.raises(InputError, match=r"language = 'de'.*en and it"):
         language_of("de")
+
+
+def test_a_headline_counts_the_checks_that_fail() -> None:
+    words = language_of("en")
+    for satisfied, line in (
+        ([], ""),
+        ([True, None], ""),
+        ([True, True, None], words["headline_all"]),
+        ([False, False], words["headline_no"]),
+        ([True, False, True], words("headline_one", failed=1, all=3)),
+        ([False, False, True, None], words("headline_some", failed=2, all=3)),
+    ):
+        checks = [SimpleNamespace(satisfied=each) for each in satisfied]
+        check = SimpleNamespace(checks=checks, states=())
+        assert headline_of(check, words) == line  # type: ignore[arg-type]
+        decided = [each for each in satisfied if each is not None]
+        word = words[LOOKS[all(decided) if decided else None][0]]
+        assert verdict_of(check, words)["word"] == word  # type: ignore[arg-type]
