@@ -96,6 +96,7 @@ def test_without_a_damping_a_table_is_checked_and_not_used() -> None:
         ([[0.1, 0.3], [0.2, math.nan]], 0.05, "finite"),
         ([[0.1, 0.3], [1e-9, 0.3]], 0.05, "ascend"),
         ([[0.0, 0.3], [1e-9, 0.3]], 0.05, "periods above 0"),
+        ([[0.1, 0.3], [0.2, 0.3], [1.1e9, 0.3]], 0.05, "periods above 0"),
         (TABLE, (0.02, 0.05), "1 column"),
         ([[0.1, 0.3, 0.2], [0.2, 0.3, 0.2]], (0.05, 0.05), "differ"),
         (TABLE, 5.0, "(0, 1)"),

@@ -2,12 +2,14 @@
 
 import functools
 import re
+from dataclasses import replace
 
 import pytest
 
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.facade._facade_page import facade_html
+from rocksteady.show.facade._facade_tables import _restitution
 from rocksteady.show.plots.facades.languages import TABLES, language_of
 from tests.every import every
 from tests.show.assessment.pages import Page, check_alone
@@ -28,6 +30,13 @@ def words_in(text: str) -> set[str]:
     """Return the words of a text, without hashes and the indices of symbols."""
     plain = re.sub(r"\b[0-9a-f]{12,}\b|SL[VC]", " ", text)
     return {word.lower() for word in re.findall(r"[A-Za-zÀ-ÿ]{4,}", plain)}
+
+
+def test_a_restitution_that_is_given_is_written_as_the_language_has_it() -> None:
+    words, check = language_of("it"), alone()
+    assert _restitution(check, words)[1] == words["housner"]
+    given = replace(check, facade=replace(check.facade, restitution=0.85))
+    assert _restitution(given, words) == ("0,85", "")
 
 
 @pytest.mark.slow

@@ -18,6 +18,7 @@ def test_scores_of_four_tests_by_hand() -> None:
     assert found.log_score[0] == pytest.approx(-math.log(0.9 * 0.35 * 0.38 * 0.8) / 4)
     assert found.ece[0] == pytest.approx((0.1 + 0.65 + 0.62 + 0.2) / 4)
     assert (found.tests, found.groups) == (4, 4)
+    assert score_predictions([0.5], [1], replicates=0).accuracy[0] == 1.0
 
 
 def test_calibration_error_is_that_of_bins() -> None:
