@@ -105,7 +105,8 @@ def freeze_figures(_: str) -> Iterator[tuple[str, str]]:
     """Yield every kind of whole figure, at its own width and in a column of a journal."""
     with contextlib.chdir(room()):
         of_things = {name: partial(draw, things()[name]) for name, draw in FIGURES.items()}
-    for name, draw in (makers() | of_things).items():
+    drawn: dict[str, Callable[..., Any]] = {**makers(), **of_things}
+    for name, draw in drawn.items():
         for page in (Page(), Page(width_mm=84.0)):
             picture = figure_bytes(draw(page=page), "svg").decode()
             yield f"{name}{FILE}{page.width_mm or 'natural'}.svg", picture

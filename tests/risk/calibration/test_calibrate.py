@@ -283,7 +283,7 @@ def test_numbers_of_runs_have_their_ranges() -> None:
     for name, low, high in (("draws", 30, 100_000), ("gains", 1, 1000)):
         for value in (low - 1, high + 1):
             with pytest.raises(InputError, match=f"^{name} = .* from {low} to {high}"):
-                Sampling(**{name: value})  # type: ignore[arg-type]
+                Sampling(**{name: value})
     for draws, rounds in ((30, 1), (250, 2), (1500, 6)):
         assert len(Sampling(draws=draws).per_round) == rounds
 

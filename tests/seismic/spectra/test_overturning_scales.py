@@ -177,15 +177,15 @@ def test_a_suite_is_its_records_and_workers_do_not_count() -> None:
         frame["low"].to_numpy() * both.pga_g[[both.names.index(name) for name in frame["record"]]]
     )
     windows, records = both.describe().tables[:2]
-    assert [windows.columns[-1].text(side) for side in (1, -1)] == ["+", "-"]
+    side = windows.columns[-1].text
+    assert side is not None
+    assert (side(1), side(-1)) == ("+", "-")
     # Of too many the lowest scales are shown, and records that fall before those that stand.
     order = [({"low": 1.0}, {"low": 2.0}), ({"first": 1.0}, {"first": 2.0}), ({"first": 2.0}, {})]
     for table, (first, then) in zip((windows, records, records), order, strict=True):
-        worse, better = (
-            table.severity({"windows": len(row), **row})
-            for row in (first, then)  # type: ignore[misc]
-        )
-        assert worse > better
+        severity = table.severity
+        assert severity is not None
+        assert severity({"windows": len(first), **first}) > severity({"windows": len(then), **then})
     assert both.to_dataset()["first"].sel(record="shock") == both.first[1]
 
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from typing import Any
 
 import matplotlib as mpl
 
@@ -237,7 +238,7 @@ def test_far_multipliers_are_at_their_angle_and_the_logarithm_of_their_modulus()
             assert abs(place) == pytest.approx(radius)
             assert np.angle(place) == pytest.approx(np.angle(multiplier), abs=1e-12)
             assert (abs(place) < 1.0) == (size < 1.0), "stability is read off the circle"
-    numbers = [text for text in axes.texts if text.get_text().isdigit()]
+    numbers: list[Any] = [text for text in axes.texts if text.get_text().isdigit()]
     for text, line in zip(numbers, lines, strict=True):
         # Of a conjugate pair the one above the real axis, else the larger.
         pair = np.asarray(line.get_xydata()).tolist()
