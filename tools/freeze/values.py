@@ -106,7 +106,9 @@ def of_frame(frame: Any) -> str:
 def plain(value: Any) -> str:
     """Return any value as text in which each bit counts."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return _fields(value, [field.name for field in dataclasses.fields(value)])
+        # What is neither compared nor printed is a memory of earlier questions.
+        fields = [each for each in dataclasses.fields(value) if each.compare or each.repr]
+        return _fields(value, [each.name for each in fields])
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         return _fields(value, value._fields)
     if inspect.isgenerator(value):
