@@ -4,20 +4,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.start import StartFlags
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -80,18 +72,14 @@ def attractor(
             max_cycles=cycles,
             model=equations,
         )
-    if output.csv is not None:
-        rows = ([row[name] for name in attractor.columns] for row in attractor.rows())
-        write_csv(output.csv, attractor.columns, rows)
-    if output.plot is not None:
-        write_figure(output.plot, figure_of(attractor, output.page))
-    if output.as_json:
-        given = {**start.values(attractor.motion.phase), "cycles": cycles}
-        print_json("attractor", {**attractor.to_dict(), **given})
-    else:
-        print_description(attractor.describe(), terminal.console())
-    if attractor.kind is AttractorKind.UNDECIDED:
-        raise typer.Exit(INCOMPLETE)
+    output.write_csv(lambda: in_columns(attractor.columns, attractor.rows()))
+    output.write_plot(lambda page: figure_of(attractor, page))
+    output.leave(
+        "attractor",
+        attractor.describe(),
+        after={**start.values(attractor.motion.phase), "cycles": cycles},
+        decided=attractor.kind is not AttractorKind.UNDECIDED,
+    )
 
 
 def figure_of(attractor: "Attractor", page: "Page") -> "Figure":

@@ -6,23 +6,15 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
-from rocksteady.results.rendering import print_description
 
 BRANCHES = "Branches"
 LONGEST_AXIS = 20_000
@@ -177,6 +169,7 @@ def bifurcate(
     announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.branches import BranchSearch
     from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
+    from rocksteady.show.figures.single import bifurcation_figure
 
     asked = BranchSearch(
         orders=start.orders,
@@ -206,19 +199,10 @@ def bifurcate(
             "--max-period or --max-impacts",
             file=sys.stderr,
         )
-    if output.csv is not None:
-        rows = ([row[name] for name in diagram.columns] for row in diagram.rows())
-        write_csv(output.csv, diagram.columns, rows)
-    if output.plot is not None:
-        from rocksteady.show.figures.single import bifurcation_figure
-
-        write_figure(output.plot, bifurcation_figure(diagram, top=top, page=output.page))
-    if output.as_json:
-        print_json("bifurcate", start.as_given(diagram.to_dict()))
-    else:
-        print_description(diagram.describe(), terminal.console())
-    if not diagram.complete:
-        raise typer.Exit(INCOMPLETE)
+    output.write_csv(lambda: in_columns(diagram.columns, diagram.rows()))
+    output.write_plot(lambda page: bifurcation_figure(diagram, top=top, page=page))
+    values = start.as_given(diagram.to_dict())
+    output.leave("bifurcate", diagram.describe(), values=values, decided=diagram.complete)
 
 
 def check_top(top: float | None, output: OutputFlags) -> None:

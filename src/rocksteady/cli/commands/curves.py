@@ -5,20 +5,12 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import plane_of
-from rocksteady.results.rendering import print_description
 
 CURVES = "Curves"
 
@@ -124,6 +116,7 @@ def curves(
     )
     announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.curves.search_plane import find_bifurcation_curves
+    from rocksteady.show.figures.single import curves_figure
 
     with progress("following", 1, lines=False) as done:
         curves_found = find_bifurcation_curves(
@@ -141,16 +134,6 @@ def curves(
             "be more; raise --max-curves or --max-branches, or lower --max-impacts",
             file=sys.stderr,
         )
-    if output.csv is not None:
-        rows = ([row[name] for name in curves_found.columns] for row in curves_found.rows())
-        write_csv(output.csv, curves_found.columns, rows)
-    if output.plot is not None:
-        from rocksteady.show.figures.single import curves_figure
-
-        write_figure(output.plot, curves_figure(curves_found, page=output.page))
-    if output.as_json:
-        print_json("curves", curves_found.to_dict())
-    else:
-        print_description(curves_found.describe(), terminal.console())
-    if not curves_found.complete:
-        raise typer.Exit(INCOMPLETE)
+    output.write_csv(lambda: in_columns(curves_found.columns, curves_found.rows()))
+    output.write_plot(lambda page: curves_figure(curves_found, page=page))
+    output.leave("curves", curves_found.describe(), decided=curves_found.complete)

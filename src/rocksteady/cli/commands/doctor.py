@@ -4,10 +4,9 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import announce_compilation, print_json
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
-from rocksteady.results.rendering import print_description
+from rocksteady.cli.flags.groups import OutputFlags
 
 HELP = (
     "Check this installation: repeat recorded calls of every kernel, and compare all bits.\n\n"
@@ -35,8 +34,5 @@ def doctor(check: CheckFlag = False, as_json: options.Json = False) -> int:
     from rocksteady.installation.check import check_installation
 
     report = check_installation()
-    if as_json:
-        print_json("doctor", report.to_dict())
-    else:
-        print_description(report.describe(), terminal.console())
+    OutputFlags(as_json=as_json).leave("doctor", report.describe())
     return DIFFERENT if check and not report.equal else 0

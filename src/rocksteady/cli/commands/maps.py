@@ -5,16 +5,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_cells,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import Meter, sweeping
+from rocksteady.cli.console.outputs import announce_compilation
+from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
@@ -23,7 +15,6 @@ from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
 from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.sweep import SWEEP, SweepFlags
 from rocksteady.errors import InputError
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.show.plots.map_quantities import Colouring
@@ -132,9 +123,8 @@ def maps(
     from rocksteady.sweep.cases.labelled import as_dataset
 
     with (
-        sweep.resumable(context.find_root().obj),
+        sweep.running(context, run, "following motions", case.cells) as (shown, meter),
         start.as_typed(),
-        sweeping("following motions", case.cells) as meter,
     ):
         cells = map_of(
             FATES if fate else ATTRACTORS,
@@ -145,31 +135,30 @@ def maps(
             cycles=cycles,
             refine=refine,
             model=equations,
-            run=replace(run, progress=meter),
+            run=shown,
         )
     description = describe(cells)
     values = {"computed": meter.computed, **description.to_dict(), **case.values}
     values |= {"store": run.place and str(run.place.path), "seconds": meter.seconds}
-    if output.csv is not None:
-        write_cells(output.csv, as_dataset(cells))
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, as_dataset(cells))
+    output.write_cells(lambda: as_dataset(cells))
+    sweep.write_netcdf(lambda: as_dataset(cells))
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        figure = map_figure(as_dataset(cells), description.headline, output.page, colouring)
-        write_figure(output.plot, figure)
-    if output.as_json:
-        print_json("map", values)
-    else:
-        print_description(description, terminal.console(wrap=True))
-        terminal.console().print(_speed(values["computed"], meter), style="dim")
-    if values["counts"].get("undecided", 0) > FEW * values["cells"]:
-        raise typer.Exit(INCOMPLETE)
+        title = description.headline
+        output.write_plot(lambda page: map_figure(as_dataset(cells), title, page, colouring))
+    output.leave(
+        "map",
+        replace(description, notes=[*description.notes, _speed(meter)]),
+        values=values,
+        decided=values["counts"].get("undecided", 0) <= FEW * values["cells"],
+        wrap=True,
+    )
 
 
-def _speed(computed: int, meter: Meter) -> str:
+def _speed(meter: Meter) -> str:
     """Return how many cells were computed, and how fast."""
+    computed = meter.computed
     rate = computed / meter.seconds if meter.seconds else 0.0
     return f"{computed:,} cells computed in {meter.seconds:.2f} s, {rate:,.0f} a second"
 

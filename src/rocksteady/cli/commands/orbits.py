@@ -4,13 +4,11 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import announce_compilation, print_json, write_csv, write_figure
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
-from rocksteady.results.rendering import print_description
 
 SEARCH = "Search"
 
@@ -77,18 +75,12 @@ def orbits(
 
     announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits
+    from rocksteady.show.figures.single import orbits_figure
 
     limits = {"max_period": max_period, "max_impacts": max_impacts, "seeds": seeds}
     listed = find_orbits(body, motion, model=equations, **limits)
     description = describe_orbits(listed, body, motion, equations, **limits)
-    if output.csv is not None:
-        (table,) = description.tables
-        write_csv(output.csv, table.header or ["number"], table.records())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import orbits_figure
-
-        write_figure(output.plot, orbits_figure(listed, description.headline, output.page))
-    if output.as_json:
-        print_json("orbits", description.to_dict())
-    else:
-        print_description(description, terminal.console())
+    (table,) = description.tables
+    output.write_csv(lambda: (table.header or ["number"], table.records()))
+    output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
+    output.leave("orbits", description)

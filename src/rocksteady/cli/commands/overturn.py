@@ -1,22 +1,13 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.outputs import announce_compilation
+from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -36,13 +27,18 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from rocksteady.dynamics.overturning.kicks import FatalKicks
+    from rocksteady.dynamics.overturning.windows import OverturningWindows
     from rocksteady.model.motions.record import Record
     from rocksteady.seismic.spectra.overturning_scales import OverturningScales
+    from rocksteady.show.style.page import Page
     from rocksteady.sweep.run import Run
+
+    Found = TypeVar("Found", OverturningWindows, OverturningScales, FatalKicks)
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
@@ -176,7 +172,6 @@ def overturn(
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output, [*recorded.files, *(suite.files if suite.records else [])])
-    arguments = context.find_root().obj
     shaken = bool(recorded.record or suite.records)
     conflicting: dict[str, object] = {
         "--pulse": pulse.pulse,
@@ -188,13 +183,13 @@ def overturn(
     of_kicks = {"--start": None if start == "rest" else start, "--at-s": at_s}
     if kick:
         _refuse("--kick", {**conflicting, "--scales": scales, "--resolution": resolution})
-        _find_kick(arguments, recorded, suite, reading, block, sweep, output, start, at_s, model)
+        _find_kick(context, recorded, suite, reading, block, sweep, output, start, at_s, model)
         return
     _refuse("a search without --kick", of_kicks)
     if shaken:
         _refuse("--record", {**conflicting, "--scale": recorded.scale, "--pga-g": recorded.pga_g})
         _find_scales(
-            arguments, recorded, suite, reading, block, sweep, output, scales, resolution, model
+            context, recorded, suite, reading, block, sweep, output, scales, resolution, model
         )
         return
     _refuse("a search without --record", {"--scales": scales})
@@ -224,11 +219,11 @@ def overturn(
 
     announce_compilation("pulses.pulse_fates")
     from rocksteady.dynamics.overturning.windows import find_overturning_windows
+    from rocksteady.show.figures.single import overturning_figure
 
     with (
         _as_typed(within="--amplitude/-A" if accel_g is None else "--accel-g"),
-        sweep.resumable(context.find_root().obj),
-        sweeping("searching frequencies", len(ratios)) as meter,
+        sweep.running(context, run, "searching frequencies", len(ratios)) as (shown, meter),
     ):
         windows = find_overturning_windows(
             body,
@@ -237,25 +232,9 @@ def overturn(
             within=within,
             resolution=resolution,
             model=equations,
-            run=replace(run, progress=meter),
+            run=shown,
         )
-    description = windows.describe()
-    if output.csv is not None:
-        frame = windows.to_dataframe()
-        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, windows.to_dataset())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import overturning_figure
-
-        write_figure(output.plot, overturning_figure(windows, description.headline, output.page))
-    if output.as_json:
-        store = run.place and str(run.place.path)
-        print_json("overturn", {**description.to_dict(), "seconds": meter.seconds, "store": store})
-    else:
-        print_description(description, terminal.console(wrap=True))
-    if windows.undecided.any():
-        raise typer.Exit(INCOMPLETE)
+    _leave(windows, overturning_figure, sweep, output, run, meter)
 
 
 def _refuse(what: str, idle: Mapping[str, object]) -> None:
@@ -272,7 +251,7 @@ def _refuse(what: str, idle: Mapping[str, object]) -> None:
 
 
 def _find_scales(
-    arguments: list[str],
+    context: typer.Context,
     recorded: RecordFlags,
     suite: SuiteFlags,
     reading: ReadingFlags,
@@ -285,6 +264,7 @@ def _find_scales(
 ) -> None:
     """Search the scales of records, and print or write what is found."""
     from rocksteady.seismic.spectra.overturning_scales import find_overturning_scales
+    from rocksteady.show.figures.single import fatal_figure
 
     body, motions = _motions(recorded, suite, reading, block)
     equations = equations_for(model, body, motions[0])
@@ -293,8 +273,7 @@ def _find_scales(
     announce_compilation("pulses.pulse_fates")
     with (
         _as_typed(within="--scales"),
-        sweep.resumable(arguments),
-        sweeping("searching records", len(motions)) as meter,
+        sweep.running(context, run, "searching records", len(motions)) as (shown, meter),
     ):
         result = find_overturning_scales(
             body,
@@ -302,13 +281,13 @@ def _find_scales(
             within=within,
             resolution=resolution,
             model=equations,
-            run=replace(run, progress=meter),
+            run=shown,
         )
-    _leave(result, sweep, output, run, meter.seconds)
+    _leave(result, fatal_figure, sweep, output, run, meter)
 
 
 def _find_kick(
-    arguments: list[str],
+    context: typer.Context,
     recorded: RecordFlags,
     suite: SuiteFlags,
     reading: ReadingFlags,
@@ -323,6 +302,7 @@ def _find_kick(
     from rocksteady.cli.flags.start import state_from
     from rocksteady.dynamics.history.start import Rest
     from rocksteady.dynamics.overturning.kicks import find_fatal_kick
+    from rocksteady.show.figures.single import fatal_figure
 
     if suite.records:
         raise FlagError(
@@ -356,8 +336,7 @@ def _find_kick(
     announce_compilation("march.march")
     with (
         _as_typed(times_pt="--at-s"),
-        sweep.resumable(arguments),
-        sweeping("searching kicks", 2 * len(times)) as meter,
+        sweep.running(context, run, "searching kicks", 2 * len(times)) as (shown, meter),
     ):
         kicks = find_fatal_kick(
             body,
@@ -365,9 +344,9 @@ def _find_kick(
             motion=motion,
             times_pt=[time * rate for time in times],
             model=equations_for(model, body, motion),
-            run=replace(run, progress=meter),
+            run=shown,
         )
-    _leave(kicks, sweep, output, run, meter.seconds)
+    _leave(kicks, fatal_figure, sweep, output, run, meter)
 
 
 def _motions(
@@ -398,11 +377,12 @@ def _motions(
 
 
 def _leave(
-    result: "OverturningScales | FatalKicks",
+    result: "Found",
+    figure: "Callable[[Found, str, Page], Figure]",
     sweep: SweepFlags,
     output: OutputFlags,
     run: "Run",
-    seconds: float,
+    meter: Meter,
 ) -> None:
     """Write and print what was found.
 
@@ -412,22 +392,16 @@ def _leave(
         With code 3 where a fate could not be decided.
     """
     description = result.describe()
-    if output.csv is not None:
-        frame = result.to_dataframe()
-        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, result.to_dataset())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import fatal_figure
-
-        write_figure(output.plot, fatal_figure(result, description.headline, output.page))
-    if output.as_json:
-        store = run.place and str(run.place.path)
-        print_json("overturn", {**description.to_dict(), "seconds": seconds, "store": store})
-    else:
-        print_description(description, terminal.console(wrap=True))
-    if result.undecided.any():
-        raise typer.Exit(INCOMPLETE)
+    output.write_csv(result.to_dataframe)
+    sweep.write_netcdf(result.to_dataset)
+    output.write_plot(lambda page: figure(result, description.headline, page))
+    output.leave(
+        "overturn",
+        description,
+        after={"seconds": meter.seconds, "store": run.place and str(run.place.path)},
+        decided=not result.undecided.any(),
+        wrap=True,
+    )
 
 
 @contextmanager

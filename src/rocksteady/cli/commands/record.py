@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import print_json, write_csv, write_figure
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
@@ -20,7 +18,7 @@ from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
-from rocksteady.results.rendering import print_description, printable
+from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:
@@ -98,6 +96,7 @@ def record(
     from rocksteady.seismic.measures.intensity import measure_intensity
     from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
     from rocksteady.seismic.measures.time_course import integrate_record
+    from rocksteady.show.figures.single import record_figure
 
     wanted = periods
     if output.plot is not None and periods is None:
@@ -115,25 +114,16 @@ def record(
     for each, measured in zip(recordings, measures, strict=True):
         if measured.warning is not None:
             warn(each.path, measured.warning)
-    if output.csv is not None:
-        write_csv(output.csv, course_header(unit), course_rows(courses[0], unit))
-    if output.plot is not None:
-        from rocksteady.show.figures.single import record_figure
-
-        write_figure(
-            output.plot, record_figure(courses, spectra, title_of(recordings), output.page)
-        )
+    output.write_csv(lambda: (course_header(unit), course_rows(courses[0], unit)))
+    output.write_plot(lambda page: record_figure(courses, spectra, title_of(recordings), page))
     printed = spectra if periods is not None else []
-    if output.as_json:
-        shown = [[spectrum] for spectrum in printed] or [[] for _ in recordings]
-        rows = [
-            record_values(*results) for results in zip(recordings, measures, shown, strict=True)
-        ]
-        print_json("record", rows[0] if len(rows) == 1 else {"records": rows})
-    elif len(recordings) == 1:
-        print_description(described(recordings[0], measures[0], printed), terminal.console())
+    shown = [[spectrum] for spectrum in printed] or [[] for _ in recordings]
+    rows = [record_values(*results) for results in zip(recordings, measures, shown, strict=True)]
+    if len(rows) == 1:
+        answer = described(recordings[0], measures[0], printed)
+        output.leave("record", answer, values=rows[0])
     else:
-        print_description(table_of(recordings, measures), terminal.console())
+        output.leave("record", table_of(recordings, measures), values={"records": rows})
 
 
 def record_values(

@@ -5,15 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-    write_film,
-)
+from rocksteady.cli.console.outputs import announce_compilation, write_film
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.console.titles import case_text
 from rocksteady.cli.flags import options
@@ -36,7 +28,6 @@ from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Motion, Still
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.trajectory import Trajectory
@@ -154,12 +145,7 @@ def simulate(
         )
     description = with_neighbours(trajectory, notes)
     write_files(trajectory, description, output, film, samples)
-    if output.as_json:
-        print_json("simulate", description.to_dict())
-    else:
-        print_description(description, terminal.console())
-    if trajectory.status is Status.UNDECIDED:
-        raise typer.Exit(INCOMPLETE)
+    output.leave("simulate", description, decided=trajectory.status is not Status.UNDECIDED)
 
 
 def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> Description:
@@ -201,19 +187,18 @@ def write_files(
     samples: int,
 ) -> None:
     """Write the table, the picture and the film."""
+    from rocksteady.show.figures.single import simulation_figure
+
     # Made before any file is written: a run that is too long to be shown is refused here.
     moving = None if film.animate is None else film_of_run(trajectory, film)
     if output.csv is not None:
         table = trajectory.to_columns(samples)
         rows = zip(*(column.tolist() for column in table.values()), strict=True)
-        write_csv(output.csv, list(table), rows)
-    if output.plot is not None:
-        from rocksteady.show.figures.single import simulation_figure
-
-        values = description.to_dict()
-        # The name of a record leaves no room for more.
-        title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
-        write_figure(output.plot, simulation_figure(trajectory, title, output.page))
+        output.write_csv(lambda: (list(table), rows))
+    values = description.to_dict()
+    # The name of a record leaves no room for more.
+    title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
+    output.write_plot(lambda page: simulation_figure(trajectory, title, page))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
 

@@ -7,16 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_cells,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model, refuse_of_linear
@@ -29,12 +20,14 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import form_text, housner_factor
 from rocksteady.model.blocks.sides import impact_pair, p_value
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from rocksteady.model.blocks.sides import Restitution
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
+    from rocksteady.show.style.page import Page
     from rocksteady.sweep.cases.cells import Labelled
 
 HELP = (
@@ -177,13 +170,10 @@ def spectrum(
     from rocksteady.seismic.spectra.rocking import spectrum_cells
 
     count = len(blocks) or len(slenderness) * len(periods)
-    with (
-        sweep.resumable(context.find_root().obj),
-        sweeping("following blocks", len(motions) * count * len(recorded.scales)) as meter,
-    ):
+    motions_run = len(motions) * count * len(recorded.scales)
+    with sweep.running(context, run, "following blocks", motions_run) as (shown, meter):
         scales = recorded.scales[0] if len(recorded.scales) == 1 else recorded.scales
-        common: dict[str, Any] = {"model": equations, "scales": scales}
-        common["run"] = replace(run, progress=meter)
+        common: dict[str, Any] = {"model": equations, "scales": scales, "run": shown}
         if blocks:
             cells: Labelled = cells_of_many(blocks, motions, **common)
         else:
@@ -207,14 +197,10 @@ def spectrum(
         **({} if lifting is None else {"vertical_processing": list(lifting.processing)}),
     }
     write_files(cells, described.headline, output, sweep)
-    if output.as_json:
-        print_json("spectrum", values)
-    else:
-        kept = f", kept in {values['store']}" if values["store"] else ""
-        note = f"{values['cells']:,} motions in {meter.seconds:.2f} s{kept}"
-        print_description(replace(described, notes=[*described.notes, note]), terminal.console())
-    if values["counts"]["undecided"]:
-        raise typer.Exit(INCOMPLETE)
+    kept = f", kept in {values['store']}" if values["store"] else ""
+    note = f"{values['cells']:,} motions in {meter.seconds:.2f} s{kept}"
+    answer = replace(described, notes=[*described.notes, note])
+    output.leave("spectrum", answer, values=values, decided=not values["counts"]["undecided"])
 
 
 def refuse_records(recorded: RecordFlags, reading: ReadingFlags, model: str | None) -> None:
@@ -258,22 +244,18 @@ def write_files(cells: "Labelled", title: str, output: OutputFlags, sweep: Sweep
     """Write the files that the flags name."""
     from rocksteady.sweep.cases.labelled import as_dataset
 
-    if output.csv is not None:
-        write_cells(output.csv, as_dataset(cells))
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, as_dataset(cells))
-    if output.plot is not None:
+    def figure(page: "Page") -> "Figure":
         from rocksteady.seismic.spectra.suite import summarise_spectra
         from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 
         dataset = as_dataset(cells)
-        suite = dataset.sizes["record"] > 1
-        figure = (
-            suite_figure(summarise_spectra(dataset), title, output.page)
-            if suite
-            else spectrum_figure(dataset, title, output.page)
-        )
-        write_figure(output.plot, figure)
+        if dataset.sizes["record"] > 1:
+            return suite_figure(summarise_spectra(dataset), title, page)
+        return spectrum_figure(dataset, title, page)
+
+    output.write_cells(lambda: as_dataset(cells))
+    sweep.write_netcdf(lambda: as_dataset(cells))
+    output.write_plot(figure)
 
 
 def _rectangles(

@@ -4,18 +4,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import announce_compilation, print_json, write_csv, write_figure
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Fact
-from rocksteady.results.rendering import print_description
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 if TYPE_CHECKING:
@@ -73,24 +71,16 @@ def steady(
     plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution
     each = orders[0] if len(orders) == 1 else np.array(orders)[:, np.newaxis, np.newaxis]
     states = find_steady_states(*plane, order=each).for_block(body)
-    if output.csv is not None:
-        rows = states.rows()
-        header = list(rows[0]) if rows else ["amplitude", "frequency_ratio"]
-        write_csv(output.csv, header, ([row[name] for name in header] for row in rows))
-    if output.plot is not None:
-        if states.region.size == 1:
-            write_figure(output.plot, point_figure(states, output.page))
-        else:
-            write_figure(output.plot, curves_figure(body, amplitudes, ratios, orders, output.page))
+    columns = ["amplitude", "frequency_ratio"]
+    output.write_csv(lambda: in_columns(next(map(list, states.rows()), columns), states.rows()))
     description = states.describe()
     if states.region.size == 1:
-        description = replace(
-            description, facts=[*description.facts, full_equations_of(states, body)]
-        )
-    if output.as_json:
-        print_json("steady", description.to_dict())
+        output.write_plot(lambda page: point_figure(states, page))
+        full = full_equations_of(states, body)
+        description = replace(description, facts=[*description.facts, full])
     else:
-        print_description(description, terminal.console())
+        output.write_plot(lambda page: curves_figure(body, amplitudes, ratios, orders, page))
+    output.leave("steady", description)
 
 
 def full_equations_of(states: "SteadyStates", body: Block | DimensionlessBlock) -> Fact:

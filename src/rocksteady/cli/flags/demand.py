@@ -9,13 +9,13 @@ import typer
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import in_range
 
 if TYPE_CHECKING:
-    from rocksteady.cli.flags.groups import OutputFlags
     from rocksteady.risk.screens.demand import Demand
 
 DEMAND = "Demand"
@@ -218,11 +218,9 @@ class RowFlags:
     force: options.Force = False
 
     @property
-    def files(self) -> "OutputFlags":
-        """The table as output of any command, with checks."""
-        from rocksteady.cli.flags.groups import OutputFlags
-
-        return OutputFlags(csv=self.csv, force=self.force)
+    def files(self) -> OutputFlags:
+        """The same as output of any command, with checks."""
+        return OutputFlags(as_json=self.as_json, csv=self.csv, force=self.force)
 
 
 def sized_block(flags: BlockFlags) -> Block:

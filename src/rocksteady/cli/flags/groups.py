@@ -6,19 +6,33 @@ collects them again when the command is called.
 """
 
 import inspect
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import INCOMPLETE, announce_file, print_json
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
-from rocksteady.show.export.files import check_apart, check_writable
+from rocksteady.results.description import Description, Table
+from rocksteady.results.rendering import print_description
+from rocksteady.show.export.files import check_apart, check_writable, save_csv, save_figure
 from rocksteady.show.style.legends import checked_place
 from rocksteady.show.style.page import Page, width_mm_of
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray
+    from matplotlib.figure import Figure
+
+    Rows: TypeAlias = Table | pd.DataFrame | tuple[Sequence[str], Iterable[Sequence[object]]]
+    """Rows of --csv: with a header of their own, or beside it."""
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
@@ -94,6 +108,76 @@ class OutputFlags:
             legend=checked_place(self.legend),
         )
 
+    def write_csv(self, rows: "Callable[[], Rows]") -> None:
+        """Save the rows of --csv, made where the flag is given."""
+        if self.csv is None:
+            return
+        made = rows()
+        if isinstance(made, Table):
+            made = made.header, made.records()
+        elif not isinstance(made, tuple):
+            made = list(made), made.itertuples(index=False, name=None)
+        save_csv("--csv", self.csv, *made)
+        announce_file(self.csv)
+
+    def write_cells(self, dataset: "Callable[[], xarray.Dataset]") -> None:
+        """Save a sweep as the file of --csv, one row per cell, where the flag is given."""
+        if self.csv is None:
+            return
+        from rocksteady.show.export.csv_files import save_cells
+
+        save_cells("--csv", self.csv, dataset())
+        announce_file(self.csv)
+
+    def write_plot(self, figure: "Callable[[Page], Figure]") -> None:
+        """Save the picture of --plot, drawn for its page where the flag is given."""
+        if self.plot is not None:
+            save_figure("--plot", self.plot, figure(self.page))
+            announce_file(self.plot)
+
+    def leave(
+        self,
+        command: str,
+        answer: Description,
+        *,
+        values: Mapping[str, Any] | None = None,
+        after: Mapping[str, Any] | None = None,
+        also: Sequence[Description] = (),
+        decided: bool = True,
+        wrap: bool = False,
+    ) -> None:
+        """Print the answer of a command, and end it with code 3 where it is undecided.
+
+        Parameters
+        ----------
+        command
+            Name of the schema of --json.
+        answer
+            What is printed.
+        values, after
+            The values of --json where they are not those of the answer, and further ones.
+        also
+            What is printed below it, without --json.
+        decided
+            Whether the command could decide the question.
+        wrap
+            As for `terminal.console`.
+
+        Raises
+        ------
+        Exit
+            If the question could not be decided.
+        """
+        if self.as_json:
+            print_json(
+                command, {**(answer.to_dict() if values is None else values), **(after or {})}
+            )
+        else:
+            for description in (answer, *also):
+                print_description(description, terminal.console(wrap=wrap))
+        if not decided:
+            raise typer.Exit(INCOMPLETE)
+
 
 @dataclass(frozen=True, kw_only=True)
 class AnimationFlags:
@@ -139,6 +223,13 @@ class AnimationFlags:
             )
         check_apart({**output.files, "--animate": self.animate}, read=read)
         check_writable("--animate", self.animate, force=output.force)
+
+
+def in_columns(
+    columns: Sequence[str], rows: Iterable[Mapping[str, object]]
+) -> "tuple[Sequence[str], Iterable[Sequence[object]]]":
+    """Return a table of --csv: rows by the names of their columns."""
+    return columns, ([row[name] for name in columns] for row in rows)
 
 
 def grouped(command: Callable[..., None]) -> Callable[..., None]:

@@ -2,7 +2,7 @@
 
 import shlex
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
+from rocksteady.cli.console.outputs import announce_file
+from rocksteady.cli.console.progress import Meter, sweeping
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags
@@ -18,6 +20,8 @@ from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import check_apart, check_writable, impossible_name
 
 if TYPE_CHECKING:
+    import xarray
+
     from rocksteady.studies.parts import Parts
     from rocksteady.sweep.run import Run
     from rocksteady.sweep.store.store import Store
@@ -192,6 +196,33 @@ class SweepFlags:
         store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
         store.check()
         return store
+
+    def write_netcdf(self, dataset: "Callable[[], xarray.Dataset]") -> None:
+        """Save the dataset of --netcdf, made where the flag is given."""
+        if self.netcdf is None:
+            return
+        from rocksteady.show.export.netcdf import save_netcdf
+
+        save_netcdf("--netcdf", self.netcdf, dataset())
+        announce_file(self.netcdf)
+
+    @contextmanager
+    def running(
+        self, context: typer.Context, run: "Run", task: str, cells: int
+    ) -> "Iterator[tuple[Run, Meter]]":
+        """Yield a run that shows its progress, and the meter of that; resumable as below.
+
+        Parameters
+        ----------
+        context
+            Context of the command.
+        run
+            From `run`.
+        task, cells
+            What is done, and to how many cells.
+        """
+        with self.resumable(context.find_root().obj), sweeping(task, cells) as meter:
+            yield replace(run, progress=meter), meter
 
     @contextmanager
     def resumable(self, arguments: list[str]) -> Iterator[None]:

@@ -1,6 +1,9 @@
 """`rocksteady basins`: its contract, its text and its files."""
 
 import csv
+import io
+import json
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +20,7 @@ from rocksteady import (
     compute_erosion,
     compute_fate_basins,
 )
+from rocksteady.cli.app import run as run_program
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
 from rocksteady.kernels.machine_code import compilation
@@ -363,3 +367,21 @@ def test_endless_shaking_has_a_phase_and_no_moment() -> None:
     ran = rocksteady(f"{POINT} --at-pt 1")
     assert ran.code == 2
     assert "--phase" in ran.err
+
+
+class Terminal(io.StringIO):
+    """What a terminal looks like to a program."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@every("line", ["-A 0.2:1:2 --cycles 5", "-A 0.5 --cycles 20", "-A 0.2:1:2 --shares --cycles 20"])
+def test_the_answer_goes_to_standard_output_below_a_bar_too(
+    line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    monkeypatch.setenv("TERM", "xterm-256color")
+    few = "-W 2 -r 0.9 --angles=-1:1:4 --velocities=-1:1:4 --json"
+    assert run_program(["basins", *line.split(), *few.split()]) in {0, 3}
+    assert json.loads(capsys.readouterr().out)["schema"] == "rocksteady/basins/1"

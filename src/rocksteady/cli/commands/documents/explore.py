@@ -12,7 +12,7 @@ import typer
 from rocksteady.cli.commands.record import all_recordings
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.browser import show
-from rocksteady.cli.console.outputs import announce_file, print_json
+from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -21,7 +21,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     equations_for,
     named_model,
 )
-from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import single
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, Scale, warn
 from rocksteady.cli.flags.start import StartFlags
@@ -29,7 +29,6 @@ from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_writable, refuse_read
 
 if TYPE_CHECKING:
@@ -135,12 +134,8 @@ def explore(
         raise in_flags(error, block, start) from error
     recordings = across(files, reading)
     file = write(out, view, recordings)
-    view_described = described(file, view, recordings)
-    if as_json:
-        print_json("explore", view_described.to_dict())
-        return
-    print_description(view_described, terminal.console())
-    if not no_browser and not show(file):
+    OutputFlags(as_json=as_json).leave("explore", described(file, view, recordings))
+    if not (as_json or no_browser) and not show(file):
         terminal.note(f"no browser was found here: open {file}")
 
 

@@ -6,13 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
@@ -22,13 +16,11 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.shaking_tests import flags_of, temper_of
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
     from rocksteady.model.motions.record import Record
-    from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
     from rocksteady.risk.back_analysis.scan import Scan
     from rocksteady.risk.back_analysis.survey import Survey
     from rocksteady.risk.observations.prior import Prior
@@ -204,22 +196,23 @@ def back_analyse(
         hint = error.hint.replace("Scan(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
         raise FlagError(flag, error.value, error.valid, hint) from None
     description = result.describe()
-    _write(result, output)
-    if output.as_json:
-        values = {
-            **description.to_dict(),
-            "seconds": result.seconds,
-            "synthetic": example,
-            "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
-        }
-        print_json("back-analyse", values)
-        return
+    first, second = (measure.key for measure in result.measures[:2])
+    output.write_csv(lambda: ((first, second, "density", "in_region"), result.grid_rows()))
+    if output.plot is not None:
+        from rocksteady.show.figures.observations import back_analysis_figure
+
+        output.write_plot(lambda page: back_analysis_figure(result, page=page))
     notes = [*description.notes, f"{result.runs:,} runs in {result.seconds:.1f} s"]
     if example:
         notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
     if left_out:
         notes.insert(0, f"{len(left_out)} files were left out, see standard error")
-    print_description(replace(description, notes=notes), terminal.console())
+    after = {
+        "seconds": result.seconds,
+        "synthetic": example,
+        "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
+    }
+    output.leave("back-analyse", replace(description, notes=notes), after=after)
 
 
 def _survey(path: Path | None) -> "Survey":
@@ -286,14 +279,3 @@ def _example(
 
     few = scan if scan.draws is not None else replace(scan, draws=4)
     return make_synthetic_survey(), [*make_synthetic_suite(12)], [], few
-
-
-def _write(analysis: "BackAnalysis", output: OutputFlags) -> None:
-    """Write the files that the flags name."""
-    if output.csv is not None:
-        first, second = (measure.key for measure in analysis.measures[:2])
-        write_csv(output.csv, (first, second, "density", "in_region"), analysis.grid_rows())
-    if output.plot is not None:
-        from rocksteady.show.figures.observations import back_analysis_figure
-
-        write_figure(output.plot, back_analysis_figure(analysis, page=output.page))

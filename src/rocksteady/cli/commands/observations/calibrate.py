@@ -8,14 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    announce_file,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -29,7 +22,6 @@ from rocksteady.cli.flags.shaking_tests import (
     flags_of,
 )
 from rocksteady.cli.flags.sweep import Executor, Workers
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -148,15 +140,12 @@ def calibrate(
         )
     _write(context, calibration, out, output)
     description = calibration.describe()
-    if output.as_json:
-        print_json("calibrate", {**description.to_dict(), "synthetic": example})
-        return
     notes = list(description.notes)
     if example:
         notes.insert(0, "The tests are synthetic: no object was shaken.")
     if out is not None:
         notes.append(f"Pictures, method, guarantees and inputs stand in {out / 'report.html'}.")
-    print_description(replace(description, notes=notes), terminal.console())
+    output.leave("calibrate", replace(description, notes=notes), after={"synthetic": example})
 
 
 def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
@@ -229,10 +218,8 @@ def _write(
         command = shlex.join(["rocksteady", *context.find_root().obj])
         for file in write_calibration(calibration, out, command=command, force=output.force):
             announce_file(file)
-    if output.csv is not None:
-        rows = calibration.validation.predictions.describe().tables[0]
-        write_csv(output.csv, rows.header, rows.records())
+    output.write_csv(lambda: calibration.validation.predictions.describe().tables[0])
     if output.plot is not None:
         from rocksteady.show.figures.observations import calibration_figure
 
-        write_figure(output.plot, calibration_figure(calibration, page=output.page))
+        output.write_plot(lambda page: calibration_figure(calibration, page=page))

@@ -6,20 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests, flags_of
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -105,17 +98,12 @@ def predict(
     with flags_of({"tests": "--tests"}):
         predictions = stored.predict(shaken, run=run)
     description = predictions.describe()
-    if output.csv is not None:
-        rows = description.tables[0]
-        write_csv(output.csv, rows.header, rows.records())
+    output.write_csv(lambda: description.tables[0])
     if output.plot is not None:
         from rocksteady.show.figures.observations import predictions_figure
 
-        write_figure(output.plot, predictions_figure(predictions, page=output.page))
-    if output.as_json:
-        print_json("predict", description.to_dict())
-        return
-    print_description(description, terminal.console())
+        output.write_plot(lambda page: predictions_figure(predictions, page=page))
+    output.leave("predict", description)
 
 
 def _refuse_idle(

@@ -5,15 +5,12 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import print_json, write_csv, write_figure
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
 from rocksteady.cli.flags.demand import sized_block
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.shaking_tests import flags_of
-from rocksteady.results.rendering import print_description
 
 HELP = (
     "Fit the restitution to the peaks of measured free rocking, beside Housner's value.\n\n"
@@ -88,17 +85,10 @@ def restitution(
         releases = read_peaks(peaks)
         fit = fit_restitution(releases, body, each_side=each_side, model=equations)
     description = fit.describe()
-    if output.csv is not None:
-        rows = [vars(each) for each in fit.impacts]
-        write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
+    output.write_csv(lambda: in_columns(list(vars(fit.impacts[0])), map(vars, fit.impacts)))
     if output.plot is not None:
         from rocksteady.show.figures.observations import restitution_figure
 
-        write_figure(output.plot, restitution_figure(fit, description.headline, output.page))
-    if output.as_json:
-        values = description.to_dict()
-        print_json(
-            "restitution", {**values, "block": body.describe().to_dict(), "file": str(peaks)}
-        )
-    else:
-        print_description(description, terminal.console())
+        output.write_plot(lambda page: restitution_figure(fit, description.headline, page))
+    after = {"block": body.describe().to_dict(), "file": str(peaks)}
+    output.leave("restitution", description, after=after)

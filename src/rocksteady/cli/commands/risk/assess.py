@@ -8,13 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    announce_file,
-    print_json,
-    write_csv,
-)
+from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags import options
@@ -25,7 +19,6 @@ from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import RunsFlags
 from rocksteady.errors import InputError
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -154,13 +147,10 @@ def assess(
         shares = [answer.probability]
         most = answer.described.given.assessment.target_probability
     description = answer.describe()
-    if output.csv is not None:
-        _write_rows(output.csv, description, table=table)
-    if output.as_json:
-        print_json("assess", {**description.to_dict(), "synthetic": example})
-    else:
-        notes = _notes(description.notes, out, example=example)
-        print_description(replace(description, notes=notes), terminal.console())
+    output.files.write_csv(lambda: description.tables[0] if table else _one_row(description))
+    notes = _notes(description.notes, out, example=example)
+    after = {"synthetic": example}
+    output.files.leave("assess", replace(description, notes=notes), after=after)
     limit = USUAL_TARGET if most is None else most
     if check and any(share is None or share > limit for share in shares):
         raise typer.Exit(NEGATIVE)
@@ -412,12 +402,8 @@ def _refuse_idle(
             raise FlagError(flag, value, reason, hint)
 
 
-def _write_rows(file: Path, description: "Description", *, table: bool) -> None:
-    """Write the table of --csv: a row for each object, or one of the plain facts."""
-    if table:
-        rows = description.tables[0]
-        write_csv(file, rows.header, rows.records())
-        return
+def _one_row(description: "Description") -> "tuple[list[str], list[list[object]]]":
+    """Return the plain facts as a table of one row."""
     facts = {fact.key: fact.value for fact in description.facts if fact.key}
     row = {key: each for key, each in facts.items() if not isinstance(each, list | dict)}
-    write_csv(file, list(row), [list(row.values())])
+    return list(row), [list(row.values())]

@@ -8,14 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    announce_file,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
@@ -24,7 +17,6 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags, remark_on_scale
 from rocksteady.model.blocks.housner_forms import form_of_text
-from rocksteady.results.rendering import print_description
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -239,16 +231,13 @@ def facade(
     if check:
         _refuse_open(facade_check)
     _write(context, facade_check, output, out, (suite.motions, files), language=tongue)
-    if output.as_json:
-        values = {
-            **facade_check.to_dict(),
-            "synthetic": example,
-            "files": [str(each) for each in files],
-            "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
-        }
-        print_json("facade", values)
-    else:
-        print_description(_in_text(facade_check, example=example), terminal.console())
+    after = {
+        "synthetic": example,
+        "files": [str(each) for each in files],
+        "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
+    }
+    text, values = _in_text(facade_check, example=example), facade_check.to_dict()
+    output.leave("facade", text, values=values, after=after)
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
 
@@ -419,13 +408,11 @@ def _write(
 ) -> None:
     """Write the files that the flags name, with hashes of the motions and files that were read."""
     motions, files = read
-    if output.csv is not None:
-        table = check.describe().tables[0]
-        write_csv(output.csv, table.header, table.records())
+    output.write_csv(lambda: check.describe().tables[0])
     if output.plot is not None:
         from rocksteady.show.figures.facades import facade_figure
 
-        write_figure(output.plot, facade_figure(check, language=language, page=output.page))
+        output.write_plot(lambda page: facade_figure(check, language=language, page=page))
     if out is not None:
         from rocksteady.show.facade.facade_folder import write_facade_folder
 

@@ -5,15 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    announce_compilation,
-    print_json,
-    write_cells,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import ENSEMBLE, EnsembleFlags, Suite, SuiteFlags
@@ -23,11 +15,9 @@ from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.risk.fragility.fitting import Fitting
-    from rocksteady.risk.fragility.fragility import Fragility
 
 HELP = (
     "Fragility: the probability that a block lifts, tilts beyond a part of alpha, or overturns, "
@@ -131,7 +121,7 @@ def fragility(
     )
     ways = (len(suite.motions) + lifts) * (1 if body.symmetric or ensemble.no_reverse else 2)
     cells = ways * len(stripes.levels_for([body])) * band.draws
-    with sweep.resumable(context.find_root().obj), sweeping("running blocks", cells) as meter:
+    with sweep.running(context, run, "running blocks", cells) as (shown, _):
         fragility_found = compute_fragility(
             body,
             suite.motions,
@@ -139,11 +129,10 @@ def fragility(
             restitution=band,
             reverse=False if ensemble.no_reverse else "both",
             fitting=fitting,
-            run=replace(run, progress=meter),
+            run=shown,
         )
     description = fragility_found.describe()
-    values = {
-        **description.to_dict(),
+    after = {
         "block": body.describe().to_dict(),
         "synthetic": example,
         "files": [
@@ -156,18 +145,20 @@ def fragility(
         "store": run.place and str(run.place.path),
     }
     headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
-    _write(fragility_found, headline, output, sweep)
-    if output.as_json:
-        print_json("fragility", values)
-        return
-    kept = f", kept in {values['store']}" if values["store"] else ""
+    output.write_cells(lambda: fragility_found.ensemble)
+    sweep.write_netcdf(lambda: fragility_found.ensemble)
+    if output.plot is not None:
+        from rocksteady.show.figures.risk import fragility_figure
+
+        output.write_plot(lambda page: fragility_figure(fragility_found, None, headline, page))
+    kept = f", kept in {after['store']}" if after["store"] else ""
     notes = [
         *description.notes,
         f"{fragility_found.runs:,} runs and all fits in {fragility_found.seconds:.1f} s{kept}",
     ]
     if suite.left_out:
         notes.insert(0, f"{len(suite.left_out)} files were left out, see standard error")
-    print_description(replace(description, headline=headline, notes=notes), terminal.console())
+    output.leave("fragility", replace(description, headline=headline, notes=notes), after=after)
 
 
 def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
@@ -214,15 +205,3 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
     except InputError as error:
         flag = flags.get(error.name, f"--{error.name}")
         raise FlagError(flag, error.value, error.valid, error.hint) from None
-
-
-def _write(result: "Fragility", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
-    """Write the files that the flags name."""
-    if output.csv is not None:
-        write_cells(output.csv, result.ensemble)
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, result.ensemble)
-    if output.plot is not None:
-        from rocksteady.show.figures.risk import fragility_figure
-
-        write_figure(output.plot, fragility_figure(result, title=title, page=output.page))

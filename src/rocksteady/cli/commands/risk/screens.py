@@ -4,14 +4,11 @@ from typing import Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import print_json, write_csv
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, SpectrumFlags, sized_block
-from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.groups import grouped, in_columns
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.results.rendering import print_description
 
 HELP = (
     "Published formulas for uplift, rocking and overturning of a block, side by side: statics, "
@@ -49,19 +46,15 @@ def screens(
     check: CheckFlag = False,
 ) -> None:
     """Run `rocksteady screens`; `HELP` is what its users read."""
-    output.files.check(spectra.files)
+    files = output.files
+    files.check(spectra.files)
     body = sized_block(block)
     demand = spectra.demand(peaks, reading)
     from rocksteady.risk.screens.screens import screen_block
 
     screens_found = screen_block(body, demand, friction=peaks.friction)
-    description = screens_found.describe()
-    if output.csv is not None:
-        rows = [row.values() for row in screens_found.rows]
-        write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
-    if output.as_json:
-        print_json("screens", description.to_dict())
-    else:
-        print_description(description, terminal.console())
+    rows = [row.values() for row in screens_found.rows]
+    files.write_csv(lambda: in_columns(list(rows[0]), rows))
+    files.leave("screens", screens_found.describe())
     if check and screens_found.negative:
         raise typer.Exit(NEGATIVE)

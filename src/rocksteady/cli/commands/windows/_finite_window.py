@@ -1,20 +1,10 @@
 """Fates of the states of a window under a record or a pulse, as `rocksteady basins` has them."""
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -29,10 +19,8 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.basins.fate_basins import FateBasins
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 FEW = 1e-3
@@ -88,6 +76,7 @@ def moment_of(
 
 
 def leave_fates(
+    context: typer.Context,
     body: "Block | DimensionlessBlock",
     motion: BaseMotion,
     window: dict[str, str | None],
@@ -104,31 +93,16 @@ def leave_fates(
     announce_compilation("march.march")
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS
+    from rocksteady.show.figures.single import fate_basins_figure
 
     states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     how = sweep.run(force=output.force)
-    with sweeping("following states", states) as meter:
-        fates: FateBasins = compute_fate_basins(
-            body,
-            motion,
-            **chosen,
-            time_pt=time_pt,
-            model=equations,
-            run=replace(how, progress=meter),
+    with sweep.running(context, how, "following states", states) as (run, _):
+        fates = compute_fate_basins(
+            body, motion, **chosen, time_pt=time_pt, model=equations, run=run
         )
     description = fates.describe()
-    if output.csv is not None:
-        frame = fates.to_dataframe()
-        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, fates.to_dataset())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import fate_basins_figure
-
-        write_figure(output.plot, fate_basins_figure(fates, description.headline, output.page))
-    if output.as_json:
-        print_json("basins", description.to_dict())
-    else:
-        print_description(description, terminal.console(wrap=True))
-    if fates.undecided > FEW:
-        raise typer.Exit(INCOMPLETE)
+    output.write_csv(fates.to_dataframe)
+    sweep.write_netcdf(fates.to_dataset)
+    output.write_plot(lambda page: fate_basins_figure(fates, description.headline, page))
+    output.leave("basins", description, decided=fates.undecided <= FEW, wrap=True)

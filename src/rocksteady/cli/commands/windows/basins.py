@@ -12,16 +12,7 @@ from rocksteady.cli.commands.windows._finite_window import (
     refuse_others,
     shaken_by,
 )
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-    write_netcdf,
-)
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -37,7 +28,6 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.basins.basins import Basins
@@ -208,8 +198,7 @@ def basins(
         shaken, finite = shaken_by(shaking, pulse, recorded, reading, block, phase, model)
         ends = {"angles": angles, "velocities": velocities}
         moment = moment_of(shaken, time_pt, time_s)
-        with sweep.resumable(context.find_root().obj):
-            leave_fates(shaken, finite, ends, moment, model, sweep, output)
+        leave_fates(context, shaken, finite, ends, moment, model, sweep, output)
         return
     refuse_others(
         {"--at-pt": time_pt, "--at-s": time_s},
@@ -249,22 +238,18 @@ def basins(
     if moving is not None:
         states *= len(moving[1]) + (eroding and moving[1][0] != 0.0)
     run = sweep.run(force=output.force)
-    with (
-        sweep.resumable(context.find_root().obj),
-        sweeping("following states", states) as meter,
-    ):
-        how: dict[str, Any] = {"model": equations, "run": replace(run, progress=meter)}
+    with sweep.running(context, run, "following states", states) as (shown, _):
+        how: dict[str, Any] = {"model": equations, "run": shown}
+        result: Basins | BasinShares | Erosion
         if moving is None:
             result = compute_basins(body, motion, **window, seed=seed, **how)
         elif eroding:
-            _leave_erosion(compute_erosion(body, motion, moving[1], **window, **how), output, sweep)
-            return
+            result = compute_erosion(body, motion, moving[1], **window, **how)
         else:
             sampling = over.BasinSampling(**window, seed=seed)
-            counted = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
-            _leave_shares(counted, output, entropy, sweep)
-            return
-    _leave_basins(result, output, entropy, sweep, exponent=exponent)
+            result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
+    sweep.write_netcdf(result.to_dataset)
+    _leave(result, output, entropy, exponent=exponent)
 
 
 def _case(
@@ -346,83 +331,73 @@ def _refuse(
         )
 
 
-def _leave_basins(
-    result: "Basins",
+def _leave(
+    result: "Basins | BasinShares | Erosion",
     output: OutputFlags,
     entropy: int | None,
-    sweep: SweepFlags,
     *,
     exponent: bool,
 ) -> None:
-    """Write the output of basins that the flags request."""
-    description = result.describe()
-    entropies = None if entropy is None else result.entropy(entropy)
-    exponents = [result.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, result.to_dataset())
-    if output.csv is not None:
-        frame = result.to_dataframe()
-        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
-    if output.plot is not None:
-        from rocksteady.show.figures.single import basins_figure
+    """Write the output that the flags request, but for --netcdf."""
+    from rocksteady.dynamics.basins.basins import Basins
+    from rocksteady.dynamics.basins.erosion import Erosion
 
-        write_figure(output.plot, basins_figure(result, description.headline, output.page))
-    if output.as_json:
-        values = description.to_dict()
-        values["entropy"] = None if entropies is None else entropies.to_dict()
-        values["exponents"] = [each.to_dict() for each in exponents] or None
-        print_json("basins", values)
+    if isinstance(result, Basins):
+        _leave_basins(result, output, entropy, exponent=exponent)
+    elif isinstance(result, Erosion):
+        _leave_erosion(result, output)
     else:
-        console = terminal.console(wrap=True)
-        for part in (result, entropies, *exponents):
-            if part is not None:
-                print_description(part.describe(), console)
-    if result.undecided > FEW:
-        raise typer.Exit(INCOMPLETE)
+        _leave_shares(result, output, entropy)
 
 
-def _leave_shares(
-    shares: "BasinShares", output: OutputFlags, entropy: int | None, sweep: SweepFlags
+def _leave_basins(
+    result: "Basins", output: OutputFlags, entropy: int | None, *, exponent: bool
 ) -> None:
+    """Write the output of basins that the flags request."""
+    from rocksteady.show.figures.single import basins_figure
+
+    description = result.describe()
+    entropies = [] if entropy is None else [result.entropy(entropy)]
+    exponents = [result.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
+    output.write_csv(result.to_dataframe)
+    output.write_plot(lambda page: basins_figure(result, description.headline, page))
+    output.leave(
+        "basins",
+        description,
+        after={
+            "entropy": entropies[0].to_dict() if entropies else None,
+            "exponents": [each.to_dict() for each in exponents] or None,
+        },
+        also=[each.describe() for each in (*entropies, *exponents)],
+        decided=result.undecided <= FEW,
+        wrap=True,
+    )
+
+
+def _leave_shares(shares: "BasinShares", output: OutputFlags, entropy: int | None) -> None:
     """Write the output of shares over a parameter that the flags request."""
+    from rocksteady.show.figures.single import shares_figure
+
     description = shares.describe()
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, shares.to_dataset())
-    entropies = None if entropy is None else shares.entropies(entropy)
-    if output.csv is not None:
-        table = description.tables[0]
-        write_csv(output.csv, table.header, table.records())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import shares_figure
-
-        write_figure(output.plot, shares_figure(shares, description.headline, output.page))
-    if output.as_json:
-        values = description.to_dict()
-        values["entropies"] = None if entropies is None else entropies.to_dict()["entropies"]
-        print_json("basins", values)
-    else:
-        console = terminal.console(wrap=True)
-        print_description(description, console)
-        if entropies is not None:
-            print_description(entropies.describe(), console)
-    if shares.undecided > FEW:
-        raise typer.Exit(INCOMPLETE)
+    entropies = [] if entropy is None else [shares.entropies(entropy).describe()]
+    output.write_csv(lambda: description.tables[0])
+    output.write_plot(lambda page: shares_figure(shares, description.headline, page))
+    output.leave(
+        "basins",
+        description,
+        after={"entropies": entropies[0].to_dict()["entropies"] if entropies else None},
+        also=entropies,
+        decided=shares.undecided <= FEW,
+        wrap=True,
+    )
 
 
-def _leave_erosion(erosion: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
+def _leave_erosion(erosion: "Erosion", output: OutputFlags) -> None:
     """Write the output of an erosion that the flags request."""
-    description = erosion.describe()
-    if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, erosion.to_dataset())
-    if output.csv is not None:
-        table = description.tables[0]
-        write_csv(output.csv, table.header, table.records())
-    if output.plot is not None:
-        from rocksteady.show.figures.single import erosion_figure
+    from rocksteady.show.figures.single import erosion_figure
 
-        drops = [drop for drop in erosion.drops.values() if drop is not None]
-        write_figure(output.plot, erosion_figure(erosion, drops, description.headline, output.page))
-    if output.as_json:
-        print_json("basins", description.to_dict())
-    else:
-        print_description(description, terminal.console(wrap=True))
+    description = erosion.describe()
+    drops = [drop for drop in erosion.drops.values() if drop is not None]
+    output.write_csv(lambda: description.tables[0])
+    output.write_plot(lambda page: erosion_figure(erosion, drops, description.headline, page))
+    output.leave("basins", description, wrap=True)

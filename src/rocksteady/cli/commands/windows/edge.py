@@ -1,26 +1,20 @@
 """`rocksteady edge`: what parts two basins, and the least fatal kick."""
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import (
-    INCOMPLETE,
-    announce_compilation,
-    print_json,
-    write_csv,
-    write_figure,
-)
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.start import StartFlags, state_from
 from rocksteady.errors import InputError
-from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from rocksteady.dynamics.edges.edge_state import EdgeState
     from rocksteady.dynamics.edges.manifold import Manifold
 
@@ -123,6 +117,7 @@ def edge(
     announce_compilation("march.march")
     from rocksteady.dynamics.edges.growing import LENGTH, compute_manifold
     from rocksteady.dynamics.edges.tracking import find_edge_state
+    from rocksteady.show.figures.single import edge_figure
 
     with start.as_typed():
         edge_state = find_edge_state(
@@ -141,36 +136,27 @@ def edge(
             compute_manifold(edge_state.saddle, kind, phase=edge_state.motion.phase, length=long)
             for kind in ("stable", "unstable")
         ]
-    if output.csv is not None:
-        _leave_csv(edge_state, curves, output)
-    if output.plot is not None:
-        from rocksteady.show.figures.single import edge_figure
-
-        title = edge_state.describe().headline
-        write_figure(output.plot, edge_figure(edge_state, curves, title, output.page))
-    if output.as_json:
-        given = {
+    description = edge_state.describe()
+    output.write_csv(lambda: _points(edge_state, curves))
+    output.write_plot(lambda page: edge_figure(edge_state, curves, description.headline, page))
+    output.leave(
+        "edge",
+        description,
+        after={
             **start.values(edge_state.motion.phase),
             "cycles": cycles,
             "direction": direction or "+",
-        }
-        values: dict[str, Any] = {**edge_state.to_dict(), **given}
-        if manifolds:
-            values["manifolds"] = [curve.to_dict() for curve in curves]
-        print_json("edge", values)
-    else:
-        for result in (edge_state, *curves):
-            print_description(result.describe(), terminal.console())
-    if edge_state.saddle is None:
-        raise typer.Exit(INCOMPLETE)
+            **({"manifolds": [curve.to_dict() for curve in curves]} if manifolds else {}),
+        },
+        also=[curve.describe() for curve in curves],
+        decided=edge_state.saddle is not None,
+    )
 
 
-def _leave_csv(edge_state: "EdgeState", curves: "list[Manifold]", output: OutputFlags) -> None:
-    """Write the points of the manifolds, or without these the tracked states."""
+def _points(edge_state: "EdgeState", curves: "list[Manifold]") -> "pd.DataFrame":
+    """Return the points of the manifolds, or without these the tracked states."""
     import pandas as pd
 
-    assert output.csv is not None
-    frame = edge_state.to_dataframe()
-    if curves:
-        frame = pd.concat([curve.to_dataframe().assign(kind=curve.kind) for curve in curves])
-    write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
+    if not curves:
+        return edge_state.to_dataframe()
+    return pd.concat([curve.to_dataframe().assign(kind=curve.kind) for curve in curves])
