@@ -2,8 +2,6 @@
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
@@ -34,11 +32,9 @@ SHOWN_PERIODS = 30
 
 CyclesFlag = Annotated[
     int,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Periods of the shaking after which a motion counts as aperiodic or undecided.",
-        rich_help_panel=options.START,
+    options.start_flag(
+        "--cycles N",
+        "Periods of the shaking after which a motion counts as aperiodic or undecided.",
     ),
 ]
 

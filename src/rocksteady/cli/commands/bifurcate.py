@@ -4,8 +4,6 @@ import sys
 from dataclasses import replace
 from typing import Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import FlagError
@@ -16,7 +14,7 @@ from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
 
-BRANCHES = "Branches"
+branch_flag = options.flags_in("Branches")
 LONGEST_AXIS = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 
@@ -42,82 +40,57 @@ EXAMPLES = (
 
 MaxPeriodFlag = Annotated[
     int | None,
-    typer.Option(
-        "--max-period",
-        metavar="N",
-        help="Longest motions that are branched off to, in periods of the shaking; default 4 times "
+    branch_flag(
+        "--max-period N",
+        "Longest motions that are branched off to, in periods of the shaking; default 4 times "
         "the largest order -n.",
-        rich_help_panel=BRANCHES,
     ),
 ]
 MaxImpactsFlag = Annotated[
     int,
-    typer.Option(
-        "--max-impacts",
-        metavar="N",
-        help="Most impacts in a period of the motions that are branched off to.",
-        rich_help_panel=BRANCHES,
+    branch_flag(
+        "--max-impacts N", "Most impacts in a period of the motions that are branched off to."
     ),
 ]
 MaxBranchesFlag = Annotated[
     int,
-    typer.Option(
-        "--max-branches",
-        metavar="N",
-        help="Number of branches after which no further one begins at a bifurcation.",
-        rich_help_panel=BRANCHES,
+    branch_flag(
+        "--max-branches N", "Number of branches after which no further one begins at a bifurcation."
     ),
 ]
 SearchFlag = Annotated[
     bool,
-    typer.Option(
+    branch_flag(
         "--search",
-        help="Start also from every motion that rocksteady orbits finds at both ends and in the "
+        "Start also from every motion that rocksteady orbits finds at both ends and in the "
         "middle of the range; they may be many.",
-        rich_help_panel=BRANCHES,
     ),
 ]
 CascadeFlag = Annotated[
     bool,
-    typer.Option(
-        "--cascade",
-        help="Follow a cascade of period doublings, each on the branch of the one before.",
-        rich_help_panel=BRANCHES,
+    branch_flag(
+        "--cascade", "Follow a cascade of period doublings, each on the branch of the one before."
     ),
 ]
 DoublingsFlag = Annotated[
     int | None,
-    typer.Option(
-        "--doublings",
-        metavar="N",
-        help="Doublings of --cascade, up to 8; default 6.",
-        rich_help_panel=BRANCHES,
-    ),
+    branch_flag("--doublings N", "Doublings of --cascade, up to 8; default 6."),
 ]
 NoSweepsFlag = Annotated[
     bool,
-    typer.Option(
-        "--no-sweeps", help="Follow branches only, without sweeps.", rich_help_panel=options.START
-    ),
+    options.start_flag("--no-sweeps", "Follow branches only, without sweeps."),
 ]
 CyclesFlag = Annotated[
     int,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Periods of the shaking at each value of a sweep, after which a motion counts as "
+    options.start_flag(
+        "--cycles N",
+        "Periods of the shaking at each value of a sweep, after which a motion counts as "
         "aperiodic or undecided.",
-        rich_help_panel=options.START,
     ),
 ]
 TopFlag = Annotated[
     float | None,
-    typer.Option(
-        "--top",
-        metavar="U",
-        help="Upper end of the axis of angles of --plot, in units of alpha.",
-        rich_help_panel=options.OUTPUT,
-    ),
+    options.output_flag("--top U", "Upper end of the axis of angles of --plot, in units of alpha."),
 ]
 
 

@@ -3,8 +3,6 @@
 import sys
 from typing import Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
@@ -12,7 +10,7 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equ
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import plane_of
 
-CURVES = "Curves"
+curve_flag = options.flags_in("Curves")
 
 HELP = (
     "Bifurcation curves in the plane of two parameters, with their points of codimension two.\n\n"
@@ -35,51 +33,34 @@ EXAMPLES = (
 
 OrdersFlag = Annotated[
     list[int] | None,
-    typer.Option(
-        "--order",
-        "-n",
-        metavar="N",
-        help="Set the half periods of the shaking in one half cycle of the symmetric motions to "
+    options.motion_flag(
+        "--order -n N",
+        "Set the half periods of the shaking in one half cycle of the symmetric motions to "
         "start from, odd; default 1; may be repeated.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 MaxPeriodFlag = Annotated[
     int | None,
-    typer.Option(
-        "--max-period",
-        metavar="N",
-        help="Set the longest period of the motions whose bifurcations are followed, in periods of "
+    curve_flag(
+        "--max-period N",
+        "Set the longest period of the motions whose bifurcations are followed, in periods of "
         "the shaking; default twice the largest order -n.",
-        rich_help_panel=CURVES,
     ),
 ]
 MaxImpactsFlag = Annotated[
     int,
-    typer.Option(
-        "--max-impacts",
-        metavar="N",
-        help="Set the most impacts in a period of the motions whose bifurcations are followed.",
-        rich_help_panel=CURVES,
+    curve_flag(
+        "--max-impacts N",
+        "Set the most impacts in a period of the motions whose bifurcations are followed.",
     ),
 ]
 MaxBranchesFlag = Annotated[
     int,
-    typer.Option(
-        "--max-branches",
-        metavar="N",
-        help="Largest number of branches on each line across the plane.",
-        rich_help_panel=CURVES,
-    ),
+    curve_flag("--max-branches N", "Largest number of branches on each line across the plane."),
 ]
 MaxCurvesFlag = Annotated[
     int,
-    typer.Option(
-        "--max-curves",
-        metavar="N",
-        help="Largest number of curves.",
-        rich_help_panel=CURVES,
-    ),
+    curve_flag("--max-curves N", "Largest number of curves."),
 ]
 
 

@@ -2,8 +2,6 @@
 
 from typing import Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags
@@ -20,11 +18,7 @@ DIFFERENT = 1
 """Exit code with --check where a value differs."""
 CheckFlag = Annotated[
     bool,
-    typer.Option(
-        "--check",
-        help="Leave with exit code 1 where a value differs.",
-        rich_help_panel=options.OUTPUT,
-    ),
+    options.output_flag("--check", "Leave with exit code 1 where a value differs."),
 ]
 
 

@@ -13,7 +13,7 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equ
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
 from rocksteady.cli.flags.range import SeriesFlags
-from rocksteady.cli.flags.sweep import SWEEP, SweepFlags
+from rocksteady.cli.flags.sweep import SweepFlags, sweep_flag
 from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,44 +41,37 @@ FEW = 1e-3
 
 FateFlag = Annotated[
     bool,
-    typer.Option(
+    options.start_flag(
         "--fate",
-        help="Compute whether the block still rocks, rests or has fallen after --cycles periods, "
+        "Compute whether the block still rocks, rests or has fallen after --cycles periods, "
         "instead of its attractor.",
-        rich_help_panel=options.START,
     ),
 ]
 MapCycles = Annotated[
     int | None,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
+    options.start_flag(
+        "--cycles N",
+        "Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
         "by default; with --fate the largest number of them, 200 by default.",
-        rich_help_panel=options.START,
     ),
 ]
 RefineFlag = Annotated[
     int | None,
-    typer.Option(
-        "--refine",
-        metavar="N",
-        help="Compute every Nth cell along each axis (8 is usual), and of the others only those "
+    sweep_flag(
+        "--refine N",
+        "Compute every Nth cell along each axis (8 is usual), and of the others only those "
         "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. Not "
         "with --out.",
-        rich_help_panel=SWEEP,
     ),
 ]
 
 
 ByFlag = Annotated[
     str | None,
-    typer.Option(
-        "--by",
-        metavar="NAME",
-        help="Colour the cells of --plot by class (default), period, lyapunov (exponent per "
+    options.output_flag(
+        "--by NAME",
+        "Colour the cells of --plot by class (default), period, lyapunov (exponent per "
         "forcing period) or peak (of the angle over alpha); with --fate by class alone.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 

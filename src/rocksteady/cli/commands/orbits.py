@@ -2,15 +2,13 @@
 
 from typing import Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
 
-SEARCH = "Search"
+search_flag = options.flags_in("Search")
 
 HELP = (
     "The periodic motions under harmonic shaking, stable and unstable, with their multipliers.\n\n"
@@ -29,29 +27,16 @@ EXAMPLES = (
 
 MaxPeriodFlag = Annotated[
     int,
-    typer.Option(
-        "--max-period",
-        metavar="N",
-        help="Longest motions, in periods of the shaking.",
-        rich_help_panel=SEARCH,
-    ),
+    search_flag("--max-period N", "Longest motions, in periods of the shaking."),
 ]
 MaxImpactsFlag = Annotated[
     int,
-    typer.Option(
-        "--max-impacts",
-        metavar="N",
-        help="Most impacts in a period of the motion.",
-        rich_help_panel=SEARCH,
-    ),
+    search_flag("--max-impacts N", "Most impacts in a period of the motion."),
 ]
 SeedsFlag = Annotated[
     int,
-    typer.Option(
-        "--seeds",
-        metavar="N",
-        help="The search starts from N x N states; more find more, and take longer.",
-        rich_help_panel=SEARCH,
+    search_flag(
+        "--seeds N", "The search starts from N x N states; more find more, and take longer."
     ),
 ]
 

@@ -62,88 +62,62 @@ EXAMPLES = (
 
 RangeA = Annotated[
     str | None,
-    typer.Option(
-        "--amplitude",
-        "-A",
-        metavar="RANGE",
-        help="Largest acceleration over alpha g up to which windows are searched, or low:high; "
+    options.motion_flag(
+        "--amplitude -A RANGE",
+        "Largest acceleration over alpha g up to which windows are searched, or low:high; "
         "default 1:20. Below 1 no block lifts.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 RangeG = Annotated[
     str | None,
-    typer.Option(
-        "--accel-g",
-        metavar="RANGE",
-        help="The same in g; needs a block, instead of -A.",
-        rich_help_panel=options.MOTION,
-    ),
+    options.motion_flag("--accel-g RANGE", "The same in g; needs a block, instead of -A."),
 ]
 RatioAxis = Annotated[
     str | None,
-    typer.Option(
-        "--frequency-ratio",
-        "-W",
-        metavar="W",
-        help="Omega = omega/p with omega = 2 pi over the pulse's period: a number or an axis, "
+    options.motion_flag(
+        "--frequency-ratio -W W",
+        "Omega = omega/p with omega = 2 pi over the pulse's period: a number or an axis, "
         "start:stop:count or log:start:stop:count.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 HertzAxis = Annotated[
     str | None,
-    typer.Option(
-        "--freq-hz",
-        metavar="F",
-        help="One over the pulse's period in Hz; needs a block, instead of -W.",
-        rich_help_panel=options.MOTION,
+    options.motion_flag(
+        "--freq-hz F", "One over the pulse's period in Hz; needs a block, instead of -W."
     ),
 ]
 PhaseFlag = Annotated[
     float | None,
-    typer.Option(
-        "--phase",
-        metavar="RAD",
-        help="nu of --pulse mavroeidis-papageorgiou \\[rad], default 0.",
-        rich_help_panel=options.MOTION,
-    ),
+    options.motion_flag("--phase RAD", "nu of --pulse mavroeidis-papageorgiou \\[rad], default 0."),
 ]
 Scales = Annotated[
     str | None,
-    typer.Option(
-        "--scales",
-        metavar="LOW:HIGH",
-        help="Set the limits of the factor of --record or --records; default 0.1:10.",
-        rich_help_panel=options.MOTION,
+    options.motion_flag(
+        "--scales LOW:HIGH",
+        "Set the limits of the factor of --record or --records; default 0.1:10.",
     ),
 ]
 KickFlag = Annotated[
     bool,
-    typer.Option(
+    options.motion_flag(
         "--kick",
-        help="Find the least sudden change of the base velocity that overturns the block, from "
+        "Find the least sudden change of the base velocity that overturns the block, from "
         "--start, on a still base or added to --record at --at-s.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 AtS = Annotated[
     str | None,
-    typer.Option(
-        "--at-s",
-        metavar="T",
-        help="Set the time of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
-        rich_help_panel=options.MOTION,
+    options.motion_flag(
+        "--at-s T",
+        "Set the time of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
     ),
 ]
 Resolution = Annotated[
     float | None,
-    typer.Option(
-        "--resolution",
-        metavar="PART",
-        help="Largest step of the first amplitudes that are tried, as a part of them, default "
+    options.motion_flag(
+        "--resolution PART",
+        "Largest step of the first amplitudes that are tried, as a part of them, default "
         "0.002, of a record 0.0005. In doubtful places it becomes much smaller by itself.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 

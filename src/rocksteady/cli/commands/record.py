@@ -47,31 +47,24 @@ FilesArgument = Annotated[
 ]
 PeriodsFlag = Annotated[
     str | None,
-    typer.Option(
-        "--periods-s",
-        metavar="AXIS",
-        help="Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
+    options.output_flag(
+        "--periods-s AXIS",
+        "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
         "log:0.05:10:100; printed for one record, and in --json; default of --plot "
         "log:0.02:10:200.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 DampingFlag = Annotated[
     float,
-    typer.Option(
-        "--damping",
-        metavar="ZETA",
-        help="Set the damping of its oscillators, 1 being critical; default 0.05.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--damping ZETA", "Set the damping of its oscillators, 1 being critical; default 0.05."
     ),
 ]
 UnitsOutFlag = Annotated[
     str | None,
-    typer.Option(
-        "--units-out",
-        metavar="UNIT",
-        help="Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--units-out UNIT",
+        "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
     ),
 ]
 

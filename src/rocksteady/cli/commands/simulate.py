@@ -3,8 +3,6 @@
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation, write_film
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.console.titles import case_text
@@ -59,21 +57,14 @@ MOST_ROWS = 50_000_000
 
 CyclesFlag = Annotated[
     float | None,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Periods of the shaking to follow, default 50.",
-        rich_help_panel=options.START,
-    ),
+    options.start_flag("--cycles N", "Periods of the shaking to follow, default 50."),
 ]
 SamplesFlag = Annotated[
     int,
-    typer.Option(
-        "--samples",
-        metavar="N",
-        help="Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
+    options.output_flag(
+        "--samples N",
+        "Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
         "a pulse and under a record); impacts are always rows.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 

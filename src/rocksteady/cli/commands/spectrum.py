@@ -55,69 +55,52 @@ MOST_PANELS = 6
 
 AlphaRad = Annotated[
     str | None,
-    typer.Option(
-        "--alpha-rad",
-        metavar="AXIS",
-        help="Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
-        rich_help_panel=options.BLOCK,
+    options.block_flag(
+        "--alpha-rad AXIS",
+        "Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
     ),
 ]
 AlphaDeg = Annotated[
     str | None,
-    typer.Option(
-        "--alpha-deg",
-        metavar="AXIS",
-        help="Set the slenderness in degrees, instead of --alpha-rad.",
-        rich_help_panel=options.BLOCK,
+    options.block_flag(
+        "--alpha-deg AXIS", "Set the slenderness in degrees, instead of --alpha-rad."
     ),
 ]
 PeriodsS = Annotated[
     str | None,
-    typer.Option(
-        "--periods-s",
-        metavar="AXIS",
-        help=f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+    options.block_flag(
+        "--periods-s AXIS",
+        f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
         f"{DEFAULT_PERIODS}.",
-        rich_help_panel=options.BLOCK,
     ),
 ]
 PRadS = Annotated[
     str | None,
-    typer.Option(
-        "--p-rad-s",
-        metavar="AXIS",
-        help="Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
-        rich_help_panel=options.BLOCK,
+    options.block_flag(
+        "--p-rad-s AXIS",
+        "Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
     ),
 ]
 WidthM = Annotated[
     str | None,
-    typer.Option(
-        "--width-m",
-        metavar="AXIS",
-        help="Set the full width \\[m], with --height-m, instead of slenderness and period: a "
+    options.block_flag(
+        "--width-m AXIS",
+        "Set the full width \\[m], with --height-m, instead of slenderness and period: a "
         "number or an axis.",
-        rich_help_panel=options.BLOCK,
     ),
 ]
 HeightM = Annotated[
     str | None,
-    typer.Option(
-        "--height-m",
-        metavar="AXIS",
-        help="Set the full height \\[m]: a number or an axis, each with every width.",
-        rich_help_panel=options.BLOCK,
+    options.block_flag(
+        "--height-m AXIS", "Set the full height \\[m]: a number or an axis, each with every width."
     ),
 ]
 RestitutionFlag = Annotated[
     str | None,
-    typer.Option(
-        "--restitution",
-        "-r",
-        metavar="R",
-        help="Set the ratio of angular velocities after and before an impact, in (0, 1], "
+    options.block_flag(
+        "--restitution -r R",
+        "Set the ratio of angular velocities after and before an impact, in (0, 1], "
         "'housner' (default) for that of each slenderness, or 'housner*0.965' for a factor of it.",
-        rich_help_panel=options.BLOCK,
     ),
 ]
 

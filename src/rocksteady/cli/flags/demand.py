@@ -4,8 +4,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
@@ -18,91 +16,67 @@ from rocksteady.model.checks.validation import in_range
 if TYPE_CHECKING:
     from rocksteady.risk.screens.demand import Demand
 
-DEMAND = "Demand"
+demand_flag = options.flags_in("Demand")
 
 PeakG = Annotated[
     float | None,
-    typer.Option(
-        "--pga-g",
-        metavar="G",
-        help="Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
+    demand_flag(
+        "--pga-g G",
+        "Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
         "record to it.",
-        rich_help_panel=DEMAND,
     ),
 ]
 PgvMS = Annotated[
     float | None,
-    typer.Option(
-        "--pgv-m-s",
-        metavar="V",
-        help="Set the peak velocity of the ground or floor \\[m/s].",
-        rich_help_panel=DEMAND,
-    ),
+    demand_flag("--pgv-m-s V", "Set the peak velocity of the ground or floor \\[m/s]."),
 ]
 Friction = Annotated[
     float | None,
-    typer.Option(
-        "--friction",
-        metavar="MU",
-        help="Set the coefficient of friction between block and base; without, its need is shown.",
-        rich_help_panel=DEMAND,
+    demand_flag(
+        "--friction MU",
+        "Set the coefficient of friction between block and base; without, its need is shown.",
     ),
 ]
 SpectrumFile = Annotated[
     Path | None,
-    typer.Option(
-        "--spectrum",
-        metavar="FILE",
-        help="Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
+    demand_flag(
+        "--spectrum FILE",
+        "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
         "each damping; a comment '# damping 0.05' states it.",
-        rich_help_panel=DEMAND,
     ),
 ]
 Damping = Annotated[
     str | None,
-    typer.Option(
-        "--damping",
-        metavar="X",
-        help="Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
-        rich_help_panel=DEMAND,
+    demand_flag(
+        "--damping X",
+        "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
     ),
 ]
 DemandRecord = Annotated[
     Path | None,
-    typer.Option(
-        "--record",
-        metavar="FILE",
-        help="Measure PGA, PGV and spectrum of a ground-motion file.",
-        rich_help_panel=DEMAND,
-    ),
+    demand_flag("--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."),
 ]
 VerticalG = Annotated[
     float,
-    typer.Option(
-        "--vertical-g",
-        metavar="G",
-        help="Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
+    demand_flag(
+        "--vertical-g G",
+        "Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
         "worse direction counts.",
-        rich_help_panel=DEMAND,
     ),
 ]
 VerticalShare = Annotated[
     float,
-    typer.Option(
-        "--vertical-share",
-        metavar="X",
-        help="Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
+    demand_flag(
+        "--vertical-share X",
+        "Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
         "rule of ASCE 4.",
-        rich_help_panel=DEMAND,
     ),
 ]
 VerticalPerHorizontal = Annotated[
     float,
-    typer.Option(
-        "--vertical-per-horizontal",
-        metavar="X",
-        help="Set the ratio of vertical to horizontal spectral acceleration.",
-        rich_help_panel=DEMAND,
+    demand_flag(
+        "--vertical-per-horizontal X",
+        "Set the ratio of vertical to horizontal spectral acceleration.",
     ),
 ]
 

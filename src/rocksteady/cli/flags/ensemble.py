@@ -4,11 +4,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
-
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
@@ -24,93 +23,70 @@ if TYPE_CHECKING:
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
     from rocksteady.seismic.measures.scalar import Intensity
 
-ENSEMBLE = "Ensemble"
+ensemble_flag = flags_in("Ensemble")
 BAND_DRAWS = 5
 
 Records = Annotated[
     list[Path] | None,
-    typer.Option(
-        "--records",
-        metavar="DIR|FILE",
-        help="Read ground motions: every file of a folder, or a file; several times for more. A "
+    ensemble_flag(
+        "--records DIR|FILE",
+        "Read ground motions: every file of a folder, or a file; several times for more. A "
         "file that cannot be read is named and left out.",
-        rich_help_panel=ENSEMBLE,
     ),
 ]
 Pair = Annotated[
     bool,
-    typer.Option(
+    ensemble_flag(
         "--pair",
-        help="Pair the channels of each station, and run with its vertical one as well as without.",
-        rich_help_panel=ENSEMBLE,
+        "Pair the channels of each station, and run with its vertical one as well as without.",
     ),
 ]
 Measure = Annotated[
     str | None,
-    typer.Option(
-        "--measure",
-        metavar="NAME[:S]",
-        help="Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
+    ensemble_flag(
+        "--measure NAME[:S]",
+        "Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
         "pga_per_uplift, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default "
         "2 pi/p.",
-        rich_help_panel=ENSEMBLE,
     ),
 ]
 Levels = Annotated[
     str | None,
-    typer.Option(
-        "--levels",
-        metavar="AXIS",
-        help="Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
+    ensemble_flag(
+        "--levels AXIS",
+        "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
         "default 20 that suit the block.",
-        rich_help_panel=ENSEMBLE,
     ),
 ]
 Scale = Annotated[
     str | None,
-    typer.Option(
-        "--scale",
-        metavar="AXIS",
-        help="Multiply all records by the same factors, an axis, in place of --levels.",
-        rich_help_panel=ENSEMBLE,
+    ensemble_flag(
+        "--scale AXIS", "Multiply all records by the same factors, an axis, in place of --levels."
     ),
 ]
 Draws = Annotated[
     int | None,
-    typer.Option(
-        "--draws",
-        metavar="N",
-        help="Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
+    ensemble_flag(
+        "--draws N",
+        "Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
         f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
         "single value.",
-        rich_help_panel=ENSEMBLE,
     ),
 ]
 Scatter = Annotated[
     float,
-    typer.Option(
-        "--scatter",
-        metavar="SD",
-        help="Let the restitution scatter from impact to impact with this standard deviation.",
-        rich_help_panel=ENSEMBLE,
+    ensemble_flag(
+        "--scatter SD",
+        "Let the restitution scatter from impact to impact with this standard deviation.",
     ),
 ]
 NoReverse = Annotated[
     bool,
-    typer.Option(
-        "--no-reverse",
-        help="Run the records as recorded only; by default reversed too.",
-        rich_help_panel=ENSEMBLE,
-    ),
+    ensemble_flag("--no-reverse", "Run the records as recorded only; by default reversed too."),
 ]
 Seed = Annotated[
     int,
-    typer.Option(
-        "--seed",
-        metavar="N",
-        help="Set the seed of the scatter and of the bands.",
-        rich_help_panel=ENSEMBLE,
-    ),
+    ensemble_flag("--seed N", "Set the seed of the scatter and of the bands."),
 ]
 
 

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any
 
-import typer
-
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
@@ -32,32 +30,26 @@ FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
 
 StartAxes = Annotated[
     str,
-    typer.Option(
-        "--start",
-        metavar="START",
-        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
+    options.start_flag(
+        "--start START",
+        "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
         "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
-        rich_help_panel=options.START,
     ),
 ]
 PhaseAxis = Annotated[
     str | None,
-    typer.Option(
-        "--phase",
-        metavar="RAD",
-        help="Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
+    options.start_flag(
+        "--phase RAD",
+        "Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
         "steady.",
-        rich_help_panel=options.START,
     ),
 ]
 KickAxis = Annotated[
     str | None,
-    typer.Option(
-        "--kick",
-        metavar="K",
-        help="Distance from an unstable steady state at the start, default 1e-6, or an "
+    options.start_flag(
+        "--kick K",
+        "Distance from an unstable steady state at the start, default 1e-6, or an "
         "axis: length of (phase \\[rad], velocity over the orbit's).",
-        rich_help_panel=options.START,
     ),
 ]
 

@@ -1,16 +1,33 @@
 """Flags shared by several commands: one spelling, help text and unit each."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from rocksteady.model.blocks.examples import SOURCES
 
-BLOCK = "Block"
-MOTION = "Base motion"
-START = "Start and length"
-OUTPUT = "Output"
+
+def flags_in(panel: str) -> Callable[[str, str], Any]:
+    """Return what makes the flags of a panel of `--help`.
+
+    Its arguments are the names of a flag with what stands for its value, as "--amplitude -A A",
+    and the help.
+    """
+
+    def flag(words: str, help: str) -> Any:  # noqa: A002 -- the name that typer has for it
+        names = [each for each in words.split() if each.startswith("-")]
+        metavar = next(iter(words.split()[len(names) :]), None)
+        return typer.Option(*names, metavar=metavar, help=help, rich_help_panel=panel)
+
+    return flag
+
+
+block_flag = flags_in("Block")
+motion_flag = flags_in("Base motion")
+start_flag = flags_in("Start and length")
+output_flag = flags_in("Output")
 
 FLAG_OF_ARGUMENT = {
     "amplitude": "--amplitude/-A",
@@ -107,386 +124,275 @@ FLAG_OF_ARGUMENT = {
 
 Amplitude = Annotated[
     str | None,
-    typer.Option(
-        "--amplitude",
-        "-A",
-        metavar="A",
-        help="Set the peak base acceleration over alpha g; 1 just lifts a block at rest.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--amplitude -A A",
+        "Set the peak base acceleration over alpha g; 1 just lifts a block at rest.",
     ),
 ]
 FrequencyRatio = Annotated[
     str | None,
-    typer.Option(
-        "--frequency-ratio",
-        "-W",
-        metavar="W",
-        help="Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--frequency-ratio -W W",
+        "Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
     ),
 ]
 AccelG = Annotated[
     str | None,
-    typer.Option(
-        "--accel-g",
-        metavar="G",
-        help="Set the peak base acceleration in g, instead of -A; needs a block.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--accel-g G", "Set the peak base acceleration in g, instead of -A; needs a block."
     ),
 ]
 AccelMS2 = Annotated[
     str | None,
-    typer.Option(
-        "--accel-m-s2",
-        metavar="ACC",
-        help="Set the peak base acceleration in m/s^2, instead of -A; needs a block.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--accel-m-s2 ACC", "Set the peak base acceleration in m/s^2, instead of -A; needs a block."
     ),
 ]
 FreqHz = Annotated[
     str | None,
-    typer.Option(
-        "--freq-hz",
-        metavar="F",
-        help="Set the frequency of the shaking in Hz, instead of -W; needs a block.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--freq-hz F", "Set the frequency of the shaking in Hz, instead of -W; needs a block."
     ),
 ]
 HarmonicWaves = Annotated[
     list[str] | None,
-    typer.Option(
-        "--harmonic",
-        metavar="K,SIZE,PHASE",
-        help="Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
+    motion_flag(
+        "--harmonic K,SIZE,PHASE",
+        "Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
         "be repeated. -W is then that of the period. Default: a single sinusoid.",
-        rich_help_panel=MOTION,
     ),
 ]
 PulseName = Annotated[
     str | None,
-    typer.Option(
-        "--pulse",
-        metavar="NAME",
-        help="Shake with a single pulse, after which the base stands still; its size and frequency "
+    motion_flag(
+        "--pulse NAME",
+        "Shake with a single pulse, after which the base stands still; its size and frequency "
         "are those of -A and -W, or --accel-g and --freq-hz. "
         "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
         "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
         "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
-        rich_help_panel=MOTION,
     ),
 ]
 Model = Annotated[
     str | None,
-    typer.Option(
-        "--model",
-        metavar="NAME",
-        help="Choose the equations of motion: linear (slender blocks, in closed form) or nonlinear "
+    block_flag(
+        "--model NAME",
+        "Choose the equations of motion: linear (slender blocks, in closed form) or nonlinear "
         "(the full equations, which need a block). Default: nonlinear for a block under a pulse or "
         "a record, or rocking freely; else linear.",
-        rich_help_panel=BLOCK,
     ),
 ]
 Tolerance = Annotated[
     float | None,
-    typer.Option(
-        "--tolerance",
-        metavar="X",
-        help="Set the relative error of the nonlinear motion; default 1e-10.",
-        rich_help_panel=BLOCK,
-    ),
+    block_flag("--tolerance X", "Set the relative error of the nonlinear motion; default 1e-10."),
 ]
 Oscillations = Annotated[
     float | None,
-    typer.Option(
-        "--oscillations",
-        metavar="GAMMA",
-        help="Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--oscillations GAMMA", "Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2."
     ),
 ]
 Restitution = Annotated[
     str | None,
-    typer.Option(
-        "--restitution",
-        "-r",
-        metavar="R",
-        help="Set the ratio of angular velocities after and before an impact, in (0, 1], "
+    block_flag(
+        "--restitution -r R",
+        "Set the ratio of angular velocities after and before an impact, in (0, 1], "
         "'housner' (default for a block) or a measured factor of it, as 'housner*0.965'; two with "
         "a comma, as 0.8,0.9, for the impact that ends positive rotation and for the other.",
-        rich_help_panel=BLOCK,
     ),
 ]
 OneSided = Annotated[
     bool | None,
-    typer.Option(
+    block_flag(
         "--one-sided",
-        help="Stand the block against a wall, which it leaves on its positive side alone; "
+        "Stand the block against a wall, which it leaves on its positive side alone; "
         "--restitution, in \\[0, 1], is then that of the wall: default of a block 'housner', "
         "from angular momentum.",
-        rich_help_panel=BLOCK,
     ),
 ]
 Order = Annotated[
     int,
-    typer.Option(
-        "--order",
-        "-n",
-        metavar="N",
-        help="Set the half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
+    motion_flag(
+        "--order -n N",
+        "Set the half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
         "subharmonic.",
-        rich_help_panel=MOTION,
     ),
 ]
 Orders = Annotated[
     list[int] | None,
-    typer.Option(
-        "--order",
-        "-n",
-        metavar="N",
-        help="Set the half periods of the shaking in one half cycle, odd: 1 harmonic (default), 3 "
+    motion_flag(
+        "--order -n N",
+        "Set the half periods of the shaking in one half cycle, odd: 1 harmonic (default), 3 "
         "the 1/3 subharmonic; may be repeated.",
-        rich_help_panel=MOTION,
     ),
 ]
 Start = Annotated[
     str,
-    typer.Option(
-        "--start",
-        metavar="START",
-        help="Start at rest; on steady or steady:2 (branch 1 or 2 of order -n); at U,V (u and "
+    start_flag(
+        "--start START",
+        "Start at rest; on steady or steady:2 (branch 1 or 2 of order -n); at U,V (u and "
         "du/d(pt)); or at U,tau=DU (DU = du/d(omega t)).",
-        rich_help_panel=START,
     ),
 ]
 SweepStart = Annotated[
     str,
-    typer.Option(
-        "--start",
-        metavar="START",
-        help="Where a sweep begins, and begins again after a fall: auto (steady where its first "
+    start_flag(
+        "--start START",
+        "Where a sweep begins, and begins again after a fall: auto (steady where its first "
         "value has that, else rest), rest, steady or steady:2 (branch 1 or 2 of the first -n), "
         "U,DU (u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from "
         "rest.",
-        rich_help_panel=START,
     ),
 ]
 Side = Annotated[
     str,
-    typer.Option(
-        "--side",
-        metavar="+|-",
-        help="Choose the side of its unstable direction on which an unstable state is left.",
-        rich_help_panel=START,
+    start_flag(
+        "--side +|-",
+        "Choose the side of its unstable direction on which an unstable state is left.",
     ),
 ]
 Kick = Annotated[
     float | None,
-    typer.Option(
-        "--kick",
-        metavar="K",
-        help="Set the distance from an unstable steady state at the start; default 1e-6: length of "
+    start_flag(
+        "--kick K",
+        "Set the distance from an unstable steady state at the start; default 1e-6: length of "
         "(phase \\[rad], velocity over the orbit's).",
-        rich_help_panel=START,
     ),
 ]
 Phase = Annotated[
     float | None,
-    typer.Option(
-        "--phase",
-        metavar="RAD",
-        help="Set the phase of the shaking at the start \\[rad], not with --start steady; default "
-        "0.",
-        rich_help_panel=START,
+    start_flag(
+        "--phase RAD",
+        "Set the phase of the shaking at the start \\[rad], not with --start steady; default 0.",
     ),
 ]
 NamedBlock = Annotated[
     str | None,
-    typer.Option(
-        "--block",
-        metavar="NAME",
-        help=f"Take a named block: {', '.join(SOURCES)}.",
-        rich_help_panel=BLOCK,
-    ),
+    block_flag("--block NAME", f"Take a named block: {', '.join(SOURCES)}."),
 ]
 WidthM = Annotated[
     str | None,
-    typer.Option(
-        "--width-m",
-        metavar="M",
-        help="Set the full width of the base \\[m].",
-        rich_help_panel=BLOCK,
-    ),
+    block_flag("--width-m M", "Set the full width of the base \\[m]."),
 ]
 HeightM = Annotated[
     str | None,
-    typer.Option(
-        "--height-m", metavar="M", help="Set the full height \\[m].", rich_help_panel=BLOCK
-    ),
+    block_flag("--height-m M", "Set the full height \\[m]."),
 ]
 OffsetM = Annotated[
     float | None,
-    typer.Option(
-        "--offset-m",
-        metavar="M",
-        help="Move the mass centre off the middle of --width-m \\[m], positive to the right, away "
+    block_flag(
+        "--offset-m M",
+        "Move the mass centre off the middle of --width-m \\[m], positive to the right, away "
         "from the left edge, the pivot of positive rotation, as offset_m in files of objects; "
         "default 0. The radius of gyration about the mass centre stays that of the homogeneous "
         "outline.",
-        rich_help_panel=BLOCK,
     ),
 ]
 MassCentreHeightM = Annotated[
     float | None,
-    typer.Option(
-        "--mass-centre-height-m",
-        metavar="M",
-        help="Set the height of the mass centre above the base \\[m], with --width-m and "
+    block_flag(
+        "--mass-centre-height-m M",
+        "Set the height of the mass centre above the base \\[m], with --width-m and "
         "--height-m; default half of --height-m. The radius of gyration about the mass centre "
         "stays that of the homogeneous outline, unless --gyration-m is given.",
-        rich_help_panel=BLOCK,
     ),
 ]
 LeftM = Annotated[
     float | None,
-    typer.Option(
-        "--left-m",
-        metavar="M",
-        help="Set the distance from the left edge to the mass centre \\[m], with --right-m and "
+    block_flag(
+        "--left-m M",
+        "Set the distance from the left edge to the mass centre \\[m], with --right-m and "
         "--height-m (twice the height of the mass centre): a block whose sides differ. The left "
         "edge is the pivot of positive rotation, and its side the unit of angles and times.",
-        rich_help_panel=BLOCK,
     ),
 ]
 RightM = Annotated[
     float | None,
-    typer.Option(
-        "--right-m",
-        metavar="M",
-        help="Set the distance from the right edge to the mass centre \\[m].",
-        rich_help_panel=BLOCK,
-    ),
+    block_flag("--right-m M", "Set the distance from the right edge to the mass centre \\[m]."),
 ]
 GyrationM = Annotated[
     float | None,
-    typer.Option(
-        "--gyration-m",
-        metavar="M",
-        help="Set the radius of gyration about the mass centre \\[m], with --left-m, --offset-m or "
+    block_flag(
+        "--gyration-m M",
+        "Set the radius of gyration about the mass centre \\[m], with --left-m, --offset-m or "
         "--mass-centre-height-m; default that of the homogeneous rectangle of this base and "
         "height.",
-        rich_help_panel=BLOCK,
     ),
 ]
 AlphaRad = Annotated[
     str | None,
-    typer.Option(
-        "--alpha-rad",
-        metavar="RAD",
-        help="Set the slenderness, the tilt at which the block balances \\[rad].",
-        rich_help_panel=BLOCK,
+    block_flag(
+        "--alpha-rad RAD", "Set the slenderness, the tilt at which the block balances \\[rad]."
     ),
 ]
 RadiusM = Annotated[
     str | None,
-    typer.Option(
-        "--radius-m",
-        metavar="M",
-        help="Set the distance from pivot to mass centre \\[m] of a homogeneous rectangle.",
-        rich_help_panel=BLOCK,
+    block_flag(
+        "--radius-m M",
+        "Set the distance from pivot to mass centre \\[m] of a homogeneous rectangle.",
     ),
 ]
 PRadS = Annotated[
     str | None,
-    typer.Option(
-        "--p-rad-s",
-        metavar="P",
-        help="Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
-        rich_help_panel=BLOCK,
+    block_flag(
+        "--p-rad-s P",
+        "Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
     ),
 ]
 GravityMS2 = Annotated[
     float | None,
-    typer.Option(
-        "--gravity-m-s2",
-        metavar="G",
-        help="Set the acceleration of gravity \\[m/s^2]; default 9.80665.",
-        rich_help_panel=BLOCK,
-    ),
+    block_flag("--gravity-m-s2 G", "Set the acceleration of gravity \\[m/s^2]; default 9.80665."),
 ]
 Json = Annotated[
     bool,
-    typer.Option(
-        "--json",
-        help="Print one JSON object on standard output, nothing else.",
-        rich_help_panel=OUTPUT,
-    ),
+    output_flag("--json", "Print one JSON object on standard output, nothing else."),
 ]
 Plot = Annotated[
     Path | None,
-    typer.Option(
-        "--plot", metavar="FILE", help="Save a figure: .png, .svg or .pdf.", rich_help_panel=OUTPUT
-    ),
+    output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf."),
 ]
 Width = Annotated[
     str | None,
-    typer.Option(
-        "--width",
-        metavar="LENGTH",
-        help="Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
-        rich_help_panel=OUTPUT,
+    output_flag(
+        "--width LENGTH",
+        "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
     ),
 ]
 Legend = Annotated[
     str | None,
-    typer.Option(
-        "--legend",
-        metavar="PLACE",
-        help="Place the legends of --plot: inside, right, below or none; default where there is "
-        "room.",
-        rich_help_panel=OUTPUT,
+    output_flag(
+        "--legend PLACE",
+        "Place the legends of --plot: inside, right, below or none; default where there is room.",
     ),
 ]
 Csv = Annotated[
     Path | None,
-    typer.Option("--csv", metavar="FILE", help="Save the data as CSV.", rich_help_panel=OUTPUT),
+    output_flag("--csv FILE", "Save the data as CSV."),
 ]
 Animate = Annotated[
     Path | None,
-    typer.Option(
-        "--animate",
-        metavar="FILE",
-        help="Save a film of the block on its moving ground, to scale: .gif.",
-        rich_help_panel=OUTPUT,
-    ),
+    output_flag("--animate FILE", "Save a film of the block on its moving ground, to scale: .gif."),
 ]
 Speed = Annotated[
     float | None,
-    typer.Option(
-        "--speed",
-        metavar="X",
-        help="Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
+    output_flag(
+        "--speed X",
+        "Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
         "shaking, else pt, per second of film; default 1, or what shows the run well.",
-        rich_help_panel=OUTPUT,
     ),
 ]
 Force = Annotated[
     bool,
-    typer.Option("--force", help="Overwrite files that exist.", rich_help_panel=OUTPUT),
+    output_flag("--force", "Overwrite files that exist."),
 ]
 OutFolder = Annotated[
     Path,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Write into this folder; made if it does not exist.",
-        rich_help_panel=OUTPUT,
-    ),
+    output_flag("--out DIR", "Write into this folder; made if it does not exist."),
 ]
 ResumeStudy = Annotated[
     bool,
-    typer.Option(
+    output_flag(
         "--resume",
-        help="Continue the study in the folder where it stopped; begin it if it does not exist.",
-        rich_help_panel=OUTPUT,
+        "Continue the study in the folder where it stopped; begin it if it does not exist.",
     ),
 ]

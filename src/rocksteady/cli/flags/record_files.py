@@ -6,12 +6,10 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
-from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, MOTION
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, flags_in, motion_flag
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -22,126 +20,98 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
 
-READING = "Reading files"
+reading_flag = flags_in("Reading files")
 
 MOST_USUAL_SCALE = 10.0
 """Factor of a record beyond which a wrong unit is more likely than a wish."""
 
 RecordFile = Annotated[
     list[Path] | None,
-    typer.Option(
-        "--record",
-        metavar="FILE",
-        help="Ground-motion file that shakes a block of known size; then the base stands still.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--record FILE",
+        "Ground-motion file that shakes a block of known size; then the base stands still.",
     ),
 ]
 Scale = Annotated[
     str | None,
-    typer.Option(
-        "--scale",
-        metavar="S",
-        help="Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
-        rich_help_panel=MOTION,
+    motion_flag(
+        "--scale S",
+        "Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
     ),
 ]
 PgaG = Annotated[
     float | None,
-    typer.Option(
-        "--pga-g",
-        metavar="G",
-        help="Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
+    motion_flag(
+        "--pga-g G",
+        "Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
         "same factor; instead of --scale.",
-        rich_help_panel=MOTION,
     ),
 ]
 VerticalFile = Annotated[
     Path | None,
-    typer.Option(
-        "--vertical",
-        metavar="FILE",
-        help="Add the vertical acceleration of a file, its vertical channel where it has several; "
+    motion_flag(
+        "--vertical FILE",
+        "Add the vertical acceleration of a file, its vertical channel where it has several; "
         "upwards is positive, and DWN is reversed. The linear model has no term for it.",
-        rich_help_panel=MOTION,
     ),
 ]
 Reverse = Annotated[
     bool,
-    typer.Option(
+    motion_flag(
         "--reverse",
-        help="Change the sign of --record or --pulse: positive values drive negative rotation.",
-        rich_help_panel=MOTION,
+        "Change the sign of --record or --pulse: positive values drive negative rotation.",
     ),
 ]
 ReverseVertical = Annotated[
     bool,
-    typer.Option(
+    motion_flag(
         "--reverse-vertical",
-        help="Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
+        "Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
         "PEER, positive downwards, is reversed without it.",
-        rich_help_panel=MOTION,
     ),
 ]
 Channel = Annotated[
     str | None,
-    typer.Option(
-        "--channel",
-        metavar="NAME",
-        help="Choose the channel of a file with several: its component, or its number from 1.",
-        rich_help_panel=READING,
+    reading_flag(
+        "--channel NAME",
+        "Choose the channel of a file with several: its component, or its number from 1.",
     ),
 ]
 FormatName = Annotated[
     str | None,
-    typer.Option(
-        "--format",
-        metavar="NAME",
-        help="Set the format of the files; default: recognised from their content.",
-        rich_help_panel=READING,
+    reading_flag(
+        "--format NAME", "Set the format of the files; default: recognised from their content."
     ),
 ]
 Units = Annotated[
     str | None,
-    typer.Option(
-        "--units",
-        metavar="UNIT",
-        help="Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
-        rich_help_panel=READING,
+    reading_flag(
+        "--units UNIT",
+        "Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
     ),
 ]
 DtS = Annotated[
     float | None,
-    typer.Option(
-        "--dt-s",
-        metavar="DT",
-        help="Set the interval between samples \\[s] in files that do not state it.",
-        rich_help_panel=READING,
+    reading_flag(
+        "--dt-s DT", "Set the interval between samples \\[s] in files that do not state it."
     ),
 ]
 Column = Annotated[
     str | None,
-    typer.Option(
-        "--column",
-        metavar="NAME",
-        help="Choose the column of a table with the acceleration: its number from 1, or its name.",
-        rich_help_panel=READING,
+    reading_flag(
+        "--column NAME",
+        "Choose the column of a table with the acceleration: its number from 1, or its name.",
     ),
 ]
 Resample = Annotated[
     bool,
-    typer.Option(
-        "--resample",
-        help="Interpolate a table with uneven times to even ones.",
-        rich_help_panel=READING,
-    ),
+    reading_flag("--resample", "Interpolate a table with uneven times to even ones."),
 ]
 Baseline = Annotated[
     str,
-    typer.Option(
-        "--baseline",
-        metavar="NAME",
-        help="Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
-        rich_help_panel=READING,
+    reading_flag(
+        "--baseline NAME",
+        "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
     ),
 ]
 

@@ -6,9 +6,8 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, cast
 
-import typer
-
 from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import DtS, Units
 from rocksteady.errors import InputError
@@ -17,89 +16,67 @@ if TYPE_CHECKING:
     from rocksteady.risk.calibration.sampling import Sampling
     from rocksteady.risk.observations.observations import Observations
 
-TESTS = "Tests"
-SAMPLING = "Calibration"
+test_flag = flags_in("Tests")
+sampling_flag = flags_in("Calibration")
 
 Tests = Annotated[
     Path | None,
-    typer.Option(
-        "--tests",
-        metavar="FILE",
-        help="Read a table of tests: test, record, object and outcome (fell or stood), further "
+    test_flag(
+        "--tests FILE",
+        "Read a table of tests: test, record, object and outcome (fell or stood), further "
         "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, channel, vertical, "
         "vertical_channel.",
-        rich_help_panel=TESTS,
     ),
 ]
 Objects = Annotated[
     Path | None,
-    typer.Option(
-        "--objects",
-        metavar="FILE",
-        help="Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
+    test_flag(
+        "--objects FILE",
+        "Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
         "beside --tests.",
-        rich_help_panel=TESTS,
     ),
 ]
 RecordsFolder = Annotated[
     Path | None,
-    typer.Option(
-        "--records",
-        metavar="DIR",
-        help="Folder of the records; default records/ beside --tests, or its own folder.",
-        rich_help_panel=TESTS,
+    test_flag(
+        "--records DIR",
+        "Folder of the records; default records/ beside --tests, or its own folder.",
     ),
 ]
 FoldsChoice = Annotated[
     str,
-    typer.Option(
-        "--folds",
-        metavar="NAME",
-        help="Hold out together the tests of one record, test, session or group.",
-        rich_help_panel=SAMPLING,
+    sampling_flag(
+        "--folds NAME", "Hold out together the tests of one record, test, session or group."
     ),
 ]
 Temper = Annotated[
     str,
-    typer.Option(
-        "--temper",
-        metavar="auto|T",
-        help="Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
-        rich_help_panel=SAMPLING,
+    sampling_flag(
+        "--temper auto|T",
+        "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
     ),
 ]
 Draws = Annotated[
     int,
-    typer.Option(
-        "--draws",
-        metavar="N",
-        help="Set the number of draws of each object.",
-        rich_help_panel=SAMPLING,
-    ),
+    sampling_flag("--draws N", "Set the number of draws of each object."),
 ]
 Gains = Annotated[
     int,
-    typer.Option(
-        "--gains",
-        metavar="N",
-        help="Set the number of gains of each draw and test, over the error of its amplitude.",
-        rich_help_panel=SAMPLING,
+    sampling_flag(
+        "--gains N",
+        "Set the number of gains of each draw and test, over the error of its amplitude.",
     ),
 ]
 Rounds = Annotated[
     int | None,
-    typer.Option(
-        "--rounds",
-        metavar="N",
-        help="Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
-        rich_help_panel=SAMPLING,
+    sampling_flag(
+        "--rounds N",
+        "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
     ),
 ]
 Seed = Annotated[
     int,
-    typer.Option(
-        "--seed", metavar="N", help="Set the seed of all draws.", rich_help_panel=SAMPLING
-    ),
+    sampling_flag("--seed N", "Set the seed of all draws."),
 ]
 
 

@@ -26,82 +26,65 @@ if TYPE_CHECKING:
     from rocksteady.sweep.run import Run
     from rocksteady.sweep.store.store import Store
 
-SWEEP = "Sweep"
+sweep_flag = options.flags_in("Sweep")
 
 OutStore = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="STORE",
-        help="Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
+    sweep_flag(
+        "--out STORE",
+        "Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
         "interruption. Without it they are kept in memory.",
-        rich_help_panel=SWEEP,
     ),
 ]
 Resume = Annotated[
     bool,
-    typer.Option(
-        "--resume",
-        help="Continue the store of --out where it stopped; begin it if it is not there.",
-        rich_help_panel=SWEEP,
+    sweep_flag(
+        "--resume", "Continue the store of --out where it stopped; begin it if it is not there."
     ),
 ]
 Executor = Annotated[
     str,
-    typer.Option(
-        "--executor",
-        metavar="NAME",
-        help="threads (default), gpu for an NVIDIA GPU, dask for a cluster of processes on this "
+    sweep_flag(
+        "--executor NAME",
+        "threads (default), gpu for an NVIDIA GPU, dask for a cluster of processes on this "
         "machine, the address of a dask scheduler as tcp://host:8786, or serial. All give the same "
         "bytes.",
-        rich_help_panel=SWEEP,
     ),
 ]
 Workers = Annotated[
     int | None,
-    typer.Option(
-        "--workers",
-        metavar="N",
-        help="Threads or processes; by default as many as there are cores, or as a cluster has. "
+    sweep_flag(
+        "--workers N",
+        "Threads or processes; by default as many as there are cores, or as a cluster has. "
         "With gpu: launches in flight, 3 by default.",
-        rich_help_panel=SWEEP,
     ),
 ]
 RunsStore = Annotated[
     Path | None,
-    typer.Option(
-        "--runs",
-        metavar="STORE",
-        help="Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
+    sweep_flag(
+        "--runs STORE",
+        "Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
         "interruption. Without it they are kept in memory.",
-        rich_help_panel=SWEEP,
     ),
 ]
 ResumeRuns = Annotated[
     bool,
-    typer.Option(
-        "--resume",
-        help="Continue the store of --runs where it stopped; begin it if it is not there.",
-        rich_help_panel=SWEEP,
+    sweep_flag(
+        "--resume", "Continue the store of --runs where it stopped; begin it if it is not there."
     ),
 ]
 Chunk = Annotated[
     int | None,
-    typer.Option(
-        "--chunk",
-        metavar="CELLS",
-        help="Cells that are written at once; by default a 64th of all, from 4096 to "
+    sweep_flag(
+        "--chunk CELLS",
+        "Cells that are written at once; by default a 64th of all, from 4096 to "
         "65536, and of slow cells fewer.",
-        rich_help_panel=SWEEP,
     ),
 ]
 NetCdf = Annotated[
     Path | None,
-    typer.Option(
-        "--netcdf",
-        metavar="FILE",
-        help="Save the data as NetCDF, .nc, with units and the meaning of classes.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--netcdf FILE", "Save the data as NetCDF, .nc, with units and the meaning of classes."
     ),
 ]
 

@@ -7,8 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.commands.record import all_recordings
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.browser import show
@@ -56,40 +54,27 @@ FILE = "explorer.html"
 
 RecordFiles = Annotated[
     list[Path] | None,
-    typer.Option(
-        "--record",
-        metavar="FILE",
-        help="Put the horizontal channels of a ground-motion file into the page, or the channel "
+    options.motion_flag(
+        "--record FILE",
+        "Put the horizontal channels of a ground-motion file into the page, or the channel "
         "named by --channel; may be repeated. The page then opens on them.",
-        rich_help_panel=options.MOTION,
     ),
 ]
 TabFlag = Annotated[
     str | None,
-    typer.Option(
-        "--tab",
-        metavar="NAME",
-        help="Open on explore, basins, pulse, quake or design; default quake with --record, else "
+    options.output_flag(
+        "--tab NAME",
+        "Open on explore, basins, pulse, quake or design; default quake with --record, else "
         "explore.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 OutFile = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="FILE",
-        help="Keep the page in this file: .html.",
-        rich_help_panel=options.OUTPUT,
-    ),
+    options.output_flag("--out FILE", "Keep the page in this file: .html."),
 ]
 NoBrowser = Annotated[
     bool,
-    typer.Option(
-        "--no-browser",
-        help="Write the page without opening it, as --json does too.",
-        rich_help_panel=options.OUTPUT,
-    ),
+    options.output_flag("--no-browser", "Write the page without opening it, as --json does too."),
 ]
 
 

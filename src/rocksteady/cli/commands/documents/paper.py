@@ -28,11 +28,8 @@ EXAMPLES = (
 
 OnlyFlag = Annotated[
     list[str] | None,
-    typer.Option(
-        "--only",
-        metavar="FIGURE",
-        help="Only this figure, as 12b, without statements and report; may be repeated.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--only FIGURE", "Only this figure, as 12b, without statements and report; may be repeated."
     ),
 ]
 

@@ -50,94 +50,66 @@ FACADE_EXAMPLES = (
 
 app = typer.Typer(no_args_is_help=True, rich_markup_mode="rich")
 
-PLANE = "Plane"
+plane_flag = options.flags_in("Plane")
 RestitutionFlag = Annotated[
     str,
-    typer.Option(
-        "--restitution",
-        "-r",
-        metavar="R",
-        help="Ratio of angular velocities after and before an impact, in (0, 1).",
-        rich_help_panel=PLANE,
+    plane_flag(
+        "--restitution -r R", "Ratio of angular velocities after and before an impact, in (0, 1)."
     ),
 ]
 AmplitudeFlag = Annotated[
     str | None,
-    typer.Option(
-        "--amplitude",
-        "-A",
-        metavar="AXIS",
-        help="Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
-        rich_help_panel=PLANE,
+    plane_flag(
+        "--amplitude -A AXIS",
+        "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
     ),
 ]
 FrequencyFlag = Annotated[
     str | None,
-    typer.Option(
-        "--frequency-ratio",
-        "-W",
-        metavar="AXIS",
-        help="Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
+    plane_flag(
+        "--frequency-ratio -W AXIS",
+        "Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
         "goes with rows times columns.",
-        rich_help_panel=PLANE,
     ),
 ]
 OrderFlag = Annotated[
     list[int] | None,
-    typer.Option(
-        "--order",
-        "-n",
-        metavar="N",
-        help="Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
-        rich_help_panel=PLANE,
+    plane_flag(
+        "--order -n N",
+        "Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
     ),
 ]
-WALLS = "Walls and records"
+wall_flag = options.flags_in("Walls and records")
 RecordsFlag = Annotated[
     list[Path] | None,
-    typer.Option(
-        "--records",
-        metavar="DIR|FILE",
-        help="Read ground motions, 7 or more: every file of a folder, or a file; several times for "
+    wall_flag(
+        "--records DIR|FILE",
+        "Read ground motions, 7 or more: every file of a folder, or a file; several times for "
         "more. Default: 10 synthetic motions.",
-        rich_help_panel=WALLS,
     ),
 ]
 HeightFlag = Annotated[
     str | None,
-    typer.Option(
-        "--height-m",
-        metavar="AXIS",
-        help="Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11.",
-        rich_help_panel=WALLS,
+    wall_flag(
+        "--height-m AXIS", "Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11."
     ),
 ]
 SlendernessFlag = Annotated[
     str | None,
-    typer.Option(
-        "--slenderness",
-        metavar="AXIS",
-        help="Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
-        rich_help_panel=WALLS,
+    wall_flag(
+        "--slenderness AXIS",
+        "Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
     ),
 ]
 LevelsFlag = Annotated[
     str | None,
-    typer.Option(
-        "--pga-g",
-        metavar="LIST",
-        help="Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35.",
-        rich_help_panel=WALLS,
+    wall_flag(
+        "--pga-g LIST", "Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35."
     ),
 ]
 FactorFlag = Annotated[
     str,
-    typer.Option(
-        "--confidence-factor",
-        metavar="FC",
-        help="Set the confidence factor of all walls, from 1 to 2.",
-        rich_help_panel=WALLS,
-    ),
+    wall_flag("--confidence-factor FC", "Set the confidence factor of all walls, from 1 to 2."),
 ]
 
 

@@ -4,13 +4,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.shaking_tests import flags_of, temper_of
@@ -40,103 +39,76 @@ EXAMPLES = (
     "rocksteady back-analyse --survey cemetery.csv --records suite --limits 0.05:1.5 --draws 32\n\n"
     "rocksteady back-analyse --example"
 )
-SURVEY = "Survey"
-SCAN = "Scan"
+survey_flag = flags_in("Survey")
+scan_flag = flags_in("Scan")
 FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 """Options of a scan that are flags."""
 
 SurveyFile = Annotated[
     Path | None,
-    typer.Option(
-        "--survey",
-        metavar="FILE",
-        help="Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
+    survey_flag(
+        "--survey FILE",
+        "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
         "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
-        rich_help_panel=SURVEY,
     ),
 ]
 PriorFile = Annotated[
     Path | None,
-    typer.Option(
-        "--prior",
-        metavar="FILE",
-        help="Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
+    survey_flag(
+        "--prior FILE",
+        "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
         "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-        rich_help_panel=SURVEY,
     ),
 ]
 Measures = Annotated[
     list[str] | None,
-    typer.Option(
-        "--measure",
-        metavar="NAME[:S]",
-        help="Set the measures, two or more flags; the region is in the first two. pga_g and "
+    scan_flag(
+        "--measure NAME[:S]",
+        "Set the measures, two or more flags; the region is in the first two. pga_g and "
         "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
-        rich_help_panel=SCAN,
     ),
 ]
 Limits = Annotated[
     str | None,
-    typer.Option(
-        "--limits",
-        metavar="LOW:HIGH",
-        help="Set the limits of the first measure; by default from no uplift to nearly all fallen.",
-        rich_help_panel=SCAN,
+    scan_flag(
+        "--limits LOW:HIGH",
+        "Set the limits of the first measure; by default from no uplift to nearly all fallen.",
     ),
 ]
 LevelCount = Annotated[
     int,
-    typer.Option(
-        "--levels",
-        metavar="N",
-        help="Set the number of scales of each record.",
-        rich_help_panel=SCAN,
-    ),
+    scan_flag("--levels N", "Set the number of scales of each record."),
 ]
 DrawCount = Annotated[
     int | None,
-    typer.Option(
-        "--draws",
-        metavar="N",
-        help="Set the number of draws of each object at each scale; by default 320 over the number "
+    scan_flag(
+        "--draws N",
+        "Set the number of draws of each object at each scale; by default 320 over the number "
         "of objects, 8 to 64.",
-        rich_help_panel=SCAN,
     ),
 ]
 Temper = Annotated[
     str,
-    typer.Option(
-        "--temper",
-        metavar="T",
-        help="Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
+    scan_flag(
+        "--temper T",
+        "Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
         "records that are left out.",
-        rich_help_panel=SCAN,
     ),
 ]
 Trials = Annotated[
     int,
-    typer.Option(
-        "--trials",
-        metavar="N",
-        help="Set the number of simulated surveys for each record that is left out.",
-        rich_help_panel=SCAN,
+    scan_flag(
+        "--trials N", "Set the number of simulated surveys for each record that is left out."
     ),
 ]
 SeedNumber = Annotated[
     int,
-    typer.Option(
-        "--seed",
-        metavar="N",
-        help="Set the seed of the draws and of the simulated surveys.",
-        rich_help_panel=SCAN,
-    ),
+    scan_flag("--seed N", "Set the seed of the draws and of the simulated surveys."),
 ]
 Example = Annotated[
     bool,
-    typer.Option(
-        "--example",
-        help="Analyse 12 synthetic objects with 12 synthetic motions: no file is needed.",
-        rich_help_panel=SURVEY,
+    survey_flag(
+        "--example", "Analyse 12 synthetic objects with 12 synthetic motions: no file is needed."
     ),
 ]
 

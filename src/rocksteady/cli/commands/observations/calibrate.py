@@ -15,11 +15,11 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.shaking_tests import (
-    SAMPLING,
-    TESTS,
     SamplingFlags,
     TableFlags,
     flags_of,
+    sampling_flag,
+    test_flag,
 )
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.show.export.files import check_apart
@@ -55,41 +55,34 @@ EXAMPLE_SIZE = (0.15, 0.6)
 
 PriorFile = Annotated[
     Path | None,
-    typer.Option(
-        "--prior",
-        metavar="FILE",
-        help="Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
+    test_flag(
+        "--prior FILE",
+        "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
         "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-        rich_help_panel=TESTS,
     ),
 ]
 OutFolder = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
+    options.output_flag(
+        "--out DIR",
+        "Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
         "a new folder; --force replaces those of an earlier calibration.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 CalibrationModel = Annotated[
     str,
-    typer.Option(
-        "--model",
-        metavar="NAME",
-        help="Choose the equations of motion: nonlinear (the full equations) or linear (slender "
+    sampling_flag(
+        "--model NAME",
+        "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
         "blocks, faster, without vertical motion).",
-        rich_help_panel=SAMPLING,
     ),
 ]
 ExampleFlag = Annotated[
     bool,
-    typer.Option(
+    test_flag(
         "--example",
-        help=f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
+        f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
         "is needed.",
-        rich_help_panel=TESTS,
     ),
 ]
 

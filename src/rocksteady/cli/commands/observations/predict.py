@@ -4,11 +4,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests, flags_of
 from rocksteady.cli.flags.sweep import Executor, Workers
@@ -32,24 +31,17 @@ EXAMPLES = (
     "rocksteady predict --fit fit --record quake.at2 --scale log:0.5:2:9 --plot quake.png\n\n"
     "rocksteady predict --fit fit --record east.at2 --record north.at2 --object column --json"
 )
-FIT = "Calibration"
+fit_flag = flags_in("Calibration")
 
 FitFolder = Annotated[
     Path | None,
-    typer.Option(
-        "--fit",
-        metavar="DIR",
-        help="Take the posterior of this folder, which calibrate --out wrote.",
-        rich_help_panel=FIT,
-    ),
+    fit_flag("--fit DIR", "Take the posterior of this folder, which calibrate --out wrote."),
 ]
 ObjectName = Annotated[
     str | None,
-    typer.Option(
-        "--object",
-        metavar="NAME",
-        help="Choose the object that --record shakes; default the only one of the calibration.",
-        rich_help_panel=FIT,
+    fit_flag(
+        "--object NAME",
+        "Choose the object that --record shakes; default the only one of the calibration.",
     ),
 ]
 

@@ -3,8 +3,6 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
@@ -26,24 +24,18 @@ EXAMPLES = (
     "rocksteady restitution --peaks peaks.csv --left-m 0.15 --right-m 0.25 --height-m 1.2 "
     "--each-side --json"
 )
-PANEL = "Peaks"
+peaks_flag = options.flags_in("Peaks")
 
 Peaks = Annotated[
     Path | None,
-    typer.Option(
-        "--peaks",
-        metavar="FILE",
-        help="Read the peaks of half cycles from a CSV table.",
-        rich_help_panel=PANEL,
-    ),
+    peaks_flag("--peaks FILE", "Read the peaks of half cycles from a CSV table."),
 ]
 EachSide = Annotated[
     bool | None,
-    typer.Option(
+    peaks_flag(
         "--each-side/--one-factor",
-        help="Fit a factor of Housner's value to each side, or one to both; by default to each "
+        "Fit a factor of Housner's value to each side, or one to both; by default to each "
         "where the sides differ.",
-        rich_help_panel=PANEL,
     ),
 ]
 

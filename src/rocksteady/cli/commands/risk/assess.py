@@ -13,7 +13,7 @@ from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.demand import DEMAND, PeakFlags, RowFlags, probability, sized_block
+from rocksteady.cli.flags.demand import PeakFlags, RowFlags, demand_flag, probability, sized_block
 from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
@@ -52,7 +52,7 @@ USUAL_TARGET = 0.1
 MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
 """Flags that have a meaning beside --example."""
 EXAMPLE_MOTIONS = 24
-FULL = "Object files"
+file_flag = options.flags_in("Object files")
 
 ObjectPath = Annotated[
     Path | None,
@@ -60,49 +60,38 @@ ObjectPath = Annotated[
 ]
 HazardPath = Annotated[
     Path | None,
-    typer.Option(
-        "--hazard",
-        metavar="FILE",
-        help="Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
+    file_flag(
+        "--hazard FILE",
+        "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
         "compute the annual rate of falling.",
-        rich_help_panel=FULL,
     ),
 ]
 OutFolder = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
+    file_flag(
+        "--out DIR",
+        "Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
         "hashes into a new folder; for a table its report and rows. --force replaces those of an "
         "earlier assessment.",
-        rich_help_panel=FULL,
     ),
 ]
 ExampleFlag = Annotated[
     bool,
-    typer.Option(
-        "--example",
-        help="Assess a made-up object with synthetic motions: no file is needed.",
-        rich_help_panel=FULL,
-    ),
+    file_flag("--example", "Assess a made-up object with synthetic motions: no file is needed."),
 ]
 CheckFlag = Annotated[
     bool,
-    typer.Option(
+    options.output_flag(
         "--check",
-        help="Leave with exit code 1 where a probability is above the target, or an object slides.",
-        rich_help_panel=options.OUTPUT,
+        "Leave with exit code 1 where a probability is above the target, or an object slides.",
     ),
 ]
 TargetFlag = Annotated[
     float | None,
-    typer.Option(
-        "--target",
-        metavar="P",
-        help=f"Set the largest probability of falling that --check accepts; default "
+    demand_flag(
+        "--target P",
+        f"Set the largest probability of falling that --check accepts; default "
         f"{USUAL_TARGET}, or that of FILE.",
-        rich_help_panel=DEMAND,
     ),
 ]
 

@@ -49,7 +49,7 @@ T = TypeVar("T")
 NEGATIVE = 1
 """Exit code with --check where a check is not satisfied."""
 EXAMPLE_MOTIONS = 10
-RUNS = "Runs"
+run_flag = options.flags_in("Runs")
 
 FacadePath = Annotated[
     Path | None,
@@ -57,93 +57,67 @@ FacadePath = Annotated[
 ]
 Scale = Annotated[
     str | None,
-    typer.Option(
-        "--scale",
-        metavar="S",
-        help="Multiply the accelerations of all records by a factor; default 1.",
-        rich_help_panel=RUNS,
-    ),
+    run_flag("--scale S", "Multiply the accelerations of all records by a factor; default 1."),
 ]
 PgaG = Annotated[
     str | None,
-    typer.Option(
-        "--pga-g",
-        metavar="G",
-        help="Scale each record to a peak acceleration in g (9.80665 m/s^2); instead of --scale.",
-        rich_help_panel=RUNS,
+    run_flag(
+        "--pga-g G",
+        "Scale each record to a peak acceleration in g (9.80665 m/s^2); instead of --scale.",
     ),
 ]
 LimitState = Annotated[
     str,
-    typer.Option(
-        "--limit-state",
-        metavar="NAME",
-        help="Choose the limit state of the records: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
-        rich_help_panel=RUNS,
+    run_flag(
+        "--limit-state NAME",
+        "Choose the limit state of the records: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
     ),
 ]
 Directions = Annotated[
     str,
-    typer.Option(
-        "--directions",
-        metavar="NAME",
-        help="Choose the signs of the records: both (default), recorded or reversed.",
-        rich_help_panel=RUNS,
+    run_flag(
+        "--directions NAME",
+        "Choose the signs of the records: both (default), recorded or reversed.",
     ),
 ]
 WallRestitution = Annotated[
     str | None,
-    typer.Option(
-        "--restitution",
-        "-r",
-        metavar="E",
-        help="Set the restitution of impacts on the building behind, in [0, 1], or 'housner'; "
+    run_flag(
+        "--restitution -r E",
+        "Set the restitution of impacts on the building behind, in [0, 1], or 'housner'; "
         "default that of FILE.",
-        rich_help_panel=RUNS,
     ),
 ]
 RunModel = Annotated[
     str | None,
-    typer.Option(
-        "--model",
-        metavar="NAME",
-        help="Choose the equations of motion: nonlinear (default) or linear.",
-        rich_help_panel=RUNS,
-    ),
+    run_flag("--model NAME", "Choose the equations of motion: nonlinear (default) or linear."),
 ]
 OutFolder = Annotated[
     Path | None,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Write the report, the checks, the runs and the inputs with their hashes into a new "
+    options.output_flag(
+        "--out DIR",
+        "Write the report, the checks, the runs and the inputs with their hashes into a new "
         "folder; --force replaces those of an earlier check.",
-        rich_help_panel=options.OUTPUT,
     ),
 ]
 Language = Annotated[
     str,
-    typer.Option(
-        "--language",
-        metavar="NAME",
-        help="Choose the language of --out and --plot: en (default) or it.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--language NAME", "Choose the language of --out and --plot: en (default) or it."
     ),
 ]
 ExampleFlag = Annotated[
     bool,
-    typer.Option(
+    run_flag(
         "--example",
-        help=f"Check an invented wall under {EXAMPLE_MOTIONS} synthetic motions, without a file.",
-        rich_help_panel=RUNS,
+        f"Check an invented wall under {EXAMPLE_MOTIONS} synthetic motions, without a file.",
     ),
 ]
 CheckFlag = Annotated[
     bool,
-    typer.Option(
+    options.output_flag(
         "--check",
-        help="Leave with exit code 1 where a check is not satisfied; without a verdict with 2.",
-        rich_help_panel=options.OUTPUT,
+        "Leave with exit code 1 where a check is not satisfied; without a verdict with 2.",
     ),
 ]
 SIGNS: dict[str, Literal["both", "as recorded", "reversed"]] = {

@@ -8,8 +8,9 @@ import typer
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.ensemble import ENSEMBLE, EnsembleFlags, Suite, SuiteFlags
+from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
@@ -36,53 +37,37 @@ EXAMPLES = (
     "--states uplift,0.5,overturned --csv runs.csv\n\n"
     "rocksteady fragility --example"
 )
-FITS = "Curves"
+curve_flag = flags_in("Curves")
 EXAMPLE_SIZE = (0.32, 1.8)
 """Width and height of the cabinet of --example [m]."""
 
 States = Annotated[
     str,
-    typer.Option(
-        "--states",
-        metavar="LIST",
-        help="Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
-        rich_help_panel=FITS,
+    curve_flag(
+        "--states LIST",
+        "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
     ),
 ]
 Family = Annotated[
     str,
-    typer.Option(
-        "--family",
-        metavar="NAME",
-        help="Set the curve: lognormal or logistic.",
-        rich_help_panel=FITS,
-    ),
+    curve_flag("--family NAME", "Set the curve: lognormal or logistic."),
 ]
 Confidence = Annotated[
     float,
-    typer.Option(
-        "--confidence",
-        metavar="P",
-        help="Set the confidence of the bands.",
-        rich_help_panel=FITS,
-    ),
+    curve_flag("--confidence P", "Set the confidence of the bands."),
 ]
 Replicates = Annotated[
     int,
-    typer.Option(
-        "--replicates",
-        metavar="N",
-        help="Set the number of suites that the bands are drawn from; 0 for no bands.",
-        rich_help_panel=FITS,
+    curve_flag(
+        "--replicates N", "Set the number of suites that the bands are drawn from; 0 for no bands."
     ),
 ]
 Example = Annotated[
     bool,
-    typer.Option(
+    ensemble_flag(
         "--example",
-        help="Run 24 synthetic motions in place of --records; default block: a cabinet of "
+        "Run 24 synthetic motions in place of --records; default block: a cabinet of "
         f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
-        rich_help_panel=ENSEMBLE,
     ),
 ]
 

@@ -28,10 +28,8 @@ NEGATIVE = 1
 """Exit code with --check where a row does not pass."""
 CheckFlag = Annotated[
     bool,
-    typer.Option(
-        "--check",
-        help="Leave with exit code 1 where a row does not pass or the block slides.",
-        rich_help_panel=options.OUTPUT,
+    options.output_flag(
+        "--check", "Leave with exit code 1 where a row does not pass or the block slides."
     ),
 ]
 

@@ -57,103 +57,80 @@ EXAMPLES = (
     "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
 )
 
-WINDOW = "Window"
-MEASURES = "Measures"
+window_flag = options.flags_in("Window")
+measure_flag = options.flags_in("Measures")
 PROBES: tuple[Literal["states", "boxes"], ...] = ("states", "boxes")
 """By what --exponent counts."""
 
 PhaseFlag = Annotated[
     str,
-    typer.Option(
-        "--phase",
-        metavar="RAD",
-        help="Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
-        rich_help_panel=WINDOW,
+    window_flag(
+        "--phase RAD",
+        "Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
     ),
 ]
 AnglesFlag = Annotated[
     str | None,
-    typer.Option(
-        "--angles",
-        metavar="AXIS",
-        help="u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
+    window_flag(
+        "--angles AXIS",
+        "u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
         "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back falls; "
         "for an erosion up to 1.5.  With --one-sided from 0.",
-        rich_help_panel=WINDOW,
     ),
 ]
 VelocitiesFlag = Annotated[
     str | None,
-    typer.Option(
-        "--velocities",
-        metavar="AXIS",
-        help="du/d(pt), start:stop:count; by default as many up to the same bound.",
-        rich_help_panel=WINDOW,
+    window_flag(
+        "--velocities AXIS", "du/d(pt), start:stop:count; by default as many up to the same bound."
     ),
 ]
 CyclesFlag = Annotated[
     int | None,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Periods of the shaking for which a state is followed, default 500; for an erosion "
+    options.start_flag(
+        "--cycles N",
+        "Periods of the shaking for which a state is followed, default 500; for an erosion "
         "the periods without overturning that make a state safe, default 100.",
-        rich_help_panel=options.START,
     ),
 ]
 SeedFlag = Annotated[
     int | None,
-    typer.Option(
-        "--seed",
-        metavar="N",
-        help="Draw a random state in each cell of the window with this seed; default: its middle.",
-        rich_help_panel=WINDOW,
+    window_flag(
+        "--seed N",
+        "Draw a random state in each cell of the window with this seed; default: its middle.",
     ),
 ]
 SharesFlag = Annotated[
     bool,
-    typer.Option(
-        "--shares",
-        help="Compute the shares of the basins, not the erosion, over an axis of amplitudes.",
-        rich_help_panel=MEASURES,
+    measure_flag(
+        "--shares", "Compute the shares of the basins, not the erosion, over an axis of amplitudes."
     ),
 ]
 EntropyFlag = Annotated[
     int | None,
-    typer.Option(
-        "--entropy",
-        metavar="CELLS",
-        help="Compute the basin entropy and the boundary basin entropy, with boxes of this many "
+    measure_flag(
+        "--entropy CELLS",
+        "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
         "states a side, as 20, which must divide the counts of --angles and --velocities.",
-        rich_help_panel=MEASURES,
     ),
 ]
 ExponentFlag = Annotated[
     bool,
-    typer.Option(
+    measure_flag(
         "--exponent",
-        help="Compute the uncertainty exponent and the dimension of the boundary, by states and by "
+        "Compute the uncertainty exponent and the dimension of the boundary, by states and by "
         "boxes; 40 states or more along each axis.",
-        rich_help_panel=MEASURES,
     ),
 ]
 TimePtFlag = Annotated[
     float | None,
-    typer.Option(
-        "--at-pt",
-        metavar="PT",
-        help="Pivot time p t of the record or the pulse at which the states are taken; default 0.",
-        rich_help_panel=WINDOW,
+    window_flag(
+        "--at-pt PT",
+        "Pivot time p t of the record or the pulse at which the states are taken; default 0.",
     ),
 ]
 TimeSFlag = Annotated[
     float | None,
-    typer.Option(
-        "--at-s",
-        metavar="T",
-        help="The same in seconds, for a block of known size.",
-        rich_help_panel=WINDOW,
-    ),
+    window_flag("--at-s T", "The same in seconds, for a block of known size."),
 ]
 
 

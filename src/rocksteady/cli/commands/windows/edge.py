@@ -2,8 +2,6 @@
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
@@ -32,53 +30,39 @@ EXAMPLES = (
     "rocksteady edge -A 2 -W 1.9 -r 0.8 --start steady --side - --direction - --json\n\n"
     "rocksteady edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --manifolds --csv manifolds.csv"
 )
-EDGE = "Edge"
+edge_flag = options.flags_in("Edge")
 
 OtherFlag = Annotated[
     str | None,
-    typer.Option(
-        "--other",
-        metavar="STATE",
-        help="Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
+    edge_flag(
+        "--other STATE",
+        "Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
         "default: a state after a kick.",
-        rich_help_panel=EDGE,
     ),
 ]
 DirectionFlag = Annotated[
     str | None,
-    typer.Option(
-        "--direction",
-        metavar="[+|-]",
-        help="Choose the sign of the kick; not with --other. Default +.",
-        rich_help_panel=EDGE,
-    ),
+    edge_flag("--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."),
 ]
 ManifoldsFlag = Annotated[
     bool,
-    typer.Option(
+    edge_flag(
         "--manifolds",
-        help="Compute the stable and the unstable manifold of the motion on the edge, at the phase "
+        "Compute the stable and the unstable manifold of the motion on the edge, at the phase "
         "of the start.",
-        rich_help_panel=EDGE,
     ),
 ]
 LengthFlag = Annotated[
     float | None,
-    typer.Option(
-        "--length",
-        metavar="X",
-        help="Set the length of each branch of --manifolds, in half widths of the window; default "
-        "10.",
-        rich_help_panel=EDGE,
+    edge_flag(
+        "--length X",
+        "Set the length of each branch of --manifolds, in half widths of the window; default 10.",
     ),
 ]
 CyclesFlag = Annotated[
     int,
-    typer.Option(
-        "--cycles",
-        metavar="N",
-        help="Set the periods of the shaking after which a motion is taken to stand.",
-        rich_help_panel=options.START,
+    options.start_flag(
+        "--cycles N", "Set the periods of the shaking after which a motion is taken to stand."
     ),
 ]
 
