@@ -6,7 +6,7 @@ from typing import Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, needs
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
@@ -126,13 +126,8 @@ def bifurcate(
         )
     equations = equations_for(model, span.body)
     start.check()
-    if doublings is not None and not cascade:
-        raise FlagError(
-            "doublings",
-            doublings,
-            "without --cascade it has no meaning",
-            "add --cascade, or leave it out",
-        )
+    if not cascade:
+        needs("--doublings", doublings, "--cascade")
     count = DOUBLINGS if doublings is None else doublings
     whole_number("doublings", count, at_least=1, at_most=8, hint="give a whole number")
     whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint="give a whole number")
@@ -192,12 +187,7 @@ def check_top(top: float | None, output: OutputFlags) -> None:
         return
     positive("top", top, hint="give an angle in units of alpha, as 1.5")
     if output.plot is None:
-        raise FlagError(
-            "top",
-            top,
-            "without --plot it has no meaning",
-            "add --plot diagram.png, or leave it out",
-        )
+        needs("--top", top, "--plot", "diagram.png")
 
 
 def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:

@@ -7,7 +7,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import Meter
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import needs, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -98,13 +98,9 @@ def maps(
     colouring = _colouring(by, output, fates=fate)
     if output.plot is not None:
         _check_drawable(case)
-    if sweep.out is not None and refine is not None:
-        raise FlagError(
-            "--refine",
-            refine,
-            "a store holds every cell of its grid",
-            "leave --out or --refine out",
-        )
+    if sweep.out is not None:
+        hint = "leave --out or --refine out"
+        refuse({"--refine": refine}, "a store holds every cell of its grid", hint)
     run = sweep.run(force=output.force)
 
     lanes = "driver.lane_fates" if equations.name == "linear" else "loop.nonlinear_lane_fates"
@@ -167,12 +163,7 @@ def _colouring(by: str | None, output: OutputFlags, *, fates: bool) -> "Colourin
     if by is None:
         return "class"
     if output.plot is None:
-        raise FlagError(
-            "--by",
-            by,
-            "without --plot it has no meaning",
-            "add --plot map.png, or leave it out",
-        )
+        needs("--by", by, "--plot", "map.png")
     from rocksteady.show.plots.map_quantities import checked_colouring
 
     return checked_colouring(by, fates=fates)

@@ -8,7 +8,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import Meter
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -219,9 +219,7 @@ def _refuse(what: str, idle: Mapping[str, object]) -> None:
     FlagError
         If one of them is given.
     """
-    for flag, value in idle.items():
-        if value is not None:
-            raise FlagError(flag, value, f"it has no meaning for {what}", "leave it out")
+    refuse(idle, f"it has no meaning for {what}")
 
 
 def _find_scales(
@@ -335,7 +333,7 @@ def _motions(
             raise missing("--width-m", valid="a record needs a block", hint="describe a block")
         motions = suite.suite(reading).motions
     else:
-        _refuse("--record", {"--pair": suite.pair or None})
+        _refuse("--record", {"--pair": suite.pair})
         recorded.given(reading)
         body = recorded.block(block)
         recordings = recorded.recordings(reading)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, needs
 from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
@@ -258,12 +258,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
     if units_out is None:
         return "m/s^2"
     if output.csv is None:
-        raise FlagError(
-            "--units-out",
-            units_out,
-            "without --csv it has no meaning",
-            "add --csv record.csv, or leave it out",
-        )
+        needs("--units-out", units_out, "--csv", "record.csv")
     return unit_named(units_out, "--units-out")
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation, write_film
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.console.titles import case_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -219,13 +219,7 @@ def refuse_cycles(cycles: float | None, thing: str) -> None:
     InputError
         If there is one.
     """
-    if cycles is not None:
-        raise FlagError(
-            "--cycles",
-            cycles,
-            f"{thing} ends, and the block is followed to rest or overturning",
-            "leave it out",
-        )
+    refuse({"--cycles": cycles}, f"{thing} ends, and the block is followed to rest or overturning")
 
 
 def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":

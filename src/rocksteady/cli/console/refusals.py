@@ -2,7 +2,7 @@
 
 import os
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -55,6 +55,42 @@ def missing(flag: str, *, valid: str, hint: str) -> FlagError:
 def both(one: str, other: str, *, valid: str, hint: str = "leave one out") -> FlagError:
     """Return the error of two flags of which at most one may be given."""
     return FlagError(finding=f"{one} and {other} are both given", valid=valid, hint=hint)
+
+
+def refuse(flags: Mapping[str, object], valid: str, hint: str = "leave it out") -> None:
+    """Refuse the first of some flags that is given; None and False stand for one that is not.
+
+    Raises
+    ------
+    FlagError
+        With its name and its value.
+    """
+    for flag, value in flags.items():
+        if value is not None and value is not False:
+            raise FlagError(flag, value, valid, hint)
+
+
+def needs(flag: str, value: object, other: str, example: str = "") -> None:
+    """Refuse a flag that is given without the one that gives it a meaning.
+
+    Parameters
+    ----------
+    flag, value
+        The flag and its value, as for `refuse`.
+    other, example
+        What is missing, and a value that it may have.
+
+    Raises
+    ------
+    FlagError
+        If there is a value.
+    """
+    missing_flag = f"{other} {example}".rstrip()
+    refuse(
+        {flag: value},
+        f"without {other} it has no meaning",
+        f"add {missing_flag}, or leave it out",
+    )
 
 
 class OncePerFlag(TyperCommand):

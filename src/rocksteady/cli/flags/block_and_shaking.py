@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any, cast
 
-from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.console.refusals import FlagError, both, needs, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
@@ -59,20 +59,14 @@ class ShakingFlags:
         InputError, ModelError
             If a value is missing, given twice, no number, negative, or needs a block.
         """
-        for flag, value in (
-            ("--accel-g", self.accel_g),
-            ("--accel-m-s2", self.accel_m_s2),
-            ("--freq-hz", self.freq_hz),
-        ):
-            if value is not None and isinstance(block, DimensionlessBlock):
-                raise FlagError(
-                    flag,
-                    value,
-                    "m/s^2, g and Hz need a block with a slenderness and a p",
-                    "describe a block, or give -A and -W",
-                )
         peak = {"--accel-g": self.accel_g, "--accel-m-s2": self.accel_m_s2}
         hertz = {"--freq-hz": self.freq_hz}
+        if isinstance(block, DimensionlessBlock):
+            refuse(
+                peak | hertz,
+                "m/s^2, g and Hz need a block with a slenderness and a p",
+                "describe a block, or give -A and -W",
+            )
         for flags in (
             {"--amplitude/-A": self.amplitude} | peak,
             {"--frequency-ratio/-W": self.frequency_ratio} | hertz,
@@ -162,13 +156,8 @@ class PulseFlags:
         ModelError
             If there is none, and something that only a pulse has.
         """
-        if self.pulse is None and self.oscillations is not None:
-            raise FlagError(
-                "oscillations",
-                self.oscillations,
-                "without --pulse it has no meaning",
-                "add --pulse mavroeidis-papageorgiou, or leave it out",
-            )
+        if self.pulse is None:
+            needs("--oscillations", self.oscillations, "--pulse", "mavroeidis-papageorgiou")
         return self.pulse is not None
 
     def of(self, size: Harmonic, *, phase: float | None, reverse: bool = False) -> Pulse:
@@ -239,13 +228,11 @@ class BlockFlags:
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
         given += self._moved
         if not given and self.block is None:
-            if self.gravity_m_s2 is not None:
-                raise FlagError(
-                    "--gravity-m-s2",
-                    self.gravity_m_s2,
-                    "without a block gravity has no meaning",
-                    "describe a block, or leave it out",
-                )
+            refuse(
+                {"--gravity-m-s2": self.gravity_m_s2},
+                "without a block gravity has no meaning",
+                "describe a block, or leave it out",
+            )
             first, second = restitution_pair(restitution_from(self.restitution, default=None))
             return DimensionlessBlock(restitution=first, negative_restitution=second)
         ratio = restitution_from(self.restitution, default="housner")
@@ -476,10 +463,6 @@ def refuse_of_linear(model: str | None, name: str, value: object) -> None:
     ModelError
         If it is given with the linear model.
     """
-    if model == "linear" and value is not None:
-        raise FlagError(
-            name,
-            value,
-            "only the nonlinear model has it",
-            "leave it out, or take --model nonlinear",
-        )
+    if model == "linear":
+        hint = "leave it out, or take --model nonlinear"
+        refuse({name: value}, "only the nonlinear model has it", hint)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import both, missing, needs
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags
@@ -154,13 +154,8 @@ class SpectrumFlags:
             "sa_v_per_sa_h": self.vertical_per_horizontal,
             **peaks.vertical,
         }
-        if self.damping is not None and self.spectrum is None:
-            raise FlagError(
-                "--damping",
-                self.damping,
-                "without --spectrum it has no meaning",
-                "add --spectrum FILE, or leave it out",
-            )
+        if self.spectrum is None:
+            needs("--damping", self.damping, "--spectrum", "FILE")
         if self.record is None:
             RecordFlags().given(reading)  # how no record is read
             return Demand(

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
@@ -122,6 +122,11 @@ class SuiteFlags:
     pair: Pair = False
 
     @property
+    def given(self) -> dict[str, object]:
+        """Both by their flags: the first of --records, and --pair."""
+        return {"--records": next(iter(self.records or []), None), "--pair": self.pair}
+
+    @property
     def files(self) -> list[Path]:
         """The files of all folders, in the order of their names.
 
@@ -160,10 +165,7 @@ class SuiteFlags:
         """
         if self.pair:
             idle = {k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")}
-            for flag, value in idle.items():
-                raise FlagError(
-                    flag, value, "channels are paired as their files have them", "leave one out"
-                )
+            refuse(idle, "channels are paired as their files have them", "leave one out")
         suite = Suite(motions=[], files=[])
         good: list[Path] = []
         for file in self.files:

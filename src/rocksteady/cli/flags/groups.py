@@ -16,7 +16,7 @@ import typer
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE, announce_file, print_json
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import needs
 from rocksteady.cli.flags import options
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
@@ -69,14 +69,9 @@ class OutputFlags:
             If there is one of these and no figure.
         """
         _ = self.page
-        for flag, value in (("--width", self.width), ("--legend", self.legend)):
-            if value is not None and self.plot is None:
-                raise FlagError(
-                    flag,
-                    value,
-                    "without --plot it has no meaning",
-                    "add --plot figure.pdf, or leave it out",
-                )
+        if self.plot is None:
+            needs("--width", self.width, "--plot", "figure.pdf")
+            needs("--legend", self.legend, "--plot", "figure.pdf")
         if self.plot is not None and self.plot.suffix.lower() not in FIGURE_FORMATS:
             raise OutputError(
                 "--plot",
@@ -209,13 +204,7 @@ class AnimationFlags:
         if self.speed is not None:
             positive("speed", self.speed, hint="give 1 for real time or one period a second")
         if self.animate is None:
-            if self.speed is not None:
-                raise FlagError(
-                    "speed",
-                    self.speed,
-                    "without --animate it has no meaning",
-                    "add --animate run.gif, or leave it out",
-                )
+            needs("--speed", self.speed, "--animate", "run.gif")
             return
         if self.animate.suffix.lower() != ".gif":
             raise OutputError(

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing, needs, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, flags_in, motion_flag
 from rocksteady.cli.flags.parsing import axis, single
@@ -274,29 +274,18 @@ class RecordFlags:
         ModelError
             If there is none, and something that only a record has.
         """
-        if self.reverse_vertical and self.vertical is None:
-            raise FlagError(
-                "--reverse-vertical",
-                True,
-                "without --vertical it has no meaning",
-                "add --vertical FILE, or leave it out",
-            )
+        if self.vertical is None:
+            needs("--reverse-vertical", self.reverse_vertical, "--vertical", "FILE")
         if self.record:
             return True
         flags = {
-            "--reverse": (self.reverse and not pulse) or None,
+            "--reverse": self.reverse and not pulse,
             "--scale": self.scale,
             "--pga-g": self.pga_g,
             "--vertical": self.vertical,
         }
-        idle = reading.given | {flag: value for flag, value in flags.items() if value is not None}
-        for flag, value in idle.items():
-            raise FlagError(
-                flag,
-                value,
-                "without --record it has no meaning",
-                "add --record FILE, or leave it out",
-            )
+        for flag, value in (reading.given | flags).items():
+            needs(flag, value, "--record", "FILE")
         return False
 
     def recordings(self, reading: ReadingFlags) -> list["Recording"]:
@@ -460,11 +449,5 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
         "--freq-hz": shaking.freq_hz,
         "--phase": phase,
     }
-    for flag, value in others.items():
-        if value is not None:
-            raise FlagError(
-                flag,
-                value,
-                "--record sets the motion of the base",
-                "leave one of the two out; --scale makes a record stronger",
-            )
+    hint = "leave one of the two out; --scale makes a record stronger"
+    refuse(others, "--record sets the motion of the base", hint)

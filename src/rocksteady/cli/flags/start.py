@@ -6,7 +6,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.parsing import decimal
 from rocksteady.errors import InputError, ModelError
@@ -137,13 +137,8 @@ def refuse_without_shaking(flag: str, value: object) -> None:
     ModelError
         If it has a value.
     """
-    if value is not None:
-        raise FlagError(
-            flag,
-            value,
-            "without shaking it has no meaning",
-            "leave it out, or give shaking with -A and -W",
-        )
+    hint = "leave it out, or give shaking with -A and -W"
+    refuse({flag: value}, "without shaking it has no meaning", hint)
 
 
 def state_from(text: str, frequency_ratio: float | None, name: str = "start") -> "State":

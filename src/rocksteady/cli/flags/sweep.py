@@ -12,7 +12,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.progress import Meter, sweeping
-from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.console.refusals import both, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.errors import OutputError, UnfinishedError
@@ -155,14 +155,11 @@ class SweepFlags:
         from rocksteady.sweep.store.store import Store
 
         if self.out is None:
-            for flag, value in (("--resume", self.resume or None), ("--chunk", self.chunk)):
-                if value is not None:
-                    raise FlagError(
-                        flag,
-                        value,
-                        f"without {self.STORE} there is no store",
-                        f"add {self.STORE} map.zarr, or leave it out",
-                    )
+            refuse(
+                {"--resume": self.resume, "--chunk": self.chunk},
+                f"without {self.STORE} there is no store",
+                f"add {self.STORE} map.zarr, or leave it out",
+            )
             return None
         impossible = impossible_name(self.out)
         if impossible is not None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError, missing, refuse
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import flags_in
@@ -237,15 +237,8 @@ def _example(
     recorded: SuiteFlags, reading: ReadingFlags, survey: Path | None, scan: "Scan"
 ) -> "tuple[Survey, list[Record | BaseMotion], list[tuple[Path, str]], Scan]":
     """Return a synthetic survey and synthetic motions, after refusing files."""
-    given = dict(reading.given)
-    if recorded.records:
-        given["--records"] = recorded.records[0]
-    if recorded.pair:
-        given["--pair"] = True
-    if survey is not None:
-        given["--survey"] = survey
-    for flag, value in given.items():
-        raise FlagError(flag, value, "--example is synthetic and reads no file", "leave one out")
+    given = {**reading.given, **recorded.given, "--survey": survey}
+    refuse(given, "--example is synthetic and reads no file", "leave one out")
     from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
     from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 

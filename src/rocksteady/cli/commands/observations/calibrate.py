@@ -10,7 +10,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -107,7 +107,9 @@ def calibrate(
     output.check(read, out=out)
     _check_folder(out, output, read)
     if example:
-        table, sampled = _refuse_files(table, prior), _example_draws(context, sampled)
+        valid = "--example has synthetic tests and reads no file"
+        refuse({**table.given, "--prior": prior}, valid, "leave one out")
+        sampled = _example_draws(context, sampled)
     sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
@@ -154,21 +156,6 @@ def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = 
         from rocksteady.show.calibration.calibration_folder import check_calibration_folder
 
         check_calibration_folder(out, force=output.force, read=read)
-
-
-def _refuse_files(table: TableFlags, prior: Path | None) -> TableFlags:
-    """Refuse files beside --example.
-
-    Raises
-    ------
-    FlagError
-        With the flag that names one.
-    """
-    for flag, value in {**table.given, **({} if prior is None else {"--prior": prior})}.items():
-        raise FlagError(
-            flag, value, "--example has synthetic tests and reads no file", "leave one out"
-        )
-    return table
 
 
 def _example_draws(context: typer.Context, sampled: SamplingFlags) -> SamplingFlags:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
@@ -122,16 +122,13 @@ def _refuse_idle(
             "--scale": recorded.scale,
             "--pga-g": recorded.pga_g,
             "--vertical": recorded.vertical,
-            "--reverse": recorded.reverse or None,
+            "--reverse": recorded.reverse,
             **{k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")},
         }
-        reason, hint = "the table of --tests states it", "write it into the table"
+        refuse(idle, "the table of --tests states it", "write it into the table")
     else:
         idle = {"--objects": table.objects, "--records": table.records}
-        reason, hint = "without --tests it has no meaning", "leave it out"
-    for flag, value in idle.items():
-        if value is not None:
-            raise FlagError(flag, value, reason, hint)
+        refuse(idle, "without --tests it has no meaning")
 
 
 def _object(stored: "StoredPosterior", name: str | None) -> str:

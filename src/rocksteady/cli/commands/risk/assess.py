@@ -10,7 +10,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError, missing, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, demand_flag, probability, sized_block
@@ -358,12 +358,11 @@ def _refuse_idle(
         "--pga-g": peaks.pga_g,
         "--pgv-m-s": peaks.pgv_m_s,
         **peaks.vertical_flags,
-        "--records": recorded.records[0] if recorded.records else None,
-        "--pair": recorded.pair or None,
+        **recorded.given,
         "--hazard": hazard,
         "--out": out,
         "--runs": kept.runs,
-        "--resume": kept.resume or None,
+        "--resume": kept.resume,
         "--workers": kept.workers,
         **reading.given,
     }
@@ -385,10 +384,7 @@ def _refuse_idle(
         idle = [flag for flag in given if flag not in MEANT] if example else flags
         reason = "the object's file states it" if not example else "--example reads no files"
         hint = "write it into the file, or leave it out" if not example else "leave it out"
-    for flag in idle:
-        value = given[flag]
-        if value is not None and value is not False:
-            raise FlagError(flag, value, reason, hint)
+    refuse({flag: given[flag] for flag in idle}, reason, hint)
 
 
 def _one_row(description: "Description") -> "tuple[list[str], list[list[object]]]":

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation, announce_file
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, needs, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
@@ -263,15 +263,11 @@ def _refuse_idle(
     FlagError
         With the flag and what to do.
     """
-    files = {
-        "--records": recorded.records[0] if recorded.records else None,
-        "--pair": recorded.pair or None,
-        **reading.given,
-    }
+    files = {**recorded.given, **reading.given}
     if example:
         if file is not None:
             raise FlagError("--example", True, f"{file} is checked already", "leave one out")
-        idle, reason, hint = files, "--example reads no files", "leave it out"
+        refuse(files, "--example reads no files")
     elif file is None:
         raise FlagError(
             finding="neither FILE nor --example is given",
@@ -279,20 +275,11 @@ def _refuse_idle(
             hint="name it, as wall.toml; docs/guides/facades.md lists its keys",
         )
     elif not recorded.records:
-        idle = files | flags
-        reason, hint = "without --records it has no meaning", "add --records DIR, or leave it out"
-    else:
-        idle, reason, hint = {}, "", ""
-    for flag, value in idle.items():
-        if value is not None:
-            raise FlagError(flag, value, reason, hint)
-    if flags["--scale"] is not None and flags["--pga-g"] is not None:
-        raise FlagError(
-            "--pga-g",
-            flags["--pga-g"],
-            "--scale is the other way to set the level",
-            "leave one out",
-        )
+        for flag, value in (files | flags).items():
+            needs(flag, value, "--records", "DIR")
+    if flags["--scale"] is not None:
+        level = {"--pga-g": flags["--pga-g"]}
+        refuse(level, "--scale is the other way to set the level", "leave one out")
 
 
 def _with_restitution(wall: "Facade", text: str | None) -> "Facade":

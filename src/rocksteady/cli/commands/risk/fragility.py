@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -156,15 +156,8 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
     """
     if not example:
         return recorded.suite(reading)
-    given = dict(reading.given)
-    if recorded.records:
-        given["--records"] = recorded.records[0]
-    if recorded.pair:
-        given["--pair"] = True
-    for flag, value in given.items():
-        raise FlagError(
-            flag, value, "--example has synthetic motions and reads no file", "leave one out"
-        )
+    valid = "--example has synthetic motions and reads no file"
+    refuse({**reading.given, **recorded.given}, valid, "leave one out")
     from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 
     return Suite(motions=[*make_synthetic_suite()], files=[])

@@ -1,11 +1,10 @@
 """Fates of the states of a window under a record or a pulse, as `rocksteady basins` has them."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
     PulseFlags,
@@ -17,6 +16,7 @@ from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_beside_record
 from rocksteady.cli.flags.sweep import SweepFlags
+from rocksteady.cli.flags.window import WindowFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 
@@ -25,13 +25,6 @@ if TYPE_CHECKING:
 
 FEW = 1e-3
 """Share of undecided states that is no failure: a window may meet states that balance for ever."""
-
-
-def refuse_others(flags: dict[str, object], valid: str, hint: str) -> None:
-    """Refuse flags of the other kind of motion."""
-    for flag, value in flags.items():
-        if value is not None:
-            raise FlagError(flag, value, valid, hint)
 
 
 def shaken_by(
@@ -57,38 +50,17 @@ def shaken_by(
     return recorded.block(block), BaseMotion(across.record, upwards)
 
 
-def moment_of(
-    body: "Block | DimensionlessBlock", time_pt: float | None, time_s: float | None
-) -> float:
-    """Return the pivot time of --at-pt or --at-s."""
-    if time_s is None:
-        return 0.0 if time_pt is None else time_pt
-    if time_pt is not None:
-        raise both("--at-pt", "--at-s", valid="they are one moment")
-    if not isinstance(body, Block):
-        raise FlagError(
-            "--at-s",
-            time_s,
-            "seconds need a block of known size",
-            "describe a block, or give --at-pt",
-        )
-    return time_s * body.p
-
-
 def leave_fates(
     context: typer.Context,
     body: "Block | DimensionlessBlock",
     motion: BaseMotion,
-    window: dict[str, str | None],
-    time_pt: float,
+    window: WindowFlags,
     model: str | None,
     sweep: SweepFlags,
     output: OutputFlags,
 ) -> None:
     """Compute the fates under a motion that ends, and write the output that the flags request."""
-    chosen: dict[str, Any] = {
-        name: axis(name, text) for name, text in window.items() if text is not None
-    }
+    moment, chosen = window.moment(body), window.axes
     equations = equations_for(model, body, motion)
     announce_compilation("march.march")
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
@@ -99,7 +71,7 @@ def leave_fates(
     how = sweep.run(force=output.force)
     with sweep.running(context, how, "following states", states) as (run, _):
         fates = compute_fate_basins(
-            body, motion, **chosen, time_pt=time_pt, model=equations, run=run
+            body, motion, **chosen, time_pt=moment, model=equations, run=run
         )
     description = fates.describe()
     output.write_csv(fates.to_dataframe)

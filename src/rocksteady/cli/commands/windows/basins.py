@@ -1,19 +1,14 @@
 """`rocksteady basins`: basins of attraction, their shares over a parameter, and erosion."""
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from rocksteady.cli.commands.windows._finite_window import (
-    FEW,
-    leave_fates,
-    moment_of,
-    refuse_others,
-    shaken_by,
-)
+from rocksteady.cli.commands.windows._finite_window import FEW, leave_fates, shaken_by
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -26,6 +21,7 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.range import SeriesFlags, refuse_flat
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
+from rocksteady.cli.flags.window import WindowFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.segments import Harmonic
 
@@ -57,46 +53,16 @@ EXAMPLES = (
     "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
 )
 
-window_flag = options.flags_in("Window")
 measure_flag = options.flags_in("Measures")
 PROBES: tuple[Literal["states", "boxes"], ...] = ("states", "boxes")
 """By what --exponent counts."""
 
-PhaseFlag = Annotated[
-    str,
-    window_flag(
-        "--phase RAD",
-        "Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
-    ),
-]
-AnglesFlag = Annotated[
-    str | None,
-    window_flag(
-        "--angles AXIS",
-        "u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
-        "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back falls; "
-        "for an erosion up to 1.5.  With --one-sided from 0.",
-    ),
-]
-VelocitiesFlag = Annotated[
-    str | None,
-    window_flag(
-        "--velocities AXIS", "du/d(pt), start:stop:count; by default as many up to the same bound."
-    ),
-]
 CyclesFlag = Annotated[
     int | None,
     options.start_flag(
         "--cycles N",
         "Periods of the shaking for which a state is followed, default 500; for an erosion "
         "the periods without overturning that make a state safe, default 100.",
-    ),
-]
-SeedFlag = Annotated[
-    int | None,
-    window_flag(
-        "--seed N",
-        "Draw a random state in each cell of the window with this seed; default: its middle.",
     ),
 ]
 SharesFlag = Annotated[
@@ -121,17 +87,6 @@ ExponentFlag = Annotated[
         "boxes; 40 states or more along each axis.",
     ),
 ]
-TimePtFlag = Annotated[
-    float | None,
-    window_flag(
-        "--at-pt PT",
-        "Pivot time p t of the record or the pulse at which the states are taken; default 0.",
-    ),
-]
-TimeSFlag = Annotated[
-    float | None,
-    window_flag("--at-s T", "The same in seconds, for a block of known size."),
-]
 
 
 @grouped
@@ -145,88 +100,80 @@ def basins(
     block: BlockFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    phase: PhaseFlag = "0",
-    angles: AnglesFlag = None,
-    velocities: VelocitiesFlag = None,
-    seed: SeedFlag = None,
+    window: WindowFlags,
     cycles: CyclesFlag = None,
     shares: SharesFlag = False,
     entropy: EntropyFlag = None,
     exponent: ExponentFlag = False,
-    time_pt: TimePtFlag = None,
-    time_s: TimeSFlag = None,
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)
     if recorded.given(reading, pulse=pulse.given) or pulse.given:
-        refuse_others(
+        refuse(
             {
-                "--seed": seed,
+                "--seed": window.seed,
                 "--cycles": cycles,
-                "--shares": shares or None,
+                "--shares": shares,
                 "--entropy": entropy,
-                "--exponent": exponent or None,
+                "--exponent": exponent,
                 "--harmonic": series.harmonic,
             },
             "it applies to harmonic shaking alone, which does not end",
             "leave it out, or leave out --record and --pulse",
         )
-        shaken, finite = shaken_by(shaking, pulse, recorded, reading, block, phase, model)
-        ends = {"angles": angles, "velocities": velocities}
-        moment = moment_of(shaken, time_pt, time_s)
-        leave_fates(context, shaken, finite, ends, moment, model, sweep, output)
+        shaken = shaken_by(shaking, pulse, recorded, reading, block, window.phase, model)
+        leave_fates(context, *shaken, window, model, sweep, output)
         return
-    refuse_others(
-        {"--at-pt": time_pt, "--at-s": time_s},
+    refuse(
+        {"--at-pt": window.time_pt, "--at-s": window.time_s},
         "it is a time since the start of a record or a pulse",
         "give --phase for harmonic shaking, or add --record or --pulse",
     )
-    body, scale, moving = _case(shaking, block, phase)
+    body, scale, moving = _case(shaking, block, window.phase)
     motion = series.of(scale)
     equations = equations_for(model, body)
     eroding = moving is not None and moving[0] == "amplitude" and not shares
-    _refuse(moving, eroding=eroding, seed=seed, shares=shares, entropy=entropy, exponent=exponent)
-    window: dict[str, Any] = {
-        name: axis(name, text)
-        for name, text in (("angles", angles), ("velocities", velocities))
-        if text is not None
-    }
+    _refuse(moving, window.seed, entropy, eroding=eroding, shares=shares, exponent=exponent)
+    chosen: dict[str, Any] = window.axes
     if cycles is not None:
-        window["cycles" if eroding else "max_cycles"] = cycles
+        chosen["cycles" if eroding else "max_cycles"] = cycles
     kernel = "driver.lane_fates" if body.symmetric else "harmonic.fates_of_sides"
     if equations.name == "nonlinear":
         kernel = "loop.nonlinear_lane_fates"
     announce_compilation(kernel if eroding else "attractors.settle_cells")
-    from rocksteady.dynamics.basins.basins import compute_basins
-    from rocksteady.dynamics.basins.erosion import compute_erosion
+    from rocksteady.dynamics.basins.basins import Basins, compute_basins
+    from rocksteady.dynamics.basins.erosion import Erosion, compute_erosion
     from rocksteady.dynamics.basins.measures.entropy import box_sides
     from rocksteady.dynamics.basins.measures.uncertainty import probe_sizes
     from rocksteady.dynamics.basins.over import shares as over
     from rocksteady.dynamics.basins.window import POINTS
 
     points = POINTS if moving is None or eroding else over.POINTS
-    shape = tuple(len(window.get(name, range(points))) for name in ("velocities", "angles"))
+    shape = tuple(len(chosen.get(name, range(points))) for name in ("velocities", "angles"))
     if entropy is not None:
         box_sides(entropy, shape)
     for by in PROBES if exponent else ():
         probe_sizes(None, shape, by)
-    states = shape[0] * shape[1]
-    if moving is not None:
-        states *= len(moving[1]) + (eroding and moving[1][0] != 0.0)
+    maps = 1 if moving is None else len(moving[1]) + (eroding and moving[1][0] != 0.0)
     run = sweep.run(force=output.force)
-    with sweep.running(context, run, "following states", states) as (shown, _):
+    with sweep.running(context, run, "following states", maps * math.prod(shape)) as (shown, _):
         how: dict[str, Any] = {"model": equations, "run": shown}
-        result: Basins | BasinShares | Erosion
+        result: Basins | over.BasinShares | Erosion
         if moving is None:
-            result = compute_basins(body, motion, **window, seed=seed, **how)
+            result = compute_basins(body, motion, **chosen, seed=window.seed, **how)
         elif eroding:
-            result = compute_erosion(body, motion, moving[1], **window, **how)
+            result = compute_erosion(body, motion, moving[1], **chosen, **how)
         else:
-            sampling = over.BasinSampling(**window, seed=seed)
+            sampling = over.BasinSampling(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
     sweep.write_netcdf(result.to_dataset)
-    _leave(result, output, entropy, exponent=exponent)
+    if isinstance(result, Basins):
+        _leave_basins(result, output, entropy, exponent=exponent)
+    elif isinstance(result, Erosion):
+        _leave_erosion(result, output)
+    else:
+        _leave_shares(result, output, entropy)
 
 
 def _case(
@@ -266,11 +213,11 @@ def _case(
 
 def _refuse(
     moving: tuple[str, list[float]] | None,
+    seed: int | None,
+    entropy: int | None,
     *,
     eroding: bool,
-    seed: int | None,
     shares: bool,
-    entropy: int | None,
     exponent: bool,
 ) -> None:
     """Refuse flags that have no meaning beside others.
@@ -286,45 +233,16 @@ def _refuse(
             valid="shares are computed over an axis",
             hint="give one as start:stop:count, as -A 0.5:1.5:21, or leave it out",
         )
-    if eroding and seed is not None:
-        raise FlagError(
-            "seed",
-            seed,
-            "safe basins are computed at the points of a grid",
-            "leave it out, or give one amplitude or --shares",
-        )
-    if eroding and entropy is not None:
-        raise FlagError(
-            "--entropy",
-            entropy,
-            "an erosion has none",
-            "add --shares, or give one amplitude",
-        )
+    if eroding:
+        grid, hint = "safe basins are computed at the points of a grid", "give one amplitude"
+        refuse({"--seed": seed}, grid, f"leave it out, or {hint} or --shares")
+        refuse({"--entropy": entropy}, "an erosion has none", f"add --shares, or {hint}")
     if moving is not None and exponent:
         raise FlagError(
             finding="--exponent is given with an axis",
             valid="it is computed for one window",
             hint="give numbers for -A, -W, -r and --phase",
         )
-
-
-def _leave(
-    result: "Basins | BasinShares | Erosion",
-    output: OutputFlags,
-    entropy: int | None,
-    *,
-    exponent: bool,
-) -> None:
-    """Write the output that the flags request, but for --netcdf."""
-    from rocksteady.dynamics.basins.basins import Basins
-    from rocksteady.dynamics.basins.erosion import Erosion
-
-    if isinstance(result, Basins):
-        _leave_basins(result, output, entropy, exponent=exponent)
-    elif isinstance(result, Erosion):
-        _leave_erosion(result, output)
-    else:
-        _leave_shares(result, output, entropy)
 
 
 def _leave_basins(

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.console.refusals import both, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -86,13 +86,9 @@ def edge(
         raise InputError("--direction", direction, "it must be + or -", "give + or -")
     if other is not None and direction is not None:
         raise both("--other", "--direction", valid="a second state takes the place of the kick")
-    if length is not None and not manifolds:
-        raise FlagError(
-            "--length",
-            length,
-            "it is the length of the branches of manifolds",
-            "add --manifolds, or leave it out",
-        )
+    if not manifolds:
+        hint = "add --manifolds, or leave it out"
+        refuse({"--length": length}, "it is the length of the branches of manifolds", hint)
     body = block.described()
     equations = equations_for(model, body)
     motion = shaking.at(body, phase=start.first_phase)
