@@ -3,13 +3,14 @@
 import os
 from collections import Counter
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from typer.core import TyperCommand
 
-from rocksteady.errors import ModelError, one_line
+from rocksteady.errors import InputError, ModelError, one_line
 from rocksteady.model.checks.arguments import LONGEST_NAME
 
 PATHS = {"FILE", "DIR", "STORE"}
@@ -91,6 +92,23 @@ def needs(flag: str, value: object, other: str, example: str = "") -> None:
         f"without {other} it has no meaning",
         f"add {missing_flag}, or leave it out",
     )
+
+
+@contextmanager
+def flags_of(flags: Mapping[str, str]) -> Iterator[None]:
+    """Name flags in place of arguments in the errors of what is inside.
+
+    Parameters
+    ----------
+    flags
+        Flag of each argument.
+    """
+    try:
+        yield
+    except InputError as error:
+        if error.name not in flags:
+            raise
+        raise FlagError(flags[error.name], error.value, error.valid, error.hint) from None
 
 
 class OncePerFlag(TyperCommand):

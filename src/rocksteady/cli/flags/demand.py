@@ -18,78 +18,46 @@ if TYPE_CHECKING:
 
 demand_flag = options.flags_in("Demand")
 
-PeakG = Annotated[
-    float | None,
-    demand_flag(
-        "--pga-g G",
-        "Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
-        "record to it.",
-    ),
-]
-PgvMS = Annotated[
-    float | None,
-    demand_flag("--pgv-m-s V", "Set the peak velocity of the ground or floor \\[m/s]."),
-]
-Friction = Annotated[
-    float | None,
-    demand_flag(
-        "--friction MU",
-        "Set the coefficient of friction between block and base; without, its need is shown.",
-    ),
-]
-SpectrumFile = Annotated[
-    Path | None,
-    demand_flag(
-        "--spectrum FILE",
-        "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
-        "each damping; a comment '# damping 0.05' states it.",
-    ),
-]
-Damping = Annotated[
-    str | None,
-    demand_flag(
-        "--damping X",
-        "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
-    ),
-]
-DemandRecord = Annotated[
-    Path | None,
-    demand_flag("--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."),
-]
-VerticalG = Annotated[
-    float,
-    demand_flag(
-        "--vertical-g G",
-        "Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
-        "worse direction counts.",
-    ),
-]
-VerticalShare = Annotated[
-    float,
-    demand_flag(
-        "--vertical-share X",
-        "Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
-        "rule of ASCE 4.",
-    ),
-]
-VerticalPerHorizontal = Annotated[
-    float,
-    demand_flag(
-        "--vertical-per-horizontal X",
-        "Set the ratio of vertical to horizontal spectral acceleration.",
-    ),
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class PeakFlags:
     """Peak accelerations, peak velocity and friction."""
 
-    pga_g: PeakG = None
-    pgv_m_s: PgvMS = None
-    friction: Friction = None
-    vertical_g: VerticalG = 0.0
-    vertical_share: VerticalShare = 1.0
+    pga_g: Annotated[
+        float | None,
+        demand_flag(
+            "--pga-g G",
+            "Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
+            "record to it.",
+        ),
+    ] = None
+    pgv_m_s: Annotated[
+        float | None,
+        demand_flag("--pgv-m-s V", "Set the peak velocity of the ground or floor \\[m/s]."),
+    ] = None
+    friction: Annotated[
+        float | None,
+        demand_flag(
+            "--friction MU",
+            "Set the coefficient of friction between block and base; without, its need is shown.",
+        ),
+    ] = None
+    vertical_g: Annotated[
+        float,
+        demand_flag(
+            "--vertical-g G",
+            "Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
+            "worse direction counts.",
+        ),
+    ] = 0.0
+    vertical_share: Annotated[
+        float,
+        demand_flag(
+            "--vertical-share X",
+            "Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
+            "rule of ASCE 4.",
+        ),
+    ] = 1.0
 
     @property
     def vertical(self) -> dict[str, float]:
@@ -130,10 +98,32 @@ class PeakFlags:
 class SpectrumFlags:
     """A spectrum or a record, and the ratio of vertical to horizontal spectra."""
 
-    spectrum: SpectrumFile = None
-    damping: Damping = None
-    record: DemandRecord = None
-    vertical_per_horizontal: VerticalPerHorizontal = 0.0
+    spectrum: Annotated[
+        Path | None,
+        demand_flag(
+            "--spectrum FILE",
+            "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
+            "each damping; a comment '# damping 0.05' states it.",
+        ),
+    ] = None
+    damping: Annotated[
+        str | None,
+        demand_flag(
+            "--damping X",
+            "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
+        ),
+    ] = None
+    record: Annotated[
+        Path | None,
+        demand_flag("--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."),
+    ] = None
+    vertical_per_horizontal: Annotated[
+        float,
+        demand_flag(
+            "--vertical-per-horizontal X",
+            "Set the ratio of vertical to horizontal spectral acceleration.",
+        ),
+    ] = 0.0
 
     @property
     def files(self) -> list[Path]:

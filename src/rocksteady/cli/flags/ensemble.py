@@ -26,69 +26,6 @@ if TYPE_CHECKING:
 ensemble_flag = flags_in("Ensemble")
 BAND_DRAWS = 5
 
-Records = Annotated[
-    list[Path] | None,
-    ensemble_flag(
-        "--records DIR|FILE",
-        "Read ground motions: every file of a folder, or a file; several times for more. A "
-        "file that cannot be read is named and left out.",
-    ),
-]
-Pair = Annotated[
-    bool,
-    ensemble_flag(
-        "--pair",
-        "Pair the channels of each station, and run with its vertical one as well as without.",
-    ),
-]
-Measure = Annotated[
-    str | None,
-    ensemble_flag(
-        "--measure NAME[:S]",
-        "Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
-        "pga_per_uplift, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default "
-        "2 pi/p.",
-    ),
-]
-Levels = Annotated[
-    str | None,
-    ensemble_flag(
-        "--levels AXIS",
-        "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
-        "default 20 that suit the block.",
-    ),
-]
-Scale = Annotated[
-    str | None,
-    ensemble_flag(
-        "--scale AXIS", "Multiply all records by the same factors, an axis, in place of --levels."
-    ),
-]
-Draws = Annotated[
-    int | None,
-    ensemble_flag(
-        "--draws N",
-        "Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
-        f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
-        "single value.",
-    ),
-]
-Scatter = Annotated[
-    float,
-    ensemble_flag(
-        "--scatter SD",
-        "Let the restitution scatter from impact to impact with this standard deviation.",
-    ),
-]
-NoReverse = Annotated[
-    bool,
-    ensemble_flag("--no-reverse", "Run the records as recorded only; by default reversed too."),
-]
-Seed = Annotated[
-    int,
-    ensemble_flag("--seed N", "Set the seed of the scatter and of the bands."),
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class Suite:
@@ -118,8 +55,21 @@ class Suite:
 class SuiteFlags:
     """A suite of recorded motions; a command takes `ReadingFlags` beside them."""
 
-    records: Records = None
-    pair: Pair = False
+    records: Annotated[
+        list[Path] | None,
+        ensemble_flag(
+            "--records DIR|FILE",
+            "Read ground motions: every file of a folder, or a file; several times for more. A "
+            "file that cannot be read is named and left out.",
+        ),
+    ] = None
+    pair: Annotated[
+        bool,
+        ensemble_flag(
+            "--pair",
+            "Pair the channels of each station, and run with its vertical one as well as without.",
+        ),
+    ] = False
 
     @property
     def given(self) -> dict[str, object]:
@@ -224,13 +174,54 @@ class SuiteFlags:
 class EnsembleFlags:
     """Levels of an ensemble, its band of restitutions and its signs."""
 
-    measure: Measure = None
-    levels: Levels = None
-    scale: Scale = None
-    draws: Draws = None
-    scatter: Scatter = 0.0
-    no_reverse: NoReverse = False
-    seed: Seed = 0
+    measure: Annotated[
+        str | None,
+        ensemble_flag(
+            "--measure NAME[:S]",
+            "Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
+            "pga_per_uplift, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default "
+            "2 pi/p.",
+        ),
+    ] = None
+    levels: Annotated[
+        str | None,
+        ensemble_flag(
+            "--levels AXIS",
+            "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
+            "default 20 that suit the block.",
+        ),
+    ] = None
+    scale: Annotated[
+        str | None,
+        ensemble_flag(
+            "--scale AXIS",
+            "Multiply all records by the same factors, an axis, in place of --levels.",
+        ),
+    ] = None
+    draws: Annotated[
+        int | None,
+        ensemble_flag(
+            "--draws N",
+            "Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
+            f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
+            "single value.",
+        ),
+    ] = None
+    scatter: Annotated[
+        float,
+        ensemble_flag(
+            "--scatter SD",
+            "Let the restitution scatter from impact to impact with this standard deviation.",
+        ),
+    ] = 0.0
+    no_reverse: Annotated[
+        bool,
+        ensemble_flag("--no-reverse", "Run the records as recorded only; by default reversed too."),
+    ] = False
+    seed: Annotated[
+        int,
+        ensemble_flag("--seed N", "Set the seed of the scatter and of the bands."),
+    ] = 0
 
     def stripes(self) -> "Stripes":
         """Return the levels.

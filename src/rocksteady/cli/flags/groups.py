@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 import typer
 
@@ -42,9 +42,25 @@ class OutputFlags:
     """What a command leaves behind."""
 
     as_json: options.Json = False
-    plot: options.Plot = None
-    width: options.Width = None
-    legend: options.Legend = None
+    plot: Annotated[
+        Path | None,
+        options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf."),
+    ] = None
+    width: Annotated[
+        str | None,
+        options.output_flag(
+            "--width LENGTH",
+            "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
+        ),
+    ] = None
+    legend: Annotated[
+        str | None,
+        options.output_flag(
+            "--legend PLACE",
+            "Place the legends of --plot: inside, right, below or none; default where there "
+            "is room.",
+        ),
+    ] = None
     csv: options.Csv = None
     force: options.Force = False
 
@@ -178,8 +194,20 @@ class OutputFlags:
 class AnimationFlags:
     """A film, and how fast it plays."""
 
-    animate: options.Animate = None
-    speed: options.Speed = None
+    animate: Annotated[
+        Path | None,
+        options.output_flag(
+            "--animate FILE", "Save a film of the block on its moving ground, to scale: .gif."
+        ),
+    ] = None
+    speed: Annotated[
+        float | None,
+        options.output_flag(
+            "--speed X",
+            "Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
+            "shaking, else pt, per second of film; default 1, or what shows the run well.",
+        ),
+    ] = None
 
     def check(self, output: OutputFlags, read: Sequence[Path] = ()) -> None:
         """Refuse, before anything is computed, what could not be written afterwards.

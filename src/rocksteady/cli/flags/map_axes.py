@@ -28,41 +28,37 @@ AMPLITUDE = {"amplitude": "amplitude", "acceleration_m_s2": "accel_g"}
 FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
 """JSON keys by the parameters that they are."""
 
-StartAxes = Annotated[
-    str,
-    options.start_flag(
-        "--start START",
-        "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
-        "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
-    ),
-]
-PhaseAxis = Annotated[
-    str | None,
-    options.start_flag(
-        "--phase RAD",
-        "Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
-        "steady.",
-    ),
-]
-KickAxis = Annotated[
-    str | None,
-    options.start_flag(
-        "--kick K",
-        "Distance from an unstable steady state at the start, default 1e-6, or an "
-        "axis: length of (phase \\[rad], velocity over the orbit's).",
-    ),
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class MapStartFlags:
     """Where the motions of a map begin; phase, state and kick may be axes."""
 
-    start: StartAxes = "rest"
+    start: Annotated[
+        str,
+        options.start_flag(
+            "--start START",
+            "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
+            "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
+        ),
+    ] = "rest"
     order: options.Order = 1
-    phase: PhaseAxis = None
+    phase: Annotated[
+        str | None,
+        options.start_flag(
+            "--phase RAD",
+            "Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
+            "steady.",
+        ),
+    ] = None
     side: options.Side = "+"
-    kick: KickAxis = None
+    kick: Annotated[
+        str | None,
+        options.start_flag(
+            "--kick K",
+            "Distance from an unstable steady state at the start, default 1e-6, or an "
+            "axis: length of (phase \\[rad], velocity over the orbit's).",
+        ),
+    ] = None
 
     @cached_property
     def parameters(self) -> dict[str, list[float]]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -182,7 +183,14 @@ def plane_of(shaking: ShakingFlags, block: BlockFlags) -> Plane:
 class SeriesFlags:
     """The harmonics of periodic shaking that is no single sinusoid."""
 
-    harmonic: options.HarmonicWaves = None
+    harmonic: Annotated[
+        list[str] | None,
+        options.motion_flag(
+            "--harmonic K,SIZE,PHASE",
+            "Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
+            "be repeated. -W is then that of the period. Default: a single sinusoid.",
+        ),
+    ] = None
 
     @property
     def given(self) -> bool:

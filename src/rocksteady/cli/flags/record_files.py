@@ -25,62 +25,11 @@ reading_flag = flags_in("Reading files")
 MOST_USUAL_SCALE = 10.0
 """Factor of a record beyond which a wrong unit is more likely than a wish."""
 
-RecordFile = Annotated[
-    list[Path] | None,
-    motion_flag(
-        "--record FILE",
-        "Ground-motion file that shakes a block of known size; then the base stands still.",
-    ),
-]
 Scale = Annotated[
     str | None,
     motion_flag(
         "--scale S",
         "Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
-    ),
-]
-PgaG = Annotated[
-    float | None,
-    motion_flag(
-        "--pga-g G",
-        "Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
-        "same factor; instead of --scale.",
-    ),
-]
-VerticalFile = Annotated[
-    Path | None,
-    motion_flag(
-        "--vertical FILE",
-        "Add the vertical acceleration of a file, its vertical channel where it has several; "
-        "upwards is positive, and DWN is reversed. The linear model has no term for it.",
-    ),
-]
-Reverse = Annotated[
-    bool,
-    motion_flag(
-        "--reverse",
-        "Change the sign of --record or --pulse: positive values drive negative rotation.",
-    ),
-]
-ReverseVertical = Annotated[
-    bool,
-    motion_flag(
-        "--reverse-vertical",
-        "Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
-        "PEER, positive downwards, is reversed without it.",
-    ),
-]
-Channel = Annotated[
-    str | None,
-    reading_flag(
-        "--channel NAME",
-        "Choose the channel of a file with several: its component, or its number from 1.",
-    ),
-]
-FormatName = Annotated[
-    str | None,
-    reading_flag(
-        "--format NAME", "Set the format of the files; default: recognised from their content."
     ),
 ]
 Units = Annotated[
@@ -96,37 +45,45 @@ DtS = Annotated[
         "--dt-s DT", "Set the interval between samples \\[s] in files that do not state it."
     ),
 ]
-Column = Annotated[
-    str | None,
-    reading_flag(
-        "--column NAME",
-        "Choose the column of a table with the acceleration: its number from 1, or its name.",
-    ),
-]
-Resample = Annotated[
-    bool,
-    reading_flag("--resample", "Interpolate a table with uneven times to even ones."),
-]
-Baseline = Annotated[
-    str,
-    reading_flag(
-        "--baseline NAME",
-        "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
-    ),
-]
 
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingFlags:
     """How ground-motion files are read."""
 
-    channel: Channel = None
-    format: FormatName = None
+    channel: Annotated[
+        str | None,
+        reading_flag(
+            "--channel NAME",
+            "Choose the channel of a file with several: its component, or its number from 1.",
+        ),
+    ] = None
+    format: Annotated[
+        str | None,
+        reading_flag(
+            "--format NAME", "Set the format of the files; default: recognised from their content."
+        ),
+    ] = None
     units: Units = None
     dt_s: DtS = None
-    column: Column = None
-    resample: Resample = False
-    baseline: Baseline = "none"
+    column: Annotated[
+        str | None,
+        reading_flag(
+            "--column NAME",
+            "Choose the column of a table with the acceleration: its number from 1, or its name.",
+        ),
+    ] = None
+    resample: Annotated[
+        bool,
+        reading_flag("--resample", "Interpolate a table with uneven times to even ones."),
+    ] = False
+    baseline: Annotated[
+        str,
+        reading_flag(
+            "--baseline NAME",
+            "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
+        ),
+    ] = "none"
 
     @property
     def given(self) -> dict[str, object]:
@@ -247,12 +204,45 @@ def warn(file: Path, words: str) -> None:
 class RecordFlags:
     """Recorded motions in place of harmonic shaking; a command takes `ReadingFlags` beside them."""
 
-    record: RecordFile = None
+    record: Annotated[
+        list[Path] | None,
+        motion_flag(
+            "--record FILE",
+            "Ground-motion file that shakes a block of known size; then the base stands still.",
+        ),
+    ] = None
     scale: Scale = None
-    pga_g: PgaG = None
-    vertical: VerticalFile = None
-    reverse: Reverse = False
-    reverse_vertical: ReverseVertical = False
+    pga_g: Annotated[
+        float | None,
+        motion_flag(
+            "--pga-g G",
+            "Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
+            "same factor; instead of --scale.",
+        ),
+    ] = None
+    vertical: Annotated[
+        Path | None,
+        motion_flag(
+            "--vertical FILE",
+            "Add the vertical acceleration of a file, its vertical channel where it has several; "
+            "upwards is positive, and DWN is reversed. The linear model has no term for it.",
+        ),
+    ] = None
+    reverse: Annotated[
+        bool,
+        motion_flag(
+            "--reverse",
+            "Change the sign of --record or --pulse: positive values drive negative rotation.",
+        ),
+    ] = False
+    reverse_vertical: Annotated[
+        bool,
+        motion_flag(
+            "--reverse-vertical",
+            "Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
+            "PEER, positive downwards, is reversed without it.",
+        ),
+    ] = False
 
     @property
     def files(self) -> list[Path]:

@@ -1,12 +1,10 @@
 """Flags for tables of shaking tests, and how outcomes become draws."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, cast
 
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError, flags_of, missing
 from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import DtS, Units
@@ -42,41 +40,6 @@ RecordsFolder = Annotated[
         "--records DIR",
         "Folder of the records; default records/ beside --tests, or its own folder.",
     ),
-]
-FoldsChoice = Annotated[
-    str,
-    sampling_flag(
-        "--folds NAME", "Hold out together the tests of one record, test, session or group."
-    ),
-]
-Temper = Annotated[
-    str,
-    sampling_flag(
-        "--temper auto|T",
-        "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
-    ),
-]
-Draws = Annotated[
-    int,
-    sampling_flag("--draws N", "Set the number of draws of each object."),
-]
-Gains = Annotated[
-    int,
-    sampling_flag(
-        "--gains N",
-        "Set the number of gains of each draw and test, over the error of its amplitude.",
-    ),
-]
-Rounds = Annotated[
-    int | None,
-    sampling_flag(
-        "--rounds N",
-        "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
-    ),
-]
-Seed = Annotated[
-    int,
-    sampling_flag("--seed N", "Set the seed of all draws."),
 ]
 
 
@@ -146,12 +109,41 @@ class TableFlags:
 class SamplingFlags:
     """Draws, gains and rounds; folds and temper."""
 
-    fold: FoldsChoice = "group"
-    temper: Temper = "auto"
-    draws: Draws = 1500
-    gains: Gains = 5
-    rounds: Rounds = None
-    seed: Seed = 0
+    fold: Annotated[
+        str,
+        sampling_flag(
+            "--folds NAME", "Hold out together the tests of one record, test, session or group."
+        ),
+    ] = "group"
+    temper: Annotated[
+        str,
+        sampling_flag(
+            "--temper auto|T",
+            "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
+        ),
+    ] = "auto"
+    draws: Annotated[
+        int,
+        sampling_flag("--draws N", "Set the number of draws of each object."),
+    ] = 1500
+    gains: Annotated[
+        int,
+        sampling_flag(
+            "--gains N",
+            "Set the number of gains of each draw and test, over the error of its amplitude.",
+        ),
+    ] = 5
+    rounds: Annotated[
+        int | None,
+        sampling_flag(
+            "--rounds N",
+            "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
+        ),
+    ] = None
+    seed: Annotated[
+        int,
+        sampling_flag("--seed N", "Set the seed of all draws."),
+    ] = 0
 
     def sampling(self) -> "Sampling":
         """Return how many draws are made.
@@ -210,20 +202,3 @@ def temper_of(text: str) -> 'Literal["auto"] | float':
         raise FlagError(
             "--temper", text, "it must be auto or a number in (0, 1]", "write auto, or 0.3"
         ) from None
-
-
-@contextmanager
-def flags_of(flags: Mapping[str, str]) -> Iterator[None]:
-    """Name flags in place of arguments in the errors of what is inside.
-
-    Parameters
-    ----------
-    flags
-        Flag of each argument.
-    """
-    try:
-        yield
-    except InputError as error:
-        if error.name not in flags:
-            raise
-        raise FlagError(flags[error.name], error.value, error.valid, error.hint) from None

@@ -28,20 +28,6 @@ if TYPE_CHECKING:
 
 sweep_flag = options.flags_in("Sweep")
 
-OutStore = Annotated[
-    Path | None,
-    sweep_flag(
-        "--out STORE",
-        "Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
-        "interruption. Without it they are kept in memory.",
-    ),
-]
-Resume = Annotated[
-    bool,
-    sweep_flag(
-        "--resume", "Continue the store of --out where it stopped; begin it if it is not there."
-    ),
-]
 Executor = Annotated[
     str,
     sweep_flag(
@@ -59,34 +45,6 @@ Workers = Annotated[
         "With gpu: launches in flight, 3 by default.",
     ),
 ]
-RunsStore = Annotated[
-    Path | None,
-    sweep_flag(
-        "--runs STORE",
-        "Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
-        "interruption. Without it they are kept in memory.",
-    ),
-]
-ResumeRuns = Annotated[
-    bool,
-    sweep_flag(
-        "--resume", "Continue the store of --runs where it stopped; begin it if it is not there."
-    ),
-]
-Chunk = Annotated[
-    int | None,
-    sweep_flag(
-        "--chunk CELLS",
-        "Cells that are written at once; by default a 64th of all, from 4096 to "
-        "65536, and of slow cells fewer.",
-    ),
-]
-NetCdf = Annotated[
-    Path | None,
-    options.output_flag(
-        "--netcdf FILE", "Save the data as NetCDF, .nc, with units and the meaning of classes."
-    ),
-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,12 +53,36 @@ class SweepFlags:
 
     STORE: ClassVar[str] = "--out"
 
-    out: OutStore = None
-    resume: Resume = False
+    out: Annotated[
+        Path | None,
+        sweep_flag(
+            "--out STORE",
+            "Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
+            "interruption. Without it they are kept in memory.",
+        ),
+    ] = None
+    resume: Annotated[
+        bool,
+        sweep_flag(
+            "--resume", "Continue the store of --out where it stopped; begin it if it is not there."
+        ),
+    ] = False
     executor: Executor = "threads"
     workers: Workers = None
-    chunk: Chunk = None
-    netcdf: NetCdf = None
+    chunk: Annotated[
+        int | None,
+        sweep_flag(
+            "--chunk CELLS",
+            "Cells that are written at once; by default a 64th of all, from 4096 to "
+            "65536, and of slow cells fewer.",
+        ),
+    ] = None
+    netcdf: Annotated[
+        Path | None,
+        options.output_flag(
+            "--netcdf FILE", "Save the data as NetCDF, .nc, with units and the meaning of classes."
+        ),
+    ] = None
 
     def check(
         self, output: OutputFlags, read: Sequence[Path] = (), *, out: Path | None = None
@@ -239,8 +221,21 @@ class _KeptRuns(SweepFlags):
 class RunsFlags:
     """Who computes the runs of an ensemble, and where they are kept, beside a folder of --out."""
 
-    runs: RunsStore = None
-    resume: ResumeRuns = False
+    runs: Annotated[
+        Path | None,
+        sweep_flag(
+            "--runs STORE",
+            "Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
+            "interruption. Without it they are kept in memory.",
+        ),
+    ] = None
+    resume: Annotated[
+        bool,
+        sweep_flag(
+            "--resume",
+            "Continue the store of --runs where it stopped; begin it if it is not there.",
+        ),
+    ] = False
     executor: Executor = "threads"
     workers: Workers = None
 

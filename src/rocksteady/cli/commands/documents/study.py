@@ -1,7 +1,8 @@
 """`rocksteady study`: studies of the block itself, each a folder of pictures, data and a page."""
 
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
@@ -14,10 +15,6 @@ from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
 from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import Workers, resumable_study
-
-if TYPE_CHECKING:
-    from rocksteady.studies.atlas.study import Atlas
-    from rocksteady.studies.facade_checks.study import FacadeChecks
 
 HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
 ATLAS_HELP = (
@@ -150,11 +147,10 @@ def atlas(
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
-    if as_json:
-        names = [file.name for file in files]
-        print_json("atlas", {**result.values(), "out": str(out), "files": names})
-    else:
-        print_summary(result, out, files)
+    from rocksteady.studies.atlas.pages.findings import coexistence_sentences, rest_sentences
+
+    sentences = (*coexistence_sentences(result.found), *rest_sentences(result.rest, None)[:1])
+    _leave("atlas", result.values(), sentences, out, files, as_json=as_json)
 
 
 @app.command("facade-checks", cls=OncePerFlag, help=FACADE_HELP, epilog=FACADE_EXAMPLES)
@@ -203,33 +199,24 @@ def facade_checks(
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
+    _leave("facade-checks", result.values(), result.sentences, out, files, as_json=as_json)
+
+
+def _leave(
+    name: str,
+    values: Mapping[str, Any],
+    sentences: Iterable[str],
+    out: Path,
+    files: list[Path],
+    *,
+    as_json: bool,
+) -> None:
+    """Print what came out, how many files there are, and which to open."""
     if as_json:
-        names = [file.name for file in files]
-        print_json("facade-checks", {**result.values(), "out": str(out), "files": names})
-    else:
-        print_checks(result, out, files)
-
-
-def print_checks(checks: "FacadeChecks", out: Path, files: list[Path]) -> None:
-    """Print what came out and where to look."""
-    console = terminal.console(wrap=True)
-    for text in checks.sentences:
-        console.print(text.replace("\N{NO-BREAK SPACE}", " "))
-    _print_place(files, out / "facade-checks.html")
-
-
-def print_summary(result: "Atlas", out: Path, files: list[Path]) -> None:
-    """Print what came out and where to look."""
-    from rocksteady.studies.atlas.pages.findings import coexistence_sentences, rest_sentences
-
-    console = terminal.console(wrap=True)
-    for text in (*coexistence_sentences(result.found), *rest_sentences(result.rest, None)[:1]):
-        console.print(text.replace("\N{NO-BREAK SPACE}", " "))
-    _print_place(files, out / "atlas.html")
-
-
-def _print_place(files: list[Path], page: Path) -> None:
-    """Print how many files there are, and which to open."""
+        print_json(name, {**values, "out": str(out), "files": [file.name for file in files]})
+        return
+    for text in sentences:
+        terminal.console(wrap=True).print(text.replace("\N{NO-BREAK SPACE}", " "))
     quiet = terminal.console()
-    quiet.print(f"{len(files)} files in {page.parent}")
-    quiet.print(f"open {page}")
+    quiet.print(f"{len(files)} files in {out}")
+    quiet.print(f"open {out / name}.html")

@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import FlagError, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, flags_of, missing, refuse
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.cli.flags.shaking_tests import flags_of, temper_of
+from rocksteady.cli.flags.shaking_tests import temper_of
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
@@ -226,11 +226,8 @@ def _scan(*, temper: str, **options: object) -> "Scan":
     from rocksteady.risk.back_analysis.scan import Scan
 
     exponent = temper_of(temper)
-    try:
+    with flags_of({name: f"--{name}" for name in FLAGS}):
         return Scan(temper=exponent, **options)  # type: ignore[arg-type]
-    except InputError as error:
-        flag = f"--{error.name}" if error.name in FLAGS else error.name
-        raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
 def _example(

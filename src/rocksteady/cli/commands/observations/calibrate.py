@@ -10,14 +10,13 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
-from rocksteady.cli.console.refusals import refuse
+from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.shaking_tests import (
     SamplingFlags,
     TableFlags,
-    flags_of,
     sampling_flag,
     test_flag,
 )

@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import flags_in
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
-from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests, flags_of
+from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart

@@ -3,12 +3,11 @@
 from pathlib import Path
 from typing import Annotated
 
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError, flags_of, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
 from rocksteady.cli.flags.demand import sized_block
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
-from rocksteady.cli.flags.shaking_tests import flags_of
 
 HELP = (
     "Fit the restitution to the peaks of measured free rocking, beside Housner's value.\n\n"
