@@ -30,14 +30,6 @@ EXAMPLES = (
 SHOWN_PERIODS = 30
 """Last forcing periods of a motion without an orbit that a time history shows."""
 
-CyclesFlag = Annotated[
-    int,
-    options.start_flag(
-        "--cycles N",
-        "Periods of the shaking after which a motion counts as aperiodic or undecided.",
-    ),
-]
-
 
 @grouped
 def attractor(
@@ -46,7 +38,13 @@ def attractor(
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
-    cycles: CyclesFlag = 2000,
+    cycles: Annotated[
+        int,
+        options.start_flag(
+            "--cycles N",
+            "Periods of the shaking after which a motion counts as aperiodic or undecided.",
+        ),
+    ] = 2000,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady attractor`; `HELP` is what its users read."""

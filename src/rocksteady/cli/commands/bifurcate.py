@@ -38,61 +38,6 @@ EXAMPLES = (
     "nonlinear"
 )
 
-MaxPeriodFlag = Annotated[
-    int | None,
-    branch_flag(
-        "--max-period N",
-        "Longest motions that are branched off to, in periods of the shaking; default 4 times "
-        "the largest order -n.",
-    ),
-]
-MaxImpactsFlag = Annotated[
-    int,
-    branch_flag(
-        "--max-impacts N", "Most impacts in a period of the motions that are branched off to."
-    ),
-]
-MaxBranchesFlag = Annotated[
-    int,
-    branch_flag(
-        "--max-branches N", "Number of branches after which no further one begins at a bifurcation."
-    ),
-]
-SearchFlag = Annotated[
-    bool,
-    branch_flag(
-        "--search",
-        "Start also from every motion that rocksteady orbits finds at both ends and in the "
-        "middle of the range; they may be many.",
-    ),
-]
-CascadeFlag = Annotated[
-    bool,
-    branch_flag(
-        "--cascade", "Follow a cascade of period doublings, each on the branch of the one before."
-    ),
-]
-DoublingsFlag = Annotated[
-    int | None,
-    branch_flag("--doublings N", "Doublings of --cascade, up to 8; default 6."),
-]
-NoSweepsFlag = Annotated[
-    bool,
-    options.start_flag("--no-sweeps", "Follow branches only, without sweeps."),
-]
-CyclesFlag = Annotated[
-    int,
-    options.start_flag(
-        "--cycles N",
-        "Periods of the shaking at each value of a sweep, after which a motion counts as "
-        "aperiodic or undecided.",
-    ),
-]
-TopFlag = Annotated[
-    float | None,
-    options.output_flag("--top U", "Upper end of the axis of angles of --plot, in units of alpha."),
-]
-
 
 DOUBLINGS = 6
 """Default of --cascade."""
@@ -105,15 +50,64 @@ def bifurcate(
     block: BlockFlags,
     output: OutputFlags,
     start: SweepStart,
-    no_sweeps: NoSweepsFlag = False,
-    cycles: CyclesFlag = 2000,
-    max_period: MaxPeriodFlag = None,
-    max_impacts: MaxImpactsFlag = 12,
-    max_branches: MaxBranchesFlag = 100,
-    search: SearchFlag = False,
-    cascade: CascadeFlag = False,
-    doublings: DoublingsFlag = None,
-    top: TopFlag = None,
+    no_sweeps: Annotated[
+        bool,
+        options.start_flag("--no-sweeps", "Follow branches only, without sweeps."),
+    ] = False,
+    cycles: Annotated[
+        int,
+        options.start_flag(
+            "--cycles N",
+            "Periods of the shaking at each value of a sweep, after which a motion counts as "
+            "aperiodic or undecided.",
+        ),
+    ] = 2000,
+    max_period: Annotated[
+        int | None,
+        branch_flag(
+            "--max-period N",
+            "Longest motions that are branched off to, in periods of the shaking; default 4 times "
+            "the largest order -n.",
+        ),
+    ] = None,
+    max_impacts: Annotated[
+        int,
+        branch_flag(
+            "--max-impacts N", "Most impacts in a period of the motions that are branched off to."
+        ),
+    ] = 12,
+    max_branches: Annotated[
+        int,
+        branch_flag(
+            "--max-branches N",
+            "Number of branches after which no further one begins at a bifurcation.",
+        ),
+    ] = 100,
+    search: Annotated[
+        bool,
+        branch_flag(
+            "--search",
+            "Start also from every motion that rocksteady orbits finds at both ends and in the "
+            "middle of the range; they may be many.",
+        ),
+    ] = False,
+    cascade: Annotated[
+        bool,
+        branch_flag(
+            "--cascade",
+            "Follow a cascade of period doublings, each on the branch of the one before.",
+        ),
+    ] = False,
+    doublings: Annotated[
+        int | None,
+        branch_flag("--doublings N", "Doublings of --cascade, up to 8; default 6."),
+    ] = None,
+    top: Annotated[
+        float | None,
+        options.output_flag(
+            "--top U", "Upper end of the axis of angles of --plot, in units of alpha."
+        ),
+    ] = None,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
@@ -169,8 +163,9 @@ def bifurcate(
         )
     output.write_csv(lambda: in_columns(diagram.columns, diagram.rows()))
     output.write_plot(lambda page: bifurcation_figure(diagram, top=top, page=page))
-    values = start.as_given(diagram.to_dict())
-    output.leave("bifurcate", diagram.describe(), values=values, decided=diagram.complete)
+    description = diagram.describe()
+    values = start.as_given(description.to_dict())
+    output.leave("bifurcate", description, values=values, decided=diagram.complete)
 
 
 def check_top(top: float | None, output: OutputFlags) -> None:

@@ -31,49 +31,43 @@ EXAMPLES = (
     "--model nonlinear --json"
 )
 
-OrdersFlag = Annotated[
-    list[int] | None,
-    options.motion_flag(
-        "--order -n N",
-        "Set the half periods of the shaking in one half cycle of the symmetric motions to "
-        "start from, odd; default 1; may be repeated.",
-    ),
-]
-MaxPeriodFlag = Annotated[
-    int | None,
-    curve_flag(
-        "--max-period N",
-        "Set the longest period of the motions whose bifurcations are followed, in periods of "
-        "the shaking; default twice the largest order -n.",
-    ),
-]
-MaxImpactsFlag = Annotated[
-    int,
-    curve_flag(
-        "--max-impacts N",
-        "Set the most impacts in a period of the motions whose bifurcations are followed.",
-    ),
-]
-MaxBranchesFlag = Annotated[
-    int,
-    curve_flag("--max-branches N", "Largest number of branches on each line across the plane."),
-]
-MaxCurvesFlag = Annotated[
-    int,
-    curve_flag("--max-curves N", "Largest number of curves."),
-]
-
 
 @grouped
 def curves(
     shaking: ShakingFlags,
     block: BlockFlags,
     output: OutputFlags,
-    order: OrdersFlag = None,
-    max_period: MaxPeriodFlag = None,
-    max_impacts: MaxImpactsFlag = 6,
-    max_branches: MaxBranchesFlag = 20,
-    max_curves: MaxCurvesFlag = 40,
+    order: Annotated[
+        list[int] | None,
+        options.motion_flag(
+            "--order -n N",
+            "Set the half periods of the shaking in one half cycle of the symmetric motions to "
+            "start from, odd; default 1; may be repeated.",
+        ),
+    ] = None,
+    max_period: Annotated[
+        int | None,
+        curve_flag(
+            "--max-period N",
+            "Set the longest period of the motions whose bifurcations are followed, in periods of "
+            "the shaking; default twice the largest order -n.",
+        ),
+    ] = None,
+    max_impacts: Annotated[
+        int,
+        curve_flag(
+            "--max-impacts N",
+            "Set the most impacts in a period of the motions whose bifurcations are followed.",
+        ),
+    ] = 6,
+    max_branches: Annotated[
+        int,
+        curve_flag("--max-branches N", "Largest number of branches on each line across the plane."),
+    ] = 20,
+    max_curves: Annotated[
+        int,
+        curve_flag("--max-curves N", "Largest number of curves."),
+    ] = 40,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady curves`; `HELP` is what its users read."""

@@ -16,13 +16,15 @@ HELP = (
 EXAMPLES = "Examples:\n\nrocksteady doctor\n\nrocksteady doctor --check --json"
 DIFFERENT = 1
 """Exit code with --check where a value differs."""
-CheckFlag = Annotated[
-    bool,
-    options.output_flag("--check", "Leave with exit code 1 where a value differs."),
-]
 
 
-def doctor(check: CheckFlag = False, as_json: options.Json = False) -> int:
+def doctor(
+    check: Annotated[
+        bool,
+        options.output_flag("--check", "Leave with exit code 1 where a value differs."),
+    ] = False,
+    as_json: options.Json = False,
+) -> int:
     """Run `rocksteady doctor`; `HELP` is what its users read."""
     announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation

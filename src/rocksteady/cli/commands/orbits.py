@@ -25,21 +25,6 @@ EXAMPLES = (
     "rocksteady orbits --alpha-rad 0.3 --radius-m 1 -A 2 -W 4 --model nonlinear --seeds 48"
 )
 
-MaxPeriodFlag = Annotated[
-    int,
-    search_flag("--max-period N", "Longest motions, in periods of the shaking."),
-]
-MaxImpactsFlag = Annotated[
-    int,
-    search_flag("--max-impacts N", "Most impacts in a period of the motion."),
-]
-SeedsFlag = Annotated[
-    int,
-    search_flag(
-        "--seeds N", "The search starts from N x N states; more find more, and take longer."
-    ),
-]
-
 
 @grouped
 def orbits(
@@ -47,9 +32,20 @@ def orbits(
     series: SeriesFlags,
     block: BlockFlags,
     output: OutputFlags,
-    max_period: MaxPeriodFlag = 3,
-    max_impacts: MaxImpactsFlag = 6,
-    seeds: SeedsFlag = 96,
+    max_period: Annotated[
+        int,
+        search_flag("--max-period N", "Longest motions, in periods of the shaking."),
+    ] = 3,
+    max_impacts: Annotated[
+        int,
+        search_flag("--max-impacts N", "Most impacts in a period of the motion."),
+    ] = 6,
+    seeds: Annotated[
+        int,
+        search_flag(
+            "--seeds N", "The search starts from N x N states; more find more, and take longer."
+        ),
+    ] = 96,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady orbits`; `HELP` is what its users read."""

@@ -41,45 +41,41 @@ EXAMPLES = (
     "rocksteady record RSN77_PUL164.AT2 --width-m 0.5 --height-m 2"
 )
 
-FilesArgument = Annotated[
-    list[Path],
-    typer.Argument(metavar="FILE", help="Read these ground-motion files.", show_default=False),
-]
-PeriodsFlag = Annotated[
-    str | None,
-    options.output_flag(
-        "--periods-s AXIS",
-        "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
-        "log:0.05:10:100; printed for one record, and in --json; default of --plot "
-        "log:0.02:10:200.",
-    ),
-]
-DampingFlag = Annotated[
-    float,
-    options.output_flag(
-        "--damping ZETA", "Set the damping of its oscillators, 1 being critical; default 0.05."
-    ),
-]
-UnitsOutFlag = Annotated[
-    str | None,
-    options.output_flag(
-        "--units-out UNIT",
-        "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
-    ),
-]
 
 PLOTTED_PERIODS = "log:0.02:10:200"
 
 
 @grouped
 def record(
-    files: FilesArgument,
+    files: Annotated[
+        list[Path],
+        typer.Argument(metavar="FILE", help="Read these ground-motion files.", show_default=False),
+    ],
     reading: ReadingFlags,
     block: BlockFlags,
     output: OutputFlags,
-    periods_s: PeriodsFlag = None,
-    damping: DampingFlag = 0.05,
-    units_out: UnitsOutFlag = None,
+    periods_s: Annotated[
+        str | None,
+        options.output_flag(
+            "--periods-s AXIS",
+            "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
+            "log:0.05:10:100; printed for one record, and in --json; default of --plot "
+            "log:0.02:10:200.",
+        ),
+    ] = None,
+    damping: Annotated[
+        float,
+        options.output_flag(
+            "--damping ZETA", "Set the damping of its oscillators, 1 being critical; default 0.05."
+        ),
+    ] = 0.05,
+    units_out: Annotated[
+        str | None,
+        options.output_flag(
+            "--units-out UNIT",
+            "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
+        ),
+    ] = None,
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
     output.check(files)

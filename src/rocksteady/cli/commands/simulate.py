@@ -55,19 +55,6 @@ EXAMPLES = (
 MOST_ROWS = 50_000_000
 """Of --csv: some gigabytes."""
 
-CyclesFlag = Annotated[
-    float | None,
-    options.start_flag("--cycles N", "Periods of the shaking to follow, default 50."),
-]
-SamplesFlag = Annotated[
-    int,
-    options.output_flag(
-        "--samples N",
-        "Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
-        "a pulse and under a record); impacts are always rows.",
-    ),
-]
-
 
 @grouped
 def simulate(
@@ -80,8 +67,18 @@ def simulate(
     output: OutputFlags,
     film: AnimationFlags,
     start: StartFlags,
-    cycles: CyclesFlag = None,
-    samples: SamplesFlag = 100,
+    cycles: Annotated[
+        float | None,
+        options.start_flag("--cycles N", "Periods of the shaking to follow, default 50."),
+    ] = None,
+    samples: Annotated[
+        int,
+        options.output_flag(
+            "--samples N",
+            "Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
+            "a pulse and under a record); impacts are always rows.",
+        ),
+    ] = 100,
     model: options.Model = None,
     tolerance: options.Tolerance = None,
 ) -> None:
@@ -186,12 +183,15 @@ def write_files(
         table = trajectory.to_columns(samples)
         rows = zip(*(column.tolist() for column in table.values()), strict=True)
         output.write_csv(lambda: (list(table), rows))
-    values = description.to_dict()
-    # The name of a record leaves no room for more.
-    title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
-    output.write_plot(lambda page: simulation_figure(trajectory, title, page))
+    output.write_plot(lambda page: simulation_figure(trajectory, title_of(description), page))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
+
+
+def title_of(description: Description) -> str:
+    """Return the title of a picture: the name of a record leaves no room for more."""
+    values = description.to_dict()
+    return case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
 
 
 def refuse_long_table(samples: int, cycles: float | None) -> None:

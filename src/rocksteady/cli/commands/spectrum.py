@@ -53,57 +53,6 @@ EXAMPLES = (
 DEFAULT_PERIODS = "0.5:10:100"
 MOST_PANELS = 6
 
-AlphaRad = Annotated[
-    str | None,
-    options.block_flag(
-        "--alpha-rad AXIS",
-        "Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
-    ),
-]
-AlphaDeg = Annotated[
-    str | None,
-    options.block_flag(
-        "--alpha-deg AXIS", "Set the slenderness in degrees, instead of --alpha-rad."
-    ),
-]
-PeriodsS = Annotated[
-    str | None,
-    options.block_flag(
-        "--periods-s AXIS",
-        f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
-        f"{DEFAULT_PERIODS}.",
-    ),
-]
-PRadS = Annotated[
-    str | None,
-    options.block_flag(
-        "--p-rad-s AXIS",
-        "Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
-    ),
-]
-WidthM = Annotated[
-    str | None,
-    options.block_flag(
-        "--width-m AXIS",
-        "Set the full width \\[m], with --height-m, instead of slenderness and period: a "
-        "number or an axis.",
-    ),
-]
-HeightM = Annotated[
-    str | None,
-    options.block_flag(
-        "--height-m AXIS", "Set the full height \\[m]: a number or an axis, each with every width."
-    ),
-]
-RestitutionFlag = Annotated[
-    str | None,
-    options.block_flag(
-        "--restitution -r R",
-        "Set the ratio of angular velocities after and before an impact, in (0, 1], "
-        "'housner' (default) for that of each slenderness, or 'housner*0.965' for a factor of it.",
-    ),
-]
-
 
 @grouped
 def spectrum(
@@ -112,13 +61,58 @@ def spectrum(
     reading: ReadingFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    alpha_rad: AlphaRad = None,
-    alpha_deg: AlphaDeg = None,
-    periods_s: PeriodsS = None,
-    p_rad_s: PRadS = None,
-    width_m: WidthM = None,
-    height_m: HeightM = None,
-    restitution: RestitutionFlag = None,
+    alpha_rad: Annotated[
+        str | None,
+        options.block_flag(
+            "--alpha-rad AXIS",
+            "Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
+        ),
+    ] = None,
+    alpha_deg: Annotated[
+        str | None,
+        options.block_flag(
+            "--alpha-deg AXIS", "Set the slenderness in degrees, instead of --alpha-rad."
+        ),
+    ] = None,
+    periods_s: Annotated[
+        str | None,
+        options.block_flag(
+            "--periods-s AXIS",
+            f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+            f"{DEFAULT_PERIODS}.",
+        ),
+    ] = None,
+    p_rad_s: Annotated[
+        str | None,
+        options.block_flag(
+            "--p-rad-s AXIS",
+            "Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
+        ),
+    ] = None,
+    width_m: Annotated[
+        str | None,
+        options.block_flag(
+            "--width-m AXIS",
+            "Set the full width \\[m], with --height-m, instead of slenderness and period: a "
+            "number or an axis.",
+        ),
+    ] = None,
+    height_m: Annotated[
+        str | None,
+        options.block_flag(
+            "--height-m AXIS",
+            "Set the full height \\[m]: a number or an axis, each with every width.",
+        ),
+    ] = None,
+    restitution: Annotated[
+        str | None,
+        options.block_flag(
+            "--restitution -r R",
+            "Set the ratio of angular velocities after and before an impact, in (0, 1], "
+            "'housner' (default) for that of each slenderness, or 'housner*0.965' for a factor of "
+            "it.",
+        ),
+    ] = None,
     one_sided: options.OneSided = None,
     model: options.Model = None,
     gravity_m_s2: options.GravityMS2 = None,

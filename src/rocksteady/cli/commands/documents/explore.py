@@ -52,44 +52,41 @@ EXAMPLES = (
 FILE = "explorer.html"
 """Name of the page in a temporary folder."""
 
-RecordFiles = Annotated[
-    list[Path] | None,
-    options.motion_flag(
-        "--record FILE",
-        "Put the horizontal channels of a ground-motion file into the page, or the channel "
-        "named by --channel; may be repeated. The page then opens on them.",
-    ),
-]
-TabFlag = Annotated[
-    str | None,
-    options.output_flag(
-        "--tab NAME",
-        "Open on explore, basins, pulse, quake or design; default quake with --record, else "
-        "explore.",
-    ),
-]
-OutFile = Annotated[
-    Path | None,
-    options.output_flag("--out FILE", "Keep the page in this file: .html."),
-]
-NoBrowser = Annotated[
-    bool,
-    options.output_flag("--no-browser", "Write the page without opening it, as --json does too."),
-]
-
 
 @grouped
 def explore(
     block: BlockFlags,
     shaking: ShakingFlags,
     reading: ReadingFlags,
-    record: RecordFiles = None,
+    record: Annotated[
+        list[Path] | None,
+        options.motion_flag(
+            "--record FILE",
+            "Put the horizontal channels of a ground-motion file into the page, or the channel "
+            "named by --channel; may be repeated. The page then opens on them.",
+        ),
+    ] = None,
     scale: Scale = None,
     start: options.Start = "rest",
     model: options.Model = None,
-    tab: TabFlag = None,
-    out: OutFile = None,
-    no_browser: NoBrowser = False,
+    tab: Annotated[
+        str | None,
+        options.output_flag(
+            "--tab NAME",
+            "Open on explore, basins, pulse, quake or design; default quake with --record, else "
+            "explore.",
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        options.output_flag("--out FILE", "Keep the page in this file: .html."),
+    ] = None,
+    no_browser: Annotated[
+        bool,
+        options.output_flag(
+            "--no-browser", "Write the page without opening it, as --json does too."
+        ),
+    ] = False,
     force: options.Force = False,
     as_json: options.Json = False,
 ) -> None:

@@ -26,18 +26,17 @@ EXAMPLES = (
     "rocksteady paper --only 12b --only 12c --out figures"
 )
 
-OnlyFlag = Annotated[
-    list[str] | None,
-    options.output_flag(
-        "--only FIGURE", "Only this figure, as 12b, without statements and report; may be repeated."
-    ),
-]
-
 
 def paper(
     context: typer.Context,
     out: options.OutFolder,
-    only: OnlyFlag = None,
+    only: Annotated[
+        list[str] | None,
+        options.output_flag(
+            "--only FIGURE",
+            "Only this figure, as 12b, without statements and report; may be repeated.",
+        ),
+    ] = None,
     force: options.Force = False,
     resume: options.ResumeStudy = False,
     as_json: options.Json = False,

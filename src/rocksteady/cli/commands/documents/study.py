@@ -48,66 +48,7 @@ FACADE_EXAMPLES = (
 app = typer.Typer(no_args_is_help=True, rich_markup_mode="rich")
 
 plane_flag = options.flags_in("Plane")
-RestitutionFlag = Annotated[
-    str,
-    plane_flag(
-        "--restitution -r R", "Ratio of angular velocities after and before an impact, in (0, 1)."
-    ),
-]
-AmplitudeFlag = Annotated[
-    str | None,
-    plane_flag(
-        "--amplitude -A AXIS",
-        "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
-    ),
-]
-FrequencyFlag = Annotated[
-    str | None,
-    plane_flag(
-        "--frequency-ratio -W AXIS",
-        "Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
-        "goes with rows times columns.",
-    ),
-]
-OrderFlag = Annotated[
-    list[int] | None,
-    plane_flag(
-        "--order -n N",
-        "Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
-    ),
-]
 wall_flag = options.flags_in("Walls and records")
-RecordsFlag = Annotated[
-    list[Path] | None,
-    wall_flag(
-        "--records DIR|FILE",
-        "Read ground motions, 7 or more: every file of a folder, or a file; several times for "
-        "more. Default: 10 synthetic motions.",
-    ),
-]
-HeightFlag = Annotated[
-    str | None,
-    wall_flag(
-        "--height-m AXIS", "Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11."
-    ),
-]
-SlendernessFlag = Annotated[
-    str | None,
-    wall_flag(
-        "--slenderness AXIS",
-        "Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
-    ),
-]
-LevelsFlag = Annotated[
-    str | None,
-    wall_flag(
-        "--pga-g LIST", "Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35."
-    ),
-]
-FactorFlag = Annotated[
-    str,
-    wall_flag("--confidence-factor FC", "Set the confidence factor of all walls, from 1 to 2."),
-]
 
 
 @app.callback()
@@ -119,10 +60,35 @@ def study() -> None:
 def atlas(
     context: typer.Context,
     out: options.OutFolder,
-    restitution: RestitutionFlag = "0.8",
-    amplitude: AmplitudeFlag = None,
-    frequency_ratio: FrequencyFlag = None,
-    order: OrderFlag = None,
+    restitution: Annotated[
+        str,
+        plane_flag(
+            "--restitution -r R",
+            "Ratio of angular velocities after and before an impact, in (0, 1).",
+        ),
+    ] = "0.8",
+    amplitude: Annotated[
+        str | None,
+        plane_flag(
+            "--amplitude -A AXIS",
+            "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
+        ),
+    ] = None,
+    frequency_ratio: Annotated[
+        str | None,
+        plane_flag(
+            "--frequency-ratio -W AXIS",
+            "Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
+            "goes with rows times columns.",
+        ),
+    ] = None,
+    order: Annotated[
+        list[int] | None,
+        plane_flag(
+            "--order -n N",
+            "Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
+        ),
+    ] = None,
     force: options.Force = False,
     resume: options.ResumeStudy = False,
     as_json: options.Json = False,
@@ -157,11 +123,39 @@ def atlas(
 def facade_checks(
     context: typer.Context,
     out: options.OutFolder,
-    records: RecordsFlag = None,
-    height_m: HeightFlag = None,
-    slenderness: SlendernessFlag = None,
-    pga_g: LevelsFlag = None,
-    confidence_factor: FactorFlag = "1",
+    records: Annotated[
+        list[Path] | None,
+        wall_flag(
+            "--records DIR|FILE",
+            "Read ground motions, 7 or more: every file of a folder, or a file; several times for "
+            "more. Default: 10 synthetic motions.",
+        ),
+    ] = None,
+    height_m: Annotated[
+        str | None,
+        wall_flag(
+            "--height-m AXIS",
+            "Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11.",
+        ),
+    ] = None,
+    slenderness: Annotated[
+        str | None,
+        wall_flag(
+            "--slenderness AXIS",
+            "Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
+        ),
+    ] = None,
+    pga_g: Annotated[
+        str | None,
+        wall_flag(
+            "--pga-g LIST",
+            "Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35.",
+        ),
+    ] = None,
+    confidence_factor: Annotated[
+        str,
+        wall_flag("--confidence-factor FC", "Set the confidence factor of all walls, from 1 to 2."),
+    ] = "1",
     workers: Workers = None,
     force: options.Force = False,
     resume: options.ResumeStudy = False,

@@ -44,92 +44,82 @@ scan_flag = flags_in("Scan")
 FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 """Options of a scan that are flags."""
 
-SurveyFile = Annotated[
-    Path | None,
-    survey_flag(
-        "--survey FILE",
-        "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
-        "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
-    ),
-]
-PriorFile = Annotated[
-    Path | None,
-    survey_flag(
-        "--prior FILE",
-        "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
-        "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-    ),
-]
-Measures = Annotated[
-    list[str] | None,
-    scan_flag(
-        "--measure NAME[:S]",
-        "Set the measures, two or more flags; the region is in the first two. pga_g and "
-        "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
-    ),
-]
-Limits = Annotated[
-    str | None,
-    scan_flag(
-        "--limits LOW:HIGH",
-        "Set the limits of the first measure; by default from no uplift to nearly all fallen.",
-    ),
-]
-LevelCount = Annotated[
-    int,
-    scan_flag("--levels N", "Set the number of scales of each record."),
-]
-DrawCount = Annotated[
-    int | None,
-    scan_flag(
-        "--draws N",
-        "Set the number of draws of each object at each scale; by default 320 over the number "
-        "of objects, 8 to 64.",
-    ),
-]
-Temper = Annotated[
-    str,
-    scan_flag(
-        "--temper T",
-        "Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
-        "records that are left out.",
-    ),
-]
-Trials = Annotated[
-    int,
-    scan_flag(
-        "--trials N", "Set the number of simulated surveys for each record that is left out."
-    ),
-]
-SeedNumber = Annotated[
-    int,
-    scan_flag("--seed N", "Set the seed of the draws and of the simulated surveys."),
-]
-Example = Annotated[
-    bool,
-    survey_flag(
-        "--example", "Analyse 12 synthetic objects with 12 synthetic motions: no file is needed."
-    ),
-]
-
 
 @grouped
 def back_analyse(
     recorded: SuiteFlags,
     reading: ReadingFlags,
     output: OutputFlags,
-    survey: SurveyFile = None,
-    prior: PriorFile = None,
-    measure: Measures = None,
-    limits: Limits = None,
-    levels: LevelCount = 22,
-    draws: DrawCount = None,
-    temper: Temper = "auto",
-    trials: Trials = 4,
-    seed: SeedNumber = 0,
+    survey: Annotated[
+        Path | None,
+        survey_flag(
+            "--survey FILE",
+            "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
+            "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
+        ),
+    ] = None,
+    prior: Annotated[
+        Path | None,
+        survey_flag(
+            "--prior FILE",
+            "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
+            "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
+        ),
+    ] = None,
+    measure: Annotated[
+        list[str] | None,
+        scan_flag(
+            "--measure NAME[:S]",
+            "Set the measures, two or more flags; the region is in the first two. pga_g and "
+            "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
+        ),
+    ] = None,
+    limits: Annotated[
+        str | None,
+        scan_flag(
+            "--limits LOW:HIGH",
+            "Set the limits of the first measure; by default from no uplift to nearly all fallen.",
+        ),
+    ] = None,
+    levels: Annotated[
+        int,
+        scan_flag("--levels N", "Set the number of scales of each record."),
+    ] = 22,
+    draws: Annotated[
+        int | None,
+        scan_flag(
+            "--draws N",
+            "Set the number of draws of each object at each scale; by default 320 over the number "
+            "of objects, 8 to 64.",
+        ),
+    ] = None,
+    temper: Annotated[
+        str,
+        scan_flag(
+            "--temper T",
+            "Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
+            "records that are left out.",
+        ),
+    ] = "auto",
+    trials: Annotated[
+        int,
+        scan_flag(
+            "--trials N", "Set the number of simulated surveys for each record that is left out."
+        ),
+    ] = 4,
+    seed: Annotated[
+        int,
+        scan_flag("--seed N", "Set the seed of the draws and of the simulated surveys."),
+    ] = 0,
     executor: Executor = "threads",
     workers: Workers = None,
-    example: Example = False,
+    example: Annotated[
+        bool,
+        survey_flag(
+            "--example",
+            "Analyse 12 synthetic objects with 12 synthetic motions: no file is needed.",
+        ),
+    ] = False,
 ) -> None:
     """Run `rocksteady back-analyse`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run

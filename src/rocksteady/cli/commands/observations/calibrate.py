@@ -52,39 +52,6 @@ EXAMPLE_MOTIONS = 8
 EXAMPLE_SIZE = (0.15, 0.6)
 """Width and height of the block of --example [m]."""
 
-PriorFile = Annotated[
-    Path | None,
-    test_flag(
-        "--prior FILE",
-        "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
-        "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-    ),
-]
-OutFolder = Annotated[
-    Path | None,
-    options.output_flag(
-        "--out DIR",
-        "Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
-        "a new folder; --force replaces those of an earlier calibration.",
-    ),
-]
-CalibrationModel = Annotated[
-    str,
-    sampling_flag(
-        "--model NAME",
-        "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
-        "blocks, faster, without vertical motion).",
-    ),
-]
-ExampleFlag = Annotated[
-    bool,
-    test_flag(
-        "--example",
-        f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
-        "is needed.",
-    ),
-]
-
 
 @grouped
 def calibrate(
@@ -92,12 +59,41 @@ def calibrate(
     table: TableFlags,
     sampled: SamplingFlags,
     output: OutputFlags,
-    prior: PriorFile = None,
-    model: CalibrationModel = "nonlinear",
+    prior: Annotated[
+        Path | None,
+        test_flag(
+            "--prior FILE",
+            "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
+            "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, "
+            "scatter.",
+        ),
+    ] = None,
+    model: Annotated[
+        str,
+        sampling_flag(
+            "--model NAME",
+            "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
+            "blocks, faster, without vertical motion).",
+        ),
+    ] = "nonlinear",
     executor: Executor = "threads",
     workers: Workers = None,
-    out: OutFolder = None,
-    example: ExampleFlag = False,
+    out: Annotated[
+        Path | None,
+        options.output_flag(
+            "--out DIR",
+            "Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
+            "a new folder; --force replaces those of an earlier calibration.",
+        ),
+    ] = None,
+    example: Annotated[
+        bool,
+        test_flag(
+            "--example",
+            f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
+            "is needed.",
+        ),
+    ] = False,
 ) -> None:
     """Run `rocksteady calibrate`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run

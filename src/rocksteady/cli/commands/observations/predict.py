@@ -33,26 +33,23 @@ EXAMPLES = (
 )
 fit_flag = flags_in("Calibration")
 
-FitFolder = Annotated[
-    Path | None,
-    fit_flag("--fit DIR", "Take the posterior of this folder, which calibrate --out wrote."),
-]
-ObjectName = Annotated[
-    str | None,
-    fit_flag(
-        "--object NAME",
-        "Choose the object that --record shakes; default the only one of the calibration.",
-    ),
-]
-
 
 @grouped
 def predict(
     recorded: RecordFlags,
     reading: ReadingFlags,
     output: OutputFlags,
-    fit: FitFolder = None,
-    object: ObjectName = None,  # noqa: A002 -- the name of its flag
+    fit: Annotated[
+        Path | None,
+        fit_flag("--fit DIR", "Take the posterior of this folder, which calibrate --out wrote."),
+    ] = None,
+    object: Annotated[  # noqa: A002 -- the name of its flag
+        str | None,
+        fit_flag(
+            "--object NAME",
+            "Choose the object that --record shakes; default the only one of the calibration.",
+        ),
+    ] = None,
     tests: Tests = None,
     objects: Objects = None,
     records: RecordsFolder = None,

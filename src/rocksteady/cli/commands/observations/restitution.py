@@ -25,26 +25,23 @@ EXAMPLES = (
 )
 peaks_flag = options.flags_in("Peaks")
 
-Peaks = Annotated[
-    Path | None,
-    peaks_flag("--peaks FILE", "Read the peaks of half cycles from a CSV table."),
-]
-EachSide = Annotated[
-    bool | None,
-    peaks_flag(
-        "--each-side/--one-factor",
-        "Fit a factor of Housner's value to each side, or one to both; by default to each "
-        "where the sides differ.",
-    ),
-]
-
 
 @grouped
 def restitution(
     block: BlockFlags,
     output: OutputFlags,
-    peaks: Peaks = None,
-    each_side: EachSide = None,
+    peaks: Annotated[
+        Path | None,
+        peaks_flag("--peaks FILE", "Read the peaks of half cycles from a CSV table."),
+    ] = None,
+    each_side: Annotated[
+        bool | None,
+        peaks_flag(
+            "--each-side/--one-factor",
+            "Fit a factor of Housner's value to each side, or one to both; by default to each "
+            "where the sides differ.",
+        ),
+    ] = None,
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady restitution`; `HELP` is what its users read."""

@@ -54,47 +54,6 @@ MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
 EXAMPLE_MOTIONS = 24
 file_flag = options.flags_in("Object files")
 
-ObjectPath = Annotated[
-    Path | None,
-    typer.Argument(metavar="FILE", help="An object in TOML, or a table of objects in CSV."),
-]
-HazardPath = Annotated[
-    Path | None,
-    file_flag(
-        "--hazard FILE",
-        "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
-        "compute the annual rate of falling.",
-    ),
-]
-OutFolder = Annotated[
-    Path | None,
-    file_flag(
-        "--out DIR",
-        "Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
-        "hashes into a new folder; for a table its report and rows. --force replaces those of an "
-        "earlier assessment.",
-    ),
-]
-ExampleFlag = Annotated[
-    bool,
-    file_flag("--example", "Assess a made-up object with synthetic motions: no file is needed."),
-]
-CheckFlag = Annotated[
-    bool,
-    options.output_flag(
-        "--check",
-        "Leave with exit code 1 where a probability is above the target, or an object slides.",
-    ),
-]
-TargetFlag = Annotated[
-    float | None,
-    demand_flag(
-        "--target P",
-        f"Set the largest probability of falling that --check accepts; default "
-        f"{USUAL_TARGET}, or that of FILE.",
-    ),
-]
-
 
 @grouped
 def assess(
@@ -105,12 +64,48 @@ def assess(
     reading: ReadingFlags,
     kept: RunsFlags,
     output: RowFlags,
-    file: ObjectPath = None,
-    hazard: HazardPath = None,
-    out: OutFolder = None,
-    example: ExampleFlag = False,
-    check: CheckFlag = False,
-    target: TargetFlag = None,
+    file: Annotated[
+        Path | None,
+        typer.Argument(metavar="FILE", help="An object in TOML, or a table of objects in CSV."),
+    ] = None,
+    hazard: Annotated[
+        Path | None,
+        file_flag(
+            "--hazard FILE",
+            "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
+            "compute the annual rate of falling.",
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        file_flag(
+            "--out DIR",
+            "Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
+            "hashes into a new folder; for a table its report and rows. --force replaces those of "
+            "an earlier assessment.",
+        ),
+    ] = None,
+    example: Annotated[
+        bool,
+        file_flag(
+            "--example", "Assess a made-up object with synthetic motions: no file is needed."
+        ),
+    ] = False,
+    check: Annotated[
+        bool,
+        options.output_flag(
+            "--check",
+            "Leave with exit code 1 where a probability is above the target, or an object slides.",
+        ),
+    ] = False,
+    target: Annotated[
+        float | None,
+        demand_flag(
+            "--target P",
+            f"Set the largest probability of falling that --check accepts; default "
+            f"{USUAL_TARGET}, or that of FILE.",
+        ),
+    ] = None,
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
     kept.sweep.check(output.files, [each for each in (file, hazard) if each is not None], out=out)

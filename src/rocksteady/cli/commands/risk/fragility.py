@@ -41,36 +41,6 @@ curve_flag = flags_in("Curves")
 EXAMPLE_SIZE = (0.32, 1.8)
 """Width and height of the cabinet of --example [m]."""
 
-States = Annotated[
-    str,
-    curve_flag(
-        "--states LIST",
-        "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
-    ),
-]
-Family = Annotated[
-    str,
-    curve_flag("--family NAME", "Set the curve: lognormal or logistic."),
-]
-Confidence = Annotated[
-    float,
-    curve_flag("--confidence P", "Set the confidence of the bands."),
-]
-Replicates = Annotated[
-    int,
-    curve_flag(
-        "--replicates N", "Set the number of suites that the bands are drawn from; 0 for no bands."
-    ),
-]
-Example = Annotated[
-    bool,
-    ensemble_flag(
-        "--example",
-        "Run 24 synthetic motions in place of --records; default block: a cabinet of "
-        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
-    ),
-]
-
 
 @grouped
 def fragility(
@@ -81,11 +51,36 @@ def fragility(
     ensemble: EnsembleFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    states: States = "uplift,0.25,0.5,1,overturned",
-    family: Family = "lognormal",
-    confidence: Confidence = 0.9,
-    replicates: Replicates = 1000,
-    example: Example = False,
+    states: Annotated[
+        str,
+        curve_flag(
+            "--states LIST",
+            "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
+        ),
+    ] = "uplift,0.25,0.5,1,overturned",
+    family: Annotated[
+        str,
+        curve_flag("--family NAME", "Set the curve: lognormal or logistic."),
+    ] = "lognormal",
+    confidence: Annotated[
+        float,
+        curve_flag("--confidence P", "Set the confidence of the bands."),
+    ] = 0.9,
+    replicates: Annotated[
+        int,
+        curve_flag(
+            "--replicates N",
+            "Set the number of suites that the bands are drawn from; 0 for no bands.",
+        ),
+    ] = 1000,
+    example: Annotated[
+        bool,
+        ensemble_flag(
+            "--example",
+            "Run 24 synthetic motions in place of --records; default block: a cabinet of "
+            f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
+        ),
+    ] = False,
 ) -> None:
     """Run `rocksteady fragility`; `HELP` is what its users read."""
     sweep.check(output)

@@ -26,12 +26,6 @@ EXAMPLES = (
 )
 NEGATIVE = 1
 """Exit code with --check where a row does not pass."""
-CheckFlag = Annotated[
-    bool,
-    options.output_flag(
-        "--check", "Leave with exit code 1 where a row does not pass or the block slides."
-    ),
-]
 
 
 @grouped
@@ -41,7 +35,12 @@ def screens(
     spectra: SpectrumFlags,
     reading: ReadingFlags,
     output: RowFlags,
-    check: CheckFlag = False,
+    check: Annotated[
+        bool,
+        options.output_flag(
+            "--check", "Leave with exit code 1 where a row does not pass or the block slides."
+        ),
+    ] = False,
 ) -> None:
     """Run `rocksteady screens`; `HELP` is what its users read."""
     files = output.files

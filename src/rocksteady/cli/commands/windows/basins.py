@@ -57,37 +57,6 @@ measure_flag = options.flags_in("Measures")
 PROBES: tuple[Literal["states", "boxes"], ...] = ("states", "boxes")
 """By what --exponent counts."""
 
-CyclesFlag = Annotated[
-    int | None,
-    options.start_flag(
-        "--cycles N",
-        "Periods of the shaking for which a state is followed, default 500; for an erosion "
-        "the periods without overturning that make a state safe, default 100.",
-    ),
-]
-SharesFlag = Annotated[
-    bool,
-    measure_flag(
-        "--shares", "Compute the shares of the basins, not the erosion, over an axis of amplitudes."
-    ),
-]
-EntropyFlag = Annotated[
-    int | None,
-    measure_flag(
-        "--entropy CELLS",
-        "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
-        "states a side, as 20, which must divide the counts of --angles and --velocities.",
-    ),
-]
-ExponentFlag = Annotated[
-    bool,
-    measure_flag(
-        "--exponent",
-        "Compute the uncertainty exponent and the dimension of the boundary, by states and by "
-        "boxes; 40 states or more along each axis.",
-    ),
-]
-
 
 @grouped
 def basins(
@@ -101,10 +70,37 @@ def basins(
     sweep: SweepFlags,
     output: OutputFlags,
     window: WindowFlags,
-    cycles: CyclesFlag = None,
-    shares: SharesFlag = False,
-    entropy: EntropyFlag = None,
-    exponent: ExponentFlag = False,
+    cycles: Annotated[
+        int | None,
+        options.start_flag(
+            "--cycles N",
+            "Periods of the shaking for which a state is followed, default 500; for an erosion "
+            "the periods without overturning that make a state safe, default 100.",
+        ),
+    ] = None,
+    shares: Annotated[
+        bool,
+        measure_flag(
+            "--shares",
+            "Compute the shares of the basins, not the erosion, over an axis of amplitudes.",
+        ),
+    ] = False,
+    entropy: Annotated[
+        int | None,
+        measure_flag(
+            "--entropy CELLS",
+            "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
+            "states a side, as 20, which must divide the counts of --angles and --velocities.",
+        ),
+    ] = None,
+    exponent: Annotated[
+        bool,
+        measure_flag(
+            "--exponent",
+            "Compute the uncertainty exponent and the dimension of the boundary, by states and by "
+            "boxes; 40 states or more along each axis.",
+        ),
+    ] = False,
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
@@ -167,13 +163,12 @@ def basins(
         else:
             sampling = over.BasinSampling(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
-    sweep.write_netcdf(result.to_dataset)
     if isinstance(result, Basins):
-        _leave_basins(result, output, entropy, exponent=exponent)
+        _leave_basins(result, output, sweep, entropy, exponent=exponent)
     elif isinstance(result, Erosion):
-        _leave_erosion(result, output)
+        _leave_erosion(result, output, sweep)
     else:
-        _leave_shares(result, output, entropy)
+        _leave_shares(result, output, sweep, entropy)
 
 
 def _case(
@@ -246,7 +241,7 @@ def _refuse(
 
 
 def _leave_basins(
-    result: "Basins", output: OutputFlags, entropy: int | None, *, exponent: bool
+    result: "Basins", output: OutputFlags, sweep: SweepFlags, entropy: int | None, *, exponent: bool
 ) -> None:
     """Write the output of basins that the flags request."""
     from rocksteady.show.figures.single import basins_figure
@@ -254,6 +249,7 @@ def _leave_basins(
     description = result.describe()
     entropies = [] if entropy is None else [result.entropy(entropy)]
     exponents = [result.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
+    sweep.write_netcdf(result.to_dataset)
     output.write_csv(result.to_dataframe)
     output.write_plot(lambda page: basins_figure(result, description.headline, page))
     output.leave(
@@ -269,11 +265,14 @@ def _leave_basins(
     )
 
 
-def _leave_shares(shares: "BasinShares", output: OutputFlags, entropy: int | None) -> None:
+def _leave_shares(
+    shares: "BasinShares", output: OutputFlags, sweep: SweepFlags, entropy: int | None
+) -> None:
     """Write the output of shares over a parameter that the flags request."""
     from rocksteady.show.figures.single import shares_figure
 
     description = shares.describe()
+    sweep.write_netcdf(shares.to_dataset)
     entropies = [] if entropy is None else [shares.entropies(entropy).describe()]
     output.write_csv(lambda: description.tables[0])
     output.write_plot(lambda page: shares_figure(shares, description.headline, page))
@@ -287,12 +286,13 @@ def _leave_shares(shares: "BasinShares", output: OutputFlags, entropy: int | Non
     )
 
 
-def _leave_erosion(erosion: "Erosion", output: OutputFlags) -> None:
+def _leave_erosion(erosion: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
     """Write the output of an erosion that the flags request."""
     from rocksteady.show.figures.single import erosion_figure
 
     description = erosion.describe()
     drops = [drop for drop in erosion.drops.values() if drop is not None]
+    sweep.write_netcdf(erosion.to_dataset)
     output.write_csv(lambda: description.tables[0])
     output.write_plot(lambda page: erosion_figure(erosion, drops, description.headline, page))
     output.leave("basins", description, wrap=True)

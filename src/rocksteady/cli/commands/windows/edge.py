@@ -32,40 +32,6 @@ EXAMPLES = (
 )
 edge_flag = options.flags_in("Edge")
 
-OtherFlag = Annotated[
-    str | None,
-    edge_flag(
-        "--other STATE",
-        "Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
-        "default: a state after a kick.",
-    ),
-]
-DirectionFlag = Annotated[
-    str | None,
-    edge_flag("--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."),
-]
-ManifoldsFlag = Annotated[
-    bool,
-    edge_flag(
-        "--manifolds",
-        "Compute the stable and the unstable manifold of the motion on the edge, at the phase "
-        "of the start.",
-    ),
-]
-LengthFlag = Annotated[
-    float | None,
-    edge_flag(
-        "--length X",
-        "Set the length of each branch of --manifolds, in half widths of the window; default 10.",
-    ),
-]
-CyclesFlag = Annotated[
-    int,
-    options.start_flag(
-        "--cycles N", "Set the periods of the shaking after which a motion is taken to stand."
-    ),
-]
-
 
 @grouped
 def edge(
@@ -73,11 +39,40 @@ def edge(
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
-    other: OtherFlag = None,
-    direction: DirectionFlag = None,
-    manifolds: ManifoldsFlag = False,
-    length: LengthFlag = None,
-    cycles: CyclesFlag = 500,
+    other: Annotated[
+        str | None,
+        edge_flag(
+            "--other STATE",
+            "Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
+            "default: a state after a kick.",
+        ),
+    ] = None,
+    direction: Annotated[
+        str | None,
+        edge_flag("--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."),
+    ] = None,
+    manifolds: Annotated[
+        bool,
+        edge_flag(
+            "--manifolds",
+            "Compute the stable and the unstable manifold of the motion on the edge, at the phase "
+            "of the start.",
+        ),
+    ] = False,
+    length: Annotated[
+        float | None,
+        edge_flag(
+            "--length X",
+            "Set the length of each branch of --manifolds, in half widths of the window; default "
+            "10.",
+        ),
+    ] = None,
+    cycles: Annotated[
+        int,
+        options.start_flag(
+            "--cycles N", "Set the periods of the shaking after which a motion is taken to stand."
+        ),
+    ] = 500,
     model: options.Model = "linear",
 ) -> None:
     """Run `rocksteady edge`; `HELP` is what its users read."""
