@@ -72,7 +72,7 @@ def refuse(flags: Mapping[str, object], valid: str, hint: str = "leave it out") 
 
 
 def needs(flag: str, value: object, other: str, example: str = "") -> None:
-    """Refuse a flag that is given without the one that gives it a meaning.
+    """Refuse a flag that has no meaning without another one.
 
     Parameters
     ----------
