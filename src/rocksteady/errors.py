@@ -211,7 +211,7 @@ def with_call_errors(function: Callable[P, T]) -> Callable[P, T]:
         try:
             return function(*args, **kwargs)
         except TypeError:
-            misfit = _call_error(function, args, kwargs)
+            misfit = call_error(function, args, kwargs)
             if misfit is None:
                 raise
         raise misfit
@@ -219,7 +219,7 @@ def with_call_errors(function: Callable[P, T]) -> Callable[P, T]:
     return call
 
 
-def _call_error(
+def call_error(
     function: Callable[..., object], args: tuple[object, ...], kwargs: dict[str, object]
 ) -> InputError | None:
     """Return the error that a call does not fit a signature; None where it does."""

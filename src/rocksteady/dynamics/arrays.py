@@ -4,12 +4,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.sides import restitution_value, wall_restitution_value
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
-from rocksteady.model.checks.validation import LARGEST, in_range, odd_order
+from rocksteady.model.checks.bounds import RESTITUTION, Bounds
+from rocksteady.model.checks.validation import LARGEST, odd_order
 from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 
 Floats = NDArray[np.float64]
+
+AMPLITUDE = Bounds(0.0, LARGEST, "[]", "give a_max/(alpha g)")
+FREQUENCY_RATIO = Bounds(LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p")
 
 HIGHEST_ORDER = 999_999
 """The longest half cycle, in half periods of the shaking."""
@@ -25,18 +28,9 @@ def validated_grid(
     InputError
         If a value is outside its range, or the shapes do not broadcast.
     """
-    amplitudes = checked_array("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
-    ratios = checked_array(
-        "frequency_ratio",
-        frequency_ratio,
-        LOWEST_FREQUENCY_RATIO,
-        HIGHEST_FREQUENCY_RATIO,
-        "omega/p",
-    )
-    restitutions = real_array("restitution", restitution)
-    valid = (restitutions > 0.0) & (restitutions <= 1.0)
-    if not valid.all():
-        restitution_value(restitutions[~valid].flat[0].item())
+    amplitudes = checked_array("amplitude", amplitude, AMPLITUDE)
+    ratios = checked_array("frequency_ratio", frequency_ratio, FREQUENCY_RATIO)
+    restitutions = checked_array("restitution", restitution, RESTITUTION)
     try:
         orders = np.asarray(numeric_array("order", order, None))
     except (UnfitError, ValueError):
@@ -68,20 +62,6 @@ def validated_grid(
     return a, w, r, np.array(np.broadcast_to(orders, shape), dtype=np.int64, order="C")
 
 
-def wall_restitutions(restitution: ArrayLike) -> Floats:
-    """Return restitutions of walls as an array of floats.
-
-    Raises
-    ------
-    InputError
-        If one lies outside [0, 1].
-    """
-    values = real_array("restitution", restitution)
-    for value in values[~((values >= 0.0) & (values <= 1.0))][:1].tolist():
-        wall_restitution_value(value)
-    return values
-
-
 def real_array(name: str, values: ArrayLike) -> Floats:
     """Return real numbers as an array of floats.
 
@@ -98,12 +78,13 @@ def real_array(name: str, values: ArrayLike) -> Floats:
         ) from None
 
 
-def checked_array(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:
+def checked_array(name: str, values: ArrayLike, bounds: Bounds) -> Floats:
     """Return a float array whose values lie in an interval; the first that does not is reported."""
     array = real_array(name, values)
-    valid = (array >= low) & (array <= high)
-    if not valid.all():
-        in_range(name, array[~valid].flat[0].item(), low, high, "[]", hint=f"give {meaning}")
+    above = array >= bounds.low if bounds.ends[0] == "[" else array > bounds.low
+    below = array <= bounds.high if bounds.ends[1] == "]" else array < bounds.high
+    for value in array[~(above & below)][:1].tolist():
+        bounds(name, value)
     return array
 
 

@@ -1,12 +1,13 @@
 """Equations of motion of a block: linear for slender blocks, or the full ones."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
 
@@ -50,19 +51,15 @@ class Nonlinear:
     Nonlinear(tolerance=1e-08)
     """
 
-    tolerance: float = TOLERANCE
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        allowed = in_range(
-            "tolerance",
-            self.tolerance,
+    tolerance: Annotated[
+        float,
+        Bounds(
             LEAST_TOLERANCE,
             LARGEST_TOLERANCE,
             "[]",
-            hint="give the error of the motion that you accept, as 1e-10",
-        )
-        object.__setattr__(self, "tolerance", allowed)
+            "give the error of the motion that you accept, as 1e-10",
+        ),
+    ] = TOLERANCE
 
     @property
     def name(self) -> str:

@@ -2,10 +2,12 @@
 
 import inspect
 import math
+import re
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import pytest
@@ -30,6 +32,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds, Whole
 from tests.every import every
 from tests.public.junk import Quantity
 
@@ -161,6 +164,58 @@ def test_signatures_and_annotations_stay() -> None:
     ]  # fmt: skip
     with pytest.raises(InputError, match=r"cycels = 2 .*simulate has no such .*mean cycles\?"):
         simulate(BLOCK, SHAKING, cycels=2)  # type: ignore[call-arg]
+
+
+def test_a_rule_stands_in_an_annotation_and_the_signature_shows_the_type_alone() -> None:
+    share = Bounds(0.0, 1.0, "(]", "give a share")
+
+    @checked
+    def taken(
+        first: Annotated[float, share],
+        *,
+        last: Annotated[float | None, share] = 0.5,
+        text: str = "",
+    ) -> object:
+        return first, last, text
+
+    @checked
+    @dataclass(frozen=True, kw_only=True)
+    class Kept:
+        part: Annotated[float, share]
+        count: Annotated[int, Whole(1, None, "give 1")] = 1
+
+    assert taken(np.float32(0.5), last=None) == (0.5, None, "")
+    assert str(inspect.signature(taken)) == "(first: float, *, last: float | None = 0.5, text: str = '') -> object"  # fmt: skip  # noqa: E501
+    assert str(inspect.signature(Kept)) == "(*, part: float, count: int = 1) -> None"
+    assert repr(Kept(part=1)) == repr(Kept(part=np.array(1.0), count=np.int8(1)))
+    assert type(replace(Kept(part=1), part=1).part) is float
+    for call, line in (
+        (lambda: taken(0.0), "first = 0.0 is not valid: it must lie in (0, 1]; give a share"),
+        (lambda: taken(0, last=math.nan), "first = 0 is not valid"),
+        (lambda: taken(1.0, last=math.nan), "last = nan is not valid"),
+        (lambda: taken(None), "first = None is not valid: it must lie in (0, 1]"),
+        (lambda: Kept(part=2.0, count=0), "part = 2.0 is not valid"),
+        (lambda: Kept(part=1.0, count=0), "count = 0 is not valid: it must be a whole number of 1"),
+    ):
+        with pytest.raises(InputError, match=re.escape(line)):
+            call()
+
+
+def test_types_come_before_rules_and_a_call_that_does_not_fit_before_both() -> None:
+    @checked
+    def taken(
+        first: Annotated[float, Bounds(0.0, 1.0, "[]", "give 1")], *, names: list[str]
+    ) -> None:
+        pass
+
+    with pytest.raises(InputError, match="names = 1 is not valid"):
+        taken(2.0, names=1)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="names is not given"):
+        taken(2.0)  # type: ignore[call-arg]
+    with pytest.raises(InputError, match="name = 1 is not valid: taken has no such argument"):
+        taken(2.0, names=[], name=1)  # type: ignore[call-arg]
+    with pytest.raises(InputError, match=r"first = 2\.0 is not valid"):
+        taken(2.0, names=[])
 
 
 def test_every_public_function_is_checked() -> None:

@@ -18,7 +18,8 @@ from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import impact_pair, p_value
+from rocksteady.model.blocks.sides import impact_pair
+from rocksteady.model.checks.bounds import P
 from rocksteady.model.motions.base_motion import BaseMotion
 
 if TYPE_CHECKING:
@@ -305,7 +306,7 @@ def _periods(periods_s: str | None, p_rad_s: str | None) -> list[float]:
         return axis("--periods-s", DEFAULT_PERIODS if periods_s is None else periods_s)
     if periods_s is not None:
         raise both("--periods-s", "--p-rad-s", valid="one of the two is the size")
-    return [2.0 * math.pi / p_value(value) for value in axis("--p-rad-s", p_rad_s)]
+    return [2.0 * math.pi / P("p", value) for value in axis("--p-rad-s", p_rad_s)]
 
 
 def _restitution(text: str | None) -> "Restitution":

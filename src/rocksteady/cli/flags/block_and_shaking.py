@@ -18,11 +18,11 @@ from rocksteady.model.blocks.examples import SOURCES, named_block
 from rocksteady.model.blocks.sides import (
     Restitution,
     impact_pair,
-    length_value,
     one_restitution,
     restitution_pair,
 )
 from rocksteady.model.blocks.sizes import METRES, TALL
+from rocksteady.model.checks.bounds import length
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse
@@ -435,7 +435,7 @@ class BlockFlags:
             return None
         width, height = sizes["width"], sizes["height"]
         for name, size in sizes.items():
-            length_value(name, size, hint=f"give the full {name} in metres")
+            length(f"give the full {name} in metres")(name, size)
         offset, centre = self.offset_m or 0.0, self.mass_centre_height_m
         if centre is None:
             centre = 0.5 * height

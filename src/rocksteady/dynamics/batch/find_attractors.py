@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.arrays import real_array, validated_grid, wall_restitutions
+from rocksteady.dynamics.arrays import checked_array, real_array, validated_grid
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.history.lowering import symmetric_sides
@@ -13,6 +13,7 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import WALL_RESTITUTION
 from rocksteady.model.checks.validation import LARGEST
 
 Floats = NDArray[np.float64]
@@ -74,7 +75,7 @@ def find_attractors(
     bounce = restitution if not one_sided else 1.0
     a, w, r, _ = validated_grid(amplitude, frequency_ratio, bounce, 1)
     if one_sided:
-        r = wall_restitutions(restitution)
+        r = checked_array("restitution", restitution, WALL_RESTITUTION)
     states = {"angle": angle, "velocity": velocity, "phase": phase}
     arrays = [a, w, r, *(real_array(name, value) for name, value in states.items())]
     for (name, value), array in zip(states.items(), arrays[3:], strict=True):

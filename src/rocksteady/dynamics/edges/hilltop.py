@@ -28,6 +28,7 @@ from rocksteady.kernels.elementary.arrays import exp, hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import lean_text
@@ -131,7 +132,8 @@ class HilltopSaddle(Result):
         return 1.0 / size, slope / size
 
     def _seen(self, phase: ArrayLike) -> Floats:
-        phases = checked_array("phase", phase, -LARGEST, LARGEST, "a phase in radians")
+        bounds = Bounds(-LARGEST, LARGEST, "[]", "give a phase in radians")
+        phases = checked_array("phase", phase, bounds)
         return phases + (0.0 if self.side > 0 else math.pi)
 
     @property

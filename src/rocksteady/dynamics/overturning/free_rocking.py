@@ -4,15 +4,15 @@ Of slender blocks (the linear model), or of a given slenderness by the full equa
 theta/alpha and time as p t.
 """
 
+from typing import Annotated
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.arrays import real_array
-from rocksteady.errors import InputError
+from rocksteady.dynamics.arrays import checked_array
 from rocksteady.kernels.elementary.arrays import asin, asinh, cos, exp, log, sin
-from rocksteady.model.blocks.sides import alpha_value, restitution_value, wall_restitution_value
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import ALPHA, RESTITUTION, WALL_RESTITUTION, Bounds, Whole
 
 Floats = NDArray[np.float64]
 
@@ -78,10 +78,9 @@ def free_rocking_period(
     array([0.93429, 2.63392, 5.98645])
     """
     flights = 1.0 if one_sided else 2.0  # each up and down again
-    phi = real_array("amplitude_ratio", amplitude_ratio)
-    for value in phi[~((phi >= 0.0) & (phi < 1.0))][:1].tolist():
-        _ratio(value)
-    if alpha is not None and alpha_value(alpha) > SLENDER:
+    bounds = Bounds(0.0, 1.0, "[)", "give theta0/alpha, as 0.5")
+    phi = checked_array("amplitude_ratio", amplitude_ratio, bounds)
+    if alpha is not None and ALPHA("alpha", alpha) > SLENDER:
         return 0.5 * flights * _tilting_period(phi, float(alpha))
     # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi
     period: Floats = 2.0 * flights * asinh(np.asarray(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi)))
@@ -90,7 +89,7 @@ def free_rocking_period(
 
 @checked
 def free_rocking_peaks(
-    amplitude_ratio: float,
+    amplitude_ratio: Annotated[float, Bounds(0.0, 1.0, "[]", "give theta0/alpha, as 0.5")],
     restitution: float,
     impacts: int,
     *,
@@ -139,18 +138,15 @@ def free_rocking_peaks(
     >>> free_rocking_peaks(0.8, 0.5, 4, one_sided=True).round(4)
     array([0.8   , 0.1282, 0.0305, 0.0075, 0.0019])
     """
-    hint = "give theta0/alpha, as 0.5"
-    phi = in_range("amplitude_ratio", amplitude_ratio, 0.0, 1.0, "[]", hint=hint)
-    ratio = (wall_restitution_value if one_sided else restitution_value)(restitution)
-    hint = "give a number of impacts"
-    count = whole_number("impacts", impacts, at_least=0, at_most=MOST_IMPACTS, hint=hint)
+    ratio = (WALL_RESTITUTION if one_sided else RESTITUTION)("restitution", restitution)
+    count = Whole(0, MOST_IMPACTS, "give a number of impacts")("impacts", impacts)
     kept = np.zeros(count + 1)
     kept[0] = 1.0
     if ratio > 0.0:
         kept = exp(2.0 * log(ratio) * np.arange(count + 1))
-    if alpha is not None and alpha_value(alpha) > SLENDER:
-        return _tilting_peaks(phi, kept, float(alpha))
-    energy = phi * (2.0 - phi) * kept
+    if alpha is not None and ALPHA("alpha", alpha) > SLENDER:
+        return _tilting_peaks(amplitude_ratio, kept, float(alpha))
+    energy = amplitude_ratio * (2.0 - amplitude_ratio) * kept
     # 1 - sqrt(1 - q) without its cancellation
     peaks: Floats = energy / (1.0 + np.sqrt(np.maximum(1.0 - energy, 0.0)))
     return peaks
@@ -194,9 +190,7 @@ def equivalent_damping(restitution: ArrayLike) -> Floats:
     >>> (100 * equivalent_damping(ratios)).round(3)
     array([ 3.147,  7.201, 13.12 ])
     """
-    ratio = real_array("restitution", restitution)
-    for value in ratio[~((ratio > 0.0) & (ratio <= 1.0))][:1].tolist():
-        restitution_value(value)
+    ratio = checked_array("restitution", restitution, RESTITUTION)
     damping: Floats = np.abs(-0.68 * log(ratio))  # of 1 it is 0, not -0
     return damping
 
@@ -239,10 +233,3 @@ def _elliptic(y: Floats, z: Floats) -> Floats:
     series = second * (second / 24.0 - 0.1 - 3.0 * third / 44.0) + third / 14.0
     integral: Floats = (1.0 + series) / np.sqrt(mean)
     return integral
-
-
-def _ratio(value: object) -> None:
-    """Refuse an amplitude outside [0, 1)."""
-    hint = "give theta0/alpha, as 0.5"
-    in_range("amplitude_ratio", value, 0.0, 1.0, "[)", hint=hint)
-    raise InputError("amplitude_ratio", value, "it must be a number", hint)

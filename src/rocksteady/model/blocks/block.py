@@ -10,6 +10,8 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Annotated
 
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
@@ -18,21 +20,14 @@ from rocksteady.model.blocks.sides import (
     Restitution,
     Restitutions,
     Side,
-    alpha_value,
     check_one_body,
-    gravity_value,
     has_factor,
     housner_restitution,
-    length_value,
     one_restitution,
-    p_value,
-    radius_value,
     ratios_of,
     restitution_pair,
-    restitution_value,
     sides_of_body,
     wall_ratio,
-    wall_restitution_value,
 )
 from rocksteady.model.blocks.sizes import (
     check_inertia,
@@ -43,6 +38,15 @@ from rocksteady.model.blocks.sizes import (
     refuse_stocky,
 )
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import (
+    ALPHA,
+    GRAVITY,
+    RADIUS,
+    RESTITUTION,
+    P,
+    length,
+    restitution_of_wall,
+)
 from rocksteady.model.checks.validation import positive
 
 STANDARD_GRAVITY = 9.80665
@@ -105,14 +109,11 @@ class Block(Measured):
     negative: Side
     gravity: float = STANDARD_GRAVITY
     housner_factor: float | None = field(default=None, compare=False)
-    wall_restitution: float | None = None
+    wall_restitution: Annotated[float | None, restitution_of_wall] = None
 
     def __post_init__(self) -> None:
         """Validate."""
-        if self.wall_restitution is not None:
-            wall = wall_restitution_value(self.wall_restitution, name="wall_restitution")
-            object.__setattr__(self, "wall_restitution", wall)
-        object.__setattr__(self, "gravity", gravity_value(self.gravity))
+        object.__setattr__(self, "gravity", GRAVITY("gravity", self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
         factor, wall_side = self.housner_factor, self.wall_restitution
         if factor is not None:
@@ -141,8 +142,8 @@ class Block(Measured):
     def rectangle(
         cls,
         *,
-        width: float,
-        height: float,
+        width: Annotated[float, length("give the full width in metres")],
+        height: Annotated[float, length("give the full height in metres")],
         restitution: Restitution = "housner",
         gravity: float = STANDARD_GRAVITY,
     ) -> "Block":
@@ -164,13 +165,11 @@ class Block(Measured):
             If a size is not a positive number, a restitution lies outside (0, 1], or Housner's
             value is not positive (a block so stocky does not rock).
         """
-        b = length_value("width", width, hint="give the full width in metres")
-        h = length_value("height", height, hint="give the full height in metres")
-        question_millimetres({"width": b, "height": h}, height=h)
-        alpha = atan2(b, h)
+        question_millimetres({"width": width, "height": height}, height=height)
+        alpha = atan2(width, height)
         if housner_factor(restitution) is not None:
-            refuse_stocky(b, h, alpha)
-        return cls._homogeneous(alpha, 0.5 * hypot(b, h), restitution, gravity)
+            refuse_stocky(width, height, alpha)
+        return cls._homogeneous(alpha, 0.5 * hypot(width, height), restitution, gravity)
 
     @classmethod
     def from_radius(
@@ -197,9 +196,9 @@ class Block(Measured):
         cls,
         *,
         alpha: float,
-        p: float,
+        p: Annotated[float, P],
         restitution: Restitution = "housner",
-        gravity: float = STANDARD_GRAVITY,
+        gravity: Annotated[float, GRAVITY] = STANDARD_GRAVITY,
     ) -> "Block":
         """Return the homogeneous rectangle of slenderness `alpha` [rad] and parameter `p` [rad/s].
 
@@ -208,15 +207,13 @@ class Block(Measured):
         InputError
             As for `from_radius`; `p` must be a positive number.
         """
-        rate = p_value(p)
-        g = gravity_value(gravity)
-        return cls._symmetric(alpha, 0.75 * g / (rate * rate), rate, restitution, g)
+        return cls._symmetric(alpha, 0.75 * gravity / (p * p), p, restitution, gravity)
 
     @classmethod
     def general(
         cls,
         *,
-        mass: float,
+        mass: Annotated[float, partial(positive, hint="give the mass in kg")],
         inertia: float,
         radius: float,
         alpha: float,
@@ -249,12 +246,11 @@ class Block(Measured):
         ModelError
             If the inertia is below M R^2, which no body has.
         """
-        m = positive("mass", mass, hint="give the mass in kg")
         i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
-        r = radius_value(radius)
-        check_inertia(inertia, m * r * r)
-        g = gravity_value(gravity)
-        made = cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
+        r = RADIUS("radius", radius)
+        check_inertia(inertia, mass * r * r)
+        g = GRAVITY("gravity", gravity)
+        made = cls._symmetric(alpha, r, math.sqrt(mass * g * r / i), restitution, g)
         question_millimetres({"radius": r}, height=made.height)
         return made
 
@@ -321,8 +317,8 @@ class Block(Measured):
     def from_alphas(
         cls,
         *,
-        positive: float,
-        negative: float,
+        positive: Annotated[float, ALPHA],
+        negative: Annotated[float, ALPHA],
         radius: float | None = None,
         p: float | None = None,
         gyration: float | None = None,
@@ -358,24 +354,22 @@ class Block(Measured):
         >>> print(f"{block.negative.radius:.4f} m, {block.p:.4f} and {block.negative.p:.4f} rad/s")
         1.0259 m, 2.7041 and 2.6868 rad/s
         """
-        first = alpha_value(positive, "positive")
-        second = alpha_value(negative, "negative")
         check_one_size(radius=radius, p=p, gyration=gyration)
-        if first == second and p is not None:
-            return cls._alike(cls.from_p, restitution, gravity, alpha=first, p=p)
-        if first == second and radius is not None and gyration is None:
-            return cls._alike(cls.from_radius, restitution, gravity, alpha=first, radius=radius)
-        g = gravity_value(gravity)
+        if positive == negative and p is not None:
+            return cls._alike(cls.from_p, restitution, gravity, alpha=positive, p=p)
+        if positive == negative and radius is not None and gyration is None:
+            return cls._alike(cls.from_radius, restitution, gravity, alpha=positive, radius=radius)
+        g = GRAVITY("gravity", gravity)
         if radius is not None:
-            length = radius_value(radius)
+            r = RADIUS("radius", radius)
         else:
             assert p is not None
-            length = radius_of_p(p, first, second, g)
-        centre = length * cos(first)
-        left, right = length * sin(first), centre * tan(second)
+            r = radius_of_p(p, positive, negative, g)
+        centre = r * cos(positive)
+        left, right = r * sin(positive), centre * tan(negative)
         made = cls._asymmetric(left, right, 2.0 * centre, gyration, restitution, g)
         if radius is not None:
-            question_millimetres({"radius": length}, height=made.height)
+            question_millimetres({"radius": r}, height=made.height)
         return made
 
     @classmethod
@@ -390,7 +384,7 @@ class Block(Measured):
     ) -> "Block":
         """Return what `asymmetric` does, of whatever size."""
         b1, b2, h, k = lengths_of(left, right, height, gyration)
-        g = gravity_value(gravity)
+        g = GRAVITY("gravity", gravity)
         # A symmetric block is computed in one way, whichever constructor makes it.
         if b1 == b2 and k is None:
             radius, alpha = 0.5 * hypot(2.0 * b1, h), atan2(2.0 * b1, h)
@@ -417,8 +411,8 @@ class Block(Measured):
         cls, alpha: float, radius: float, restitution: Restitution, gravity: float
     ) -> "Block":
         """Return what `from_radius` does, of whatever size."""
-        r = radius_value(radius)
-        g = gravity_value(gravity)
+        r = RADIUS("radius", radius)
+        g = GRAVITY("gravity", gravity)
         return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
 
     @classmethod
@@ -440,10 +434,10 @@ class Block(Measured):
         cls, alpha: float, radius: float, p: float, restitution: Restitution, gravity: float
     ) -> "Block":
         """Return the block whose sides are both made of these."""
-        angle = alpha_value(alpha)
+        angle = ALPHA("alpha", alpha)
         factor = housner_factor(restitution)
         if factor is None:
-            ratio = restitution_value(restitution)
+            ratio = RESTITUTION("restitution", restitution)
         else:
             whole = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
             ratio = restitution_of(factor, whole)
@@ -475,7 +469,7 @@ class Block(Measured):
         """
         factor = housner_factor(restitution)
         if factor is None:
-            ratio = wall_restitution_value(restitution)
+            ratio = restitution_of_wall("restitution", restitution)
         else:
             ratio = restitution_of(factor, wall_ratio(self.positive, self.negative, self.gravity))
         return replace(self, wall_restitution=ratio, housner_factor=noted(restitution))

@@ -3,9 +3,8 @@
 from dataclasses import dataclass, replace
 
 from rocksteady.errors import ModelError
-from rocksteady.model.blocks.sides import restitution_value, wall_restitution_value
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import RESTITUTION, Bounds, restitution_of_wall
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -14,6 +13,16 @@ SideRow = tuple[float, float, float]
 """Restitution, alpha over the reference alpha, p over the reference p."""
 
 LARGEST_RATIO = 100.0
+
+_OF_SIDES = Bounds(
+    1.0 / LARGEST_RATIO, LARGEST_RATIO, "[]", "give the negative side's over the positive side's"
+)
+_RULES = {
+    "restitution": RESTITUTION,
+    "negative_restitution": RESTITUTION,
+    "alpha_ratio": _OF_SIDES,
+    "p_ratio": _OF_SIDES,
+}
 
 
 @checked
@@ -61,23 +70,14 @@ class DimensionlessBlock(Result):
     def __post_init__(self) -> None:
         """Validate."""
         if self.one_sided:
-            object.__setattr__(self, "restitution", wall_restitution_value(self.restitution))
+            ratio = restitution_of_wall("restitution", self.restitution)
+            object.__setattr__(self, "restitution", ratio)
             self._refuse_another_side()
             return
-        object.__setattr__(self, "restitution", restitution_value(self.restitution))
-        if self.negative_restitution is not None:
-            negative = restitution_value(self.negative_restitution, name="negative_restitution")
-            object.__setattr__(self, "negative_restitution", negative)
-        for name in ("alpha_ratio", "p_ratio"):
-            ratio = in_range(
-                name,
-                getattr(self, name),
-                1.0 / LARGEST_RATIO,
-                LARGEST_RATIO,
-                "[]",
-                hint="give the negative side's over the positive side's",
-            )
-            object.__setattr__(self, name, ratio)
+        for name, rule in _RULES.items():
+            value = getattr(self, name)
+            if value is not None or name != "negative_restitution":
+                object.__setattr__(self, name, rule(name, value))
 
     def _refuse_another_side(self) -> None:
         """Refuse numbers of a side that a block against a wall does not have."""

@@ -6,12 +6,13 @@ to the right (positive) drives; the negative side is rotation about the right ed
 
 import math
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.housner_forms import Housner, housner_factor, restitution_of
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
 
 SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
@@ -23,34 +24,6 @@ factor of it as ("housner", 0.965)."""
 
 Restitutions = Restitution | tuple[float, float]
 """One for both impacts, or a pair: of the impact that ends positive rotation, and of the other."""
-
-
-def restitution_value(value: object, *, name: str = "restitution") -> float:
-    """Return a restitution in (0, 1], the ratio of angular velocities after and before an impact.
-
-    Raises
-    ------
-    InputError
-        If `value` is not a number in (0, 1].
-    """
-    hint = (
-        "give the ratio of the angular velocities after and before an impact; a ratio of energies "
-        "r is its square, so take sqrt(r)"
-    )
-    return in_range(name, value, 0.0, 1.0, "(]", hint=hint)
-
-
-def wall_restitution_value(value: object, *, name: str = "restitution") -> float:
-    """Return the restitution of a wall in [0, 1]; 0 of a wall off which a block does not rebound.
-
-    Raises
-    ------
-    InputError
-        If `value` is not a number in [0, 1].
-    """
-    hint = "give the ratio of the angular velocities after and before the impact on the wall"
-    # The sum makes 0 of -0, which would else be written into tables and stores.
-    return in_range(name, value, 0.0, 1.0, "[]", hint=hint) + 0.0
 
 
 @checked
@@ -78,17 +51,10 @@ class Side:
         positive.
     """
 
-    alpha: float
-    radius: float
-    p: float
-    restitution: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "alpha", alpha_value(self.alpha))
-        object.__setattr__(self, "radius", radius_value(self.radius))
-        object.__setattr__(self, "p", p_value(self.p))
-        object.__setattr__(self, "restitution", restitution_value(self.restitution))
+    alpha: Annotated[float, ALPHA]
+    radius: Annotated[float, RADIUS]
+    p: Annotated[float, P]
+    restitution: Annotated[float, RESTITUTION]
 
     @property
     def distance(self) -> float:
@@ -242,10 +208,10 @@ def impact_restitution(
     >>> print(f"{impact_restitution((0.2, 0.3), (1.0, 1.02588), gyration=0.58):.6f}")
     0.890458
     """
-    angles = tuple([alpha_value(alpha, "alphas") for alpha in alphas])
-    hint = "give the distances from both pivots to the mass centre in metres"
-    lengths = tuple([length_value("radii", radius, hint=hint) for radius in radii])
-    k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+    angles = tuple([ALPHA("alphas", alpha) for alpha in alphas])
+    distance = length("give the distances from both pivots to the mass centre in metres")
+    lengths = tuple([distance("radii", radius) for radius in radii])
+    k = GYRATION("gyration", gyration)
     ratio = impact_ratio(angles, lengths, k)
     if ratio <= 0.0:
         raise InputError(
@@ -294,10 +260,10 @@ def housner_restitution(
     0.954769
     """
     ratio = housner_ratio(
-        alpha_value(alpha),
-        p=p_value(p),
-        radius=radius_value(radius),
-        gravity=gravity_value(gravity),
+        ALPHA("alpha", alpha),
+        p=P("p", p),
+        radius=RADIUS("radius", radius),
+        gravity=GRAVITY("gravity", gravity),
     )
     if ratio <= 0.0:
         raise InputError(
@@ -459,36 +425,7 @@ def restitution_pair(value: object) -> tuple[float, float]:
                 "there are two impacts: the end of positive and the end of negative rotation",
                 "give one number for both, or a pair of them",
             )
-        return restitution_value(value[0]), restitution_value(value[1])
-    ratios = restitution_value(value)
+        first, second = value
+        return RESTITUTION("restitution", first), RESTITUTION("restitution", second)
+    ratios = RESTITUTION("restitution", value)
     return ratios, ratios
-
-
-def alpha_value(value: float, name: str = "alpha") -> float:
-    """Return a slenderness inside (0, pi/2)."""
-    hint = "give the angle in radians at which the mass centre stands above the pivot"
-    return in_range(name, value, 0.0, 0.5 * math.pi, "()", hint=hint)
-
-
-def radius_value(value: float) -> float:
-    """Return a positive distance from a pivot to the mass centre."""
-    return length_value(
-        "radius", value, hint="give the distance from pivot to mass centre in metres"
-    )
-
-
-def length_value(name: str, value: object, *, hint: str) -> float:
-    """Return a length whose square and inverse square are numbers too."""
-    return in_range(name, value, 1e-50, 1e50, "[]", hint=hint)
-
-
-def p_value(value: float) -> float:
-    """Return a frequency parameter."""
-    hint = "give the frequency parameter sqrt(M g R / I_0) in rad/s"
-    return in_range("p", value, 1e-6, 1e6, "[]", hint=hint)
-
-
-def gravity_value(value: float) -> float:
-    """Return a positive acceleration of gravity."""
-    hint = "give the acceleration of gravity in m/s^2"
-    return in_range("gravity", value, 1e-50, 1e50, "[]", hint=hint)

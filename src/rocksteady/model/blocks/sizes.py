@@ -5,7 +5,8 @@ from collections.abc import Mapping
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.sides import housner_ratio, length_value, p_value
+from rocksteady.model.blocks.sides import housner_ratio
+from rocksteady.model.checks.bounds import GYRATION, P, length
 
 TALLEST = 200.0
 """Of the standing towers and obelisks none is taller [m]."""
@@ -76,7 +77,7 @@ def radius_of_p(p: float, alpha: float, other_alpha: float, gravity: float) -> f
     gravity
         g [m/s^2].
     """
-    rate = p_value(p)
+    rate = P("p", p)
     height = cos(alpha)
     base = sin(alpha) + height * tan(other_alpha)
     shape = (base * base + 4.0 * height * height) / 12.0
@@ -110,13 +111,10 @@ def lengths_of(
     InputError
         If one is not positive.
     """
-    b1 = length_value("left", left, hint="give the distance of the left edge in metres")
-    b2 = length_value("right", right, hint="give the distance of the right edge in metres")
-    h = length_value("height", height, hint="give twice the height of the mass centre in metres")
-    k = None
-    if gyration is not None:
-        k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
-    return b1, b2, h, k
+    b1 = length("give the distance of the left edge in metres")("left", left)
+    b2 = length("give the distance of the right edge in metres")("right", right)
+    h = length("give twice the height of the mass centre in metres")("height", height)
+    return b1, b2, h, None if gyration is None else GYRATION("gyration", gyration)
 
 
 def refuse_stocky(width: float, height: float, alpha: float) -> None:

@@ -1,8 +1,9 @@
 """Type checks of public arguments, derived from the annotations of each signature.
 
 A value of the wrong type is refused where it enters, by one line that names the argument, and not
-by a traceback from deep inside.  What a number may be is checked by the validators of
-`rocksteady.model.checks.validation`, in the functions themselves, whose hints name its unit.
+by a traceback from deep inside.  What a number may be stands in its annotation, as a rule of
+`rocksteady.model.checks.bounds`, or is checked by the validators of
+`rocksteady.model.checks.validation` in the function itself; their hints name its unit.
 """
 
 import functools
@@ -18,7 +19,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin
 
-from rocksteady.errors import InputError, with_call_errors
+from rocksteady.errors import InputError, RocksteadyError, call_error, with_call_errors
 from rocksteady.model.checks._signatures import readable
 from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
@@ -28,6 +29,7 @@ from rocksteady.model.checks.arrays import (
     refuse_mask_and_unit,
     scalar_of,
 )
+from rocksteady.model.checks.bounds import Rule
 
 T = TypeVar("T")
 
@@ -67,8 +69,9 @@ LONGEST_NAME: Final = 255
 def checked(target: T) -> T:
     """Check the argument types of a function, or of a class's constructor and public methods.
 
-    The signature stays as it is.  Numbers, and numbers in place of texts, are left to the
-    function's own validators, whose hints are more specific.
+    The signature shows types alone: the rules in annotations are taken off, and hold after the
+    types of all arguments, in the order of the arguments.  Numbers without a rule, and numbers in
+    place of texts, are left to the function's own validators.
     """
     guarded: T = _checked(target, numbers=False)
     return guarded
@@ -99,24 +102,29 @@ def _checked(target: Any, *, numbers: bool) -> Any:
 def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., Any]:
     """Return a function that checks its arguments first; the function itself if none has a type."""
     plan: list[tuple[str, int, bool, Fit]] | None = None
+    rules = _taken_rules(function)
     # The wrapper has the globals of the function's module, not of this one.
     made, inner = _plan, with_call_errors(function)
+    broken, misfit = _BrokenRuleError, call_error
 
     def call(*args, **kwargs):  # type: ignore[no-untyped-def]
         nonlocal plan
         if plan is None:
-            plan = made(function, numbers)
+            plan = made(function, numbers, rules)
         given = args
-        for name, place, variadic, fit in plan:
-            if name in kwargs:
-                kwargs[name] = fit(name, kwargs[name])
-            elif variadic:
-                fits = tuple([fit(name, value) for value in given[place:]])
-                given = given[:place] + fits
-            elif 0 <= place < len(given):
-                value = fit(name, given[place])
-                if value is not given[place]:
-                    given = (*given[:place], value, *given[place + 1 :])
+        try:
+            for name, place, variadic, fit in plan:
+                if name in kwargs:
+                    kwargs[name] = fit(name, kwargs[name])
+                elif variadic:
+                    fits = tuple([fit(name, value) for value in given[place:]])
+                    given = given[:place] + fits
+                elif 0 <= place < len(given):
+                    value = fit(name, given[place])
+                    if value is not given[place]:
+                        given = (*given[:place], value, *given[place + 1 :])
+        except broken as rule:
+            raise misfit(function, given, kwargs) or rule.args[0] from None
         return inner(*given, **kwargs)
 
     # Finders of doctests know a module's functions by their globals.
@@ -126,12 +134,38 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
     return functools.wraps(function)(local)
 
 
-def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, bool, Fit]]:
-    """Return name, place (-1 of a keyword), whether it is ``*args``, and the check of each."""
+class _BrokenRuleError(Exception):
+    """The error of a rule, which a call that does not fit the signature comes before."""
+
+
+def _taken_rules(function: Callable[..., Any]) -> dict[str, Rule]:
+    """Take the rules off the annotations of a function, and return them by argument."""
+    rules = {}
+    for name, annotation in function.__annotations__.items():
+        for rule in getattr(annotation, "__metadata__", ()):
+            rules[name] = rule
+            function.__annotations__[name] = annotation.__origin__
+    return rules
+
+
+def _plan(
+    function: Callable[..., Any], numbers: bool, rules: Mapping[str, Rule]
+) -> list[tuple[str, int, bool, Fit]]:
+    """Return name, place (-1 of a keyword), whether it is ``*args``, and the check of each.
+
+    First come the types of all, then the rules.
+    """
     plan: list[tuple[str, int, bool, Fit]] = []
+    ruled: list[tuple[str, int, bool, Fit]] = []
     for place, parameter in enumerate(inspect.signature(function).parameters.values()):
+        variadic = parameter.kind is parameter.VAR_POSITIONAL
+        at = -1 if parameter.kind is parameter.KEYWORD_ONLY else place
+        if parameter.name in rules:
+            optional = types.NoneType in get_args(parameter.annotation)
+            rule = _ruled(rules[parameter.name], parameter.default, optional)
+            ruled.append((parameter.name, at, variadic, rule))
         fit = _fit_of(parameter.annotation, function.__globals__, numbers)
-        if fit is None:
+        if fit is None or parameter.kind is parameter.VAR_KEYWORD:
             continue
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
@@ -140,12 +174,22 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
         measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
         if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
             fit = _kept
-        variadic = parameter.kind is parameter.VAR_POSITIONAL
-        by_name = parameter.kind is parameter.KEYWORD_ONLY
-        if parameter.kind is not parameter.VAR_KEYWORD:
-            check = _reported(fit, parameter.default)
-            plan.append((parameter.name, -1 if by_name else place, variadic, check))
-    return plan
+        plan.append((parameter.name, at, variadic, _reported(fit, parameter.default)))
+    return plan + ruled
+
+
+def _ruled(rule: Rule, default: object, optional: bool) -> Fit:
+    """Return the check of a rule, which a default passes, and None where the type has it."""
+
+    def check(name: str, value: Any) -> Any:
+        if value is default or (optional and value is None):
+            return value
+        try:
+            return rule(name, value)
+        except RocksteadyError as error:
+            raise _BrokenRuleError(error) from None
+
+    return check
 
 
 def _reported(fit: Fit, default: object) -> Fit:

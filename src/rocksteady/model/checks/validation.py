@@ -102,6 +102,8 @@ def in_range(
     InputError
         If `value` is not a finite real number of the interval.
     """
+    if type(value) is float and low < value < high:
+        return value  # most are
     valid = f"it must lie in {ends[0]}{low:.15g}, {high:.15g}{ends[1]}"
     number = _finite(name, value, valid, hint)
     above = number >= low if ends[0] == "[" else number > low

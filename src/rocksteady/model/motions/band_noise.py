@@ -2,8 +2,8 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, overload
+from functools import cached_property, lru_cache, partial
+from typing import TYPE_CHECKING, Annotated, overload
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import log, sincos
@@ -12,7 +12,6 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import (
     LARGEST,
     in_range,
-    is_pair,
     non_negative,
     positive,
     whole_number,
@@ -113,8 +112,6 @@ class BandNoise:
     def __post_init__(self) -> None:
         """Validate."""
         hint = "give the lowest and the highest omega/p, as (1.0, 20.0)"
-        if not is_pair(self.band):
-            raise InputError("band", self.band, "it must be a pair", hint)
         low = in_range(
             "band", self.band[0], LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[)", hint=hint
         )
@@ -163,7 +160,7 @@ class BandNoise:
         cls,
         block: Block,
         *,
-        rms_m_s2: float,
+        rms_m_s2: Annotated[float, partial(non_negative, hint="give it in m/s^2")],
         band_hz: tuple[float, float],
         duration_s: float,
         seed: int,
@@ -198,17 +195,13 @@ class BandNoise:
         >>> round(noise.rms * block.uplift_acceleration, 12), round(noise.duration / block.p, 12)
         (0.3, 20.0)
         """
-        if not is_pair(band_hz):
-            hint = "give the lowest and the highest frequency in Hz, as (0.5, 10.0)"
-            raise InputError("band_hz", band_hz, "it must be a pair", hint)
-        a = non_negative("rms_m_s2", rms_m_s2, hint="give it in m/s^2")
         low, high = (
             Harmonic.from_si(block, acceleration_m_s2=0.0, frequency_hz=hertz).frequency_ratio
             for hertz in band_hz
         )
         length = positive("duration_s", duration_s, hint="give it in seconds")
         return cls(
-            rms=a / block.uplift_acceleration,
+            rms=rms_m_s2 / block.uplift_acceleration,
             band=(low, high),
             duration=length * block.p,
             seed=seed,

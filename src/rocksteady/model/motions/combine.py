@@ -4,11 +4,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
-from typing import TYPE_CHECKING, overload
+from typing import TYPE_CHECKING, Annotated, overload
 
 from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._sampled import polyline
 from rocksteady.model.motions.harmonics import HIGHEST_ORDER
@@ -28,6 +29,8 @@ SUM_TOLERANCE = 1e-6
 
 SAME_FREQUENCY = 1e-12
 """Frequencies whose relative distance is below this differ by rounding."""
+
+_TIME = Bounds(0.0, LONGEST_DURATION, "[]", "give a pivot time p t")
 
 _SAME_TIME = 1e-12
 """Times whose relative distance is below this differ by rounding."""
@@ -86,7 +89,7 @@ def scale_motion(motion: "Motion | Record", factor: float) -> "Piecewise | Recor
 
 
 @checked
-def delay_motion(motion: Motion, by: float) -> Piecewise:
+def delay_motion(motion: Motion, by: Annotated[float, _TIME]) -> Piecewise:
     """Return a base motion that begins later, after a still base.
 
     Parameters
@@ -108,13 +111,12 @@ def delay_motion(motion: Motion, by: float) -> Piecewise:
     >>> [piece.duration for piece in delay_motion(pulse, 0.5).segments()]
     [0.5, 1.5707963267948966]
     """
-    wait = in_range("by", by, 0.0, LONGEST_DURATION, "[]", hint="give a pivot time p t")
-    still = (Segment(duration=wait),) if wait > 0.0 else ()
+    still = (Segment(duration=by),) if by > 0.0 else ()
     return Piecewise(pieces=still + _segments(motion))
 
 
 @checked
-def cut_motion(motion: Motion, at: float) -> Piecewise:
+def cut_motion(motion: Motion, at: Annotated[float, _TIME]) -> Piecewise:
     """Return a base motion up to a time, followed by a still base.
 
     Parameters
@@ -140,13 +142,12 @@ def cut_motion(motion: Motion, at: float) -> Piecewise:
     >>> [round(piece.duration, 6) for piece in five.segments()]
     [7.853982]
     """
-    end = in_range("at", at, 0.0, LONGEST_DURATION, "[]", hint="give a pivot time p t")
     kept: list[Segment] = []
     begun = 0.0
     for piece in _segments(motion):
-        if begun >= end:
+        if begun >= at:
             break
-        left = end - begun
+        left = at - begun
         # A rest that rounding leaves is no segment.
         whole = piece.duration <= left * (1.0 + _SAME_TIME)
         kept.append(piece if whole else replace(piece, duration=left))

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
@@ -12,7 +12,14 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, whole_number
 from rocksteady.model.motions.harmonics import HIGHEST_ORDER, Harmonics, harmonics_value
-from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, Harmonic, Segment
+from rocksteady.model.motions.segments import (
+    AMPLITUDE,
+    FREQUENCY_RATIO,
+    HIGHEST_FREQUENCY_RATIO,
+    PHASE,
+    Harmonic,
+    Segment,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -62,18 +69,13 @@ class FourierSeries:
     1.558846 1.047198
     """
 
-    amplitude: float
-    frequency_ratio: float
+    amplitude: Annotated[float, AMPLITUDE]
+    frequency_ratio: Annotated[float, FREQUENCY_RATIO]
     harmonics: Harmonics
-    phase: float = 0.0
+    phase: Annotated[float, PHASE] = 0.0
 
     def __post_init__(self) -> None:
-        """Validate."""
-        scale = Harmonic(
-            amplitude=self.amplitude, frequency_ratio=self.frequency_ratio, phase=self.phase
-        )
-        for name in ("amplitude", "frequency_ratio", "phase"):
-            object.__setattr__(self, name, getattr(scale, name))
+        """Validate the harmonics."""
         waves = harmonics_value(self.harmonics)
         object.__setattr__(self, "harmonics", waves)
         if waves[-1][0] * self.frequency_ratio > HIGHEST_FREQUENCY_RATIO:

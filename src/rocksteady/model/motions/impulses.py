@@ -2,11 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from functools import partial
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
 from rocksteady.model.motions.segments import LONGEST_DURATION, Segment
 
@@ -48,12 +48,6 @@ class Impulses:
 
     def __post_init__(self) -> None:
         """Validate."""
-        for name in ("velocities", "times"):
-            given: object = getattr(self, name)
-            if not isinstance(given, tuple | list):
-                hint = f"give {name}=(...,)"
-                valid = "it must be a sequence of numbers"
-                raise InputError(name, given, valid, hint)
         if len(self.velocities) != len(self.times) or not self.times:
             raise InputError(
                 "times",
@@ -61,9 +55,9 @@ class Impulses:
                 f"there must be one for each of {len(self.velocities)} velocities",
                 "give as many times as velocities, at least one",
             )
-        hint = "give a number in units of alpha g/p"
-        check = partial(in_range, "velocities", low=-LARGEST, high=LARGEST, ends="[]", hint=hint)
-        object.__setattr__(self, "velocities", tuple(check(value) for value in self.velocities))
+        rule = Bounds(-LARGEST, LARGEST, "[]", "give a number in units of alpha g/p")
+        velocities = tuple(rule("velocities", value) for value in self.velocities)
+        object.__setattr__(self, "velocities", velocities)
         times, last = [], -1.0
         for given_time in self.times:
             hint = "give pivot times p t in order"

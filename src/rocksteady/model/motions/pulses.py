@@ -3,16 +3,20 @@
 import math
 import re
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
+from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, positive
+from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions import _pulse_shapes
 from rocksteady.model.motions.segments import (
+    AMPLITUDE,
     HIGHEST_FREQUENCY_RATIO,
     LOWEST_FREQUENCY_RATIO,
+    PHASE,
     Harmonic,
     Segment,
 )
@@ -25,8 +29,33 @@ HIGHEST_PULSE_RATIO = 0.5 * HIGHEST_FREQUENCY_RATIO
 PULSES = {name: words for name, (_, words) in _pulse_shapes.CLOSED.items()} | _pulse_shapes.WAVELETS
 """The shape of each named pulse in words; type-c4 and so on go on in the same way."""
 
-LEAST_TOLERANCE = 1e-8
+PULSE_RATIO = Bounds(
+    LOWEST_FREQUENCY_RATIO,
+    HIGHEST_PULSE_RATIO,
+    "[]",
+    "give omega/p, 2 pi over the pulse's period over the block's p",
+)
+TOLERANCE = Bounds(1e-8, 0.1, "[]", "give a small part of the amplitude, as 1e-6")
 """Wavelets are not sampled finer: a Ricker wavelet is then 90 000 lines."""
+
+_OF_ONE_SHAPE = {
+    "oscillations": Bounds(
+        1.0, MOST_OSCILLATIONS, "(]", "give gamma, about the number of half cycles; 2 is usual"
+    ),
+    "phase": PHASE,
+}
+
+
+def _known(name: str, value: object) -> str:
+    """Return the name of a pulse."""
+    if not isinstance(value, str) or (value not in PULSES and _type_c(value) is None):
+        raise InputError(
+            name,
+            value,
+            "there is no pulse of that name",
+            "choose one of " + ", ".join(PULSES) + ", or type-c4 to type-c99",
+        )
+    return value
 
 
 @checked
@@ -76,39 +105,17 @@ class Pulse:
     .. [3] G. P. Mavroeidis and A. S. Papageorgiou, Bull. Seism. Soc. Am. 93, 1099-1131 (2003).
     """
 
-    shape: str
-    amplitude: float
-    frequency_ratio: float
+    shape: Annotated[str, _known]
+    amplitude: Annotated[float, AMPLITUDE]
+    frequency_ratio: Annotated[float, PULSE_RATIO]
     oscillations: float | None = None
     phase: float | None = None
-    tolerance: float = 1e-6
+    tolerance: Annotated[float, TOLERANCE] = 1e-6
     reverse: bool = False
 
     def __post_init__(self) -> None:
-        """Validate."""
-        known: object = self.shape
-        if not isinstance(known, str) or (known not in PULSES and _type_c(known) is None):
-            raise InputError(
-                "shape",
-                self.shape,
-                "there is no pulse of that name",
-                "choose one of " + ", ".join(PULSES) + ", or type-c4 to type-c99",
-            )
-        sign: object = self.reverse
-        if not isinstance(sign, bool):
-            hint = "give True for a pulse of the other sign"
-            raise InputError("reverse", self.reverse, "it must be True or False", hint)
-        # One place defines the range of an amplitude.
-        like = Harmonic(amplitude=self.amplitude, frequency_ratio=1.0)
-        object.__setattr__(self, "amplitude", like.amplitude)
-        lowest, highest = LOWEST_FREQUENCY_RATIO, HIGHEST_PULSE_RATIO
-        hint = "give omega/p, 2 pi over the pulse's period over the block's p"
-        ratio = in_range("frequency_ratio", self.frequency_ratio, lowest, highest, "[]", hint=hint)
-        object.__setattr__(self, "frequency_ratio", ratio)
-        hint = "give a small part of the amplitude, as 1e-6"
-        tolerance = in_range("tolerance", self.tolerance, LEAST_TOLERANCE, 0.1, "[]", hint=hint)
-        object.__setattr__(self, "tolerance", tolerance)
-        for name in ("oscillations", "phase"):
+        """Validate what one shape alone has."""
+        for name, rule in _OF_ONE_SHAPE.items():
             value = getattr(self, name)
             if value is not None and self.shape != "mavroeidis-papageorgiou":
                 raise ModelError(
@@ -117,16 +124,17 @@ class Pulse:
                     f"a {self.shape} pulse has none",
                     "leave it out, or take the shape mavroeidis-papageorgiou",
                 )
-        if self.oscillations is not None:
-            hint = "give gamma, about the number of half cycles; 2 is usual"
-            gamma = in_range("oscillations", self.oscillations, 1.0, MOST_OSCILLATIONS, hint=hint)
-            object.__setattr__(self, "oscillations", gamma)
-        if self.phase is not None:
-            like = Harmonic(amplitude=0.0, frequency_ratio=1.0, phase=self.phase)
-            object.__setattr__(self, "phase", like.phase)
+            if value is not None:
+                object.__setattr__(self, name, rule(name, value))
 
     @classmethod
-    def lasting(cls, duration: float, *, shape: str, amplitude: float) -> "Pulse":
+    def lasting(
+        cls,
+        duration: Annotated[float, partial(positive, hint="give the pivot time p t that it lasts")],
+        *,
+        shape: str,
+        amplitude: float,
+    ) -> "Pulse":
         """Return the pulse of a shape that lasts a given pivot time.
 
         Parameters
@@ -146,9 +154,8 @@ class Pulse:
         >>> Pulse.lasting(1.0, shape="half-sine", amplitude=2.4).frequency_ratio
         3.141592653589793
         """
-        length = positive("duration", duration, hint="give the pivot time p t that it lasts")
         unit = cls(shape=shape, amplitude=amplitude, frequency_ratio=1.0)
-        return cls(shape=shape, amplitude=amplitude, frequency_ratio=unit.duration / length)
+        return cls(shape=shape, amplitude=amplitude, frequency_ratio=unit.duration / duration)
 
     @classmethod
     def from_si(

@@ -1,6 +1,7 @@
 """Recorded base motion: samples of acceleration in SI units."""
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +16,45 @@ Floats = NDArray[np.float64]
 
 SHORTEST = 1e-15
 """Of intervals between samples [s]; slopes of shorter ones overflow."""
+
+
+def _samples(name: str, value: ArrayLike) -> Floats:
+    """Return samples as an array of their own that cannot be written to."""
+    hint = "give the samples of one component in m/s^2"
+    try:
+        given = np.asarray(numeric_array(name, value, None))
+    except UnfitError as unfit:
+        valid, hint = unfit.args
+        raise InputError(name, value, valid, hint) from None
+    except ValueError:  # rows of unequal lengths
+        given = np.empty((0, 0))
+    valid = ""
+    if given.ndim != 1 or given.dtype.kind not in "iuf":
+        valid = "it must be one row of numbers"
+    elif len(given) < 2:
+        valid = "it must have two samples or more"
+    elif not np.isfinite(given).all():
+        valid = f"sample {int(np.flatnonzero(~np.isfinite(given))[0])} is not a finite number"
+    elif not given.any():
+        valid, hint = "all samples are zero", "give a Still() for a base that does not move"
+    if valid:
+        raise InputError(name, value, valid, hint)
+    samples = given.astype(np.float64)  # a copy
+    samples.flags.writeable = False
+    return samples
+
+
+def _interval(name: str, value: object) -> float:
+    """Return an interval between samples [s]."""
+    hint = "give the time between samples in seconds"
+    return in_range(name, positive(name, value, hint=hint), SHORTEST, LARGEST, "[]", hint=hint)
+
+
+def _text(name: str, value: object) -> str:
+    """Return a text."""
+    if not isinstance(value, str):
+        raise InputError(name, value, "it must be a text", "leave it out for none")
+    return value
 
 
 @checked
@@ -49,21 +89,9 @@ class Record:
     [-0.0, -6.2, 2.4, -0.0]
     """
 
-    acceleration_m_s2: Floats
-    dt_s: float
-    name: str | None = None
-
-    def __post_init__(self) -> None:
-        """Validate and copy."""
-        object.__setattr__(self, "acceleration_m_s2", _samples(self.acceleration_m_s2))
-        hint = "give the time between samples in seconds"
-        interval = positive("dt_s", self.dt_s, hint=hint)
-        object.__setattr__(
-            self, "dt_s", in_range("dt_s", interval, SHORTEST, LARGEST, "[]", hint=hint)
-        )
-        given: object = self.name
-        if not (given is None or isinstance(given, str)):
-            raise InputError("name", given, "it must be a text", "leave it out for none")
+    acceleration_m_s2: Annotated[Floats, _samples]
+    dt_s: Annotated[float, _interval]
+    name: Annotated[str | None, _text] = None
 
     @property
     def duration_s(self) -> float:
@@ -121,29 +149,3 @@ class Record:
             f"Record(name={self.name!r}, samples={len(self.acceleration_m_s2)}, dt_s={self.dt_s}, "
             f"peak_acceleration_m_s2={self.peak_acceleration_m_s2:.6g})"
         )
-
-
-def _samples(value: ArrayLike) -> Floats:
-    """Return samples as an array of their own that cannot be written to."""
-    hint = "give the samples of one component in m/s^2"
-    try:
-        given = np.asarray(numeric_array("acceleration_m_s2", value, None))
-    except UnfitError as unfit:
-        valid, hint = unfit.args
-        raise InputError("acceleration_m_s2", value, valid, hint) from None
-    except ValueError:  # rows of unequal lengths
-        given = np.empty((0, 0))
-    valid = ""
-    if given.ndim != 1 or given.dtype.kind not in "iuf":
-        valid = "it must be one row of numbers"
-    elif len(given) < 2:
-        valid = "it must have two samples or more"
-    elif not np.isfinite(given).all():
-        valid = f"sample {int(np.flatnonzero(~np.isfinite(given))[0])} is not a finite number"
-    elif not given.any():
-        valid, hint = "all samples are zero", "give a Still() for a base that does not move"
-    if valid:
-        raise InputError("acceleration_m_s2", value, valid, hint)
-    samples = given.astype(np.float64)  # a copy
-    samples.flags.writeable = False
-    return samples

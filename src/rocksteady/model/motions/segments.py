@@ -6,11 +6,13 @@ A segment of the base acceleration, in units of ``alpha g`` over pivot time ``s 
 
 import math
 from dataclasses import dataclass, field
-from typing import Protocol
+from functools import partial
+from typing import Annotated, Protocol
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative, positive
 from rocksteady.model.motions.harmonics import LARGEST_PHASE, Harmonics, harmonics_value
 
@@ -24,9 +26,32 @@ PI_LOW = 1.2246467991473532e-16
 """pi less the double that stands for it."""
 
 
-def _phase(value: object) -> float:
-    hint = "give radians, less whole turns"
-    return in_range("phase", value, -LARGEST_PHASE, LARGEST_PHASE, "[]", hint=hint)
+AMPLITUDE = Bounds(0.0, LARGEST, "[]", "give a_max/(alpha g); 1 just lifts a block")
+FREQUENCY_RATIO = Bounds(
+    LOWEST_FREQUENCY_RATIO,
+    HIGHEST_FREQUENCY_RATIO,
+    "[]",
+    "give omega/p, the circular frequency of the shaking over the block's p",
+)
+PHASE = Bounds(-LARGEST_PHASE, LARGEST_PHASE, "[]", "give radians, less whole turns")
+
+_SIZE = Bounds(-LARGEST, LARGEST, "[]", "give a number in units of alpha g and of p")
+_OF_SEGMENTS = {
+    "phase": PHASE,
+    "constant": _SIZE,
+    "slope": _SIZE,
+    "amplitude": _SIZE,
+    "jump": _SIZE,
+    "frequency": Bounds(0.0, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p"),
+}
+
+
+def _lasting(name: str, value: object) -> float:
+    """Return the duration of a segment, which may be infinite."""
+    if isinstance(value, float) and value == math.inf:
+        return value
+    hint = "give the pivot time p t that the segment lasts"
+    return in_range(name, value, 0.0, LONGEST_DURATION, hint=hint)
 
 
 @checked
@@ -61,7 +86,7 @@ class Segment:
         or a slope.
     """
 
-    duration: float
+    duration: Annotated[float, _lasting]
     constant: float = 0.0
     slope: float = 0.0
     amplitude: float = 0.0
@@ -72,20 +97,8 @@ class Segment:
 
     def __post_init__(self) -> None:
         """Validate, and turn a negative amplitude into a positive one half a cycle on."""
-        hint = "give the pivot time p t that the segment lasts"
-        given: object = self.duration
-        if not (isinstance(given, float) and given == math.inf):
-            duration = in_range("duration", self.duration, 0.0, LONGEST_DURATION, hint=hint)
-            object.__setattr__(self, "duration", duration)
-        object.__setattr__(self, "phase", _phase(self.phase))
-        for name in ("constant", "slope", "amplitude", "jump"):
-            hint = "give a number in units of alpha g and of p"
-            value = in_range(name, getattr(self, name), -LARGEST, LARGEST, "[]", hint=hint)
-            object.__setattr__(self, name, value)
-        frequency = in_range(
-            "frequency", self.frequency, 0.0, HIGHEST_FREQUENCY_RATIO, "[]", hint="give omega/p"
-        )
-        object.__setattr__(self, "frequency", frequency)
+        for name, rule in _OF_SEGMENTS.items():
+            object.__setattr__(self, name, rule(name, getattr(self, name)))
         if self.duration == math.inf and self.slope != 0.0:
             raise ModelError(
                 "slope",
@@ -184,35 +197,18 @@ class Harmonic:
     Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.0)
     """
 
-    amplitude: float
-    frequency_ratio: float
-    phase: float = 0.0
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        a = in_range(
-            "amplitude",
-            self.amplitude,
-            0.0,
-            LARGEST,
-            "[]",
-            hint="give a_max/(alpha g); 1 just lifts a block",
-        )
-        w = in_range(
-            "frequency_ratio",
-            self.frequency_ratio,
-            LOWEST_FREQUENCY_RATIO,
-            HIGHEST_FREQUENCY_RATIO,
-            "[]",
-            hint="give omega/p, the circular frequency of the shaking over the block's p",
-        )
-        object.__setattr__(self, "amplitude", a)
-        object.__setattr__(self, "frequency_ratio", w)
-        object.__setattr__(self, "phase", _phase(self.phase))
+    amplitude: Annotated[float, AMPLITUDE]
+    frequency_ratio: Annotated[float, FREQUENCY_RATIO]
+    phase: Annotated[float, PHASE] = 0.0
 
     @classmethod
     def from_si(
-        cls, block: Block, *, acceleration_m_s2: float, frequency_hz: float, phase: float = 0.0
+        cls,
+        block: Block,
+        *,
+        acceleration_m_s2: Annotated[float, partial(non_negative, hint="give the peak in m/s^2")],
+        frequency_hz: float,
+        phase: float = 0.0,
     ) -> "Harmonic":
         """Return the shaking of a given block in its own measures.
 
@@ -239,7 +235,6 @@ class Harmonic:
         >>> round(motion.amplitude, 12), round(motion.frequency_ratio, 12)
         (2.0, 4.0)
         """
-        a = non_negative("acceleration_m_s2", acceleration_m_s2, hint="give the peak in m/s^2")
         f = positive("frequency_hz", frequency_hz, hint="give the frequency in Hz")
         ratio = 2.0 * math.pi * f / block.p
         if not LOWEST_FREQUENCY_RATIO <= ratio <= HIGHEST_FREQUENCY_RATIO:
@@ -251,7 +246,8 @@ class Harmonic:
                 f"{HIGHEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}]",
                 "give the frequency in Hz",
             )
-        return cls(amplitude=a / block.uplift_acceleration, frequency_ratio=ratio, phase=phase)
+        amplitude = acceleration_m_s2 / block.uplift_acceleration
+        return cls(amplitude=amplitude, frequency_ratio=ratio, phase=phase)
 
     def acceleration_m_s2(self, block: Block) -> float:
         """Return the peak base acceleration for a block [m/s^2]."""

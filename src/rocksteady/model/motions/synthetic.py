@@ -2,8 +2,8 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
-from typing import TYPE_CHECKING
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
@@ -17,7 +17,7 @@ from rocksteady.model.checks.validation import (
     whole_number,
 )
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
-from rocksteady.model.motions.segments import LONGEST_DURATION, Harmonic, Segment
+from rocksteady.model.motions.segments import FREQUENCY_RATIO, LONGEST_DURATION, Harmonic, Segment
 
 if TYPE_CHECKING:
     import numpy as np
@@ -98,7 +98,7 @@ class SyntheticMotion:
     """
 
     rms: float
-    frequency_ratio: float
+    frequency_ratio: Annotated[float, FREQUENCY_RATIO]
     duration: float
     seed: int
     filter_damping: float = 0.6
@@ -108,11 +108,9 @@ class SyntheticMotion:
 
     def __post_init__(self) -> None:
         """Validate."""
-        like = Harmonic(amplitude=0.0, frequency_ratio=self.frequency_ratio)
-        longest = min(LONGEST_DURATION, MOST_LINES * _sampling(like.frequency_ratio))
+        longest = min(LONGEST_DURATION, MOST_LINES * _sampling(self.frequency_ratio))
         valid = {
             "rms": in_range("rms", self.rms, 0.0, LARGEST, "[]", hint="give it over alpha g"),
-            "frequency_ratio": like.frequency_ratio,
             "duration": in_range(
                 "duration", self.duration, 0.0, longest, hint="give the pivot time p t"
             ),
@@ -150,7 +148,7 @@ class SyntheticMotion:
         cls,
         block: Block,
         *,
-        rms_m_s2: float,
+        rms_m_s2: Annotated[float, partial(non_negative, hint="give it in m/s^2")],
         frequency_hz: float,
         duration_s: float,
         seed: int,
@@ -185,8 +183,7 @@ class SyntheticMotion:
         >>> round(motion.duration / block.p, 12)
         20.0
         """
-        a = non_negative("rms_m_s2", rms_m_s2, hint="give it in m/s^2")
-        felt = Harmonic.from_si(block, acceleration_m_s2=a, frequency_hz=frequency_hz)
+        felt = Harmonic.from_si(block, acceleration_m_s2=rms_m_s2, frequency_hz=frequency_hz)
         length = positive("duration_s", duration_s, hint="give it in seconds")
         return cls(
             rms=felt.amplitude,

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution, restitution_value
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import RESTITUTION
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.seismic.measures.free_sides import impact_ratios
 
@@ -107,7 +108,7 @@ class RestitutionBand:
         """
         for name in ("low", "high"):
             if not block.one_sided and getattr(self, name) == 0.0:
-                restitution_value(0.0, name=name)  # refused
+                RESTITUTION(name, 0.0)  # refused
         low = block if self.low is None else block.with_restitution(self.low)
         lows = impact_ratios(low)
         highs: Sequence[float] = [min(HIGHEST, math.sqrt(e)) for e in impact_ratios(block)]

@@ -9,8 +9,9 @@ from typing import Final, Literal
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution, restitution_value, wall_restitution_value
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import RESTITUTION, restitution_of_wall
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.actions import (
     KILONEWTONS,
@@ -278,8 +279,8 @@ class Facade:
     def _check_restitution(self) -> None:
         """Refuse a restitution outside the range of one-sided or of two-sided rocking."""
         if housner_factor(self.restitution) is None:
-            fit = wall_restitution_value if self.one_sided else restitution_value
-            object.__setattr__(self, "restitution", fit(self.restitution))
+            rule = restitution_of_wall if self.one_sided else RESTITUTION
+            object.__setattr__(self, "restitution", rule("restitution", self.restitution))
 
     def _check_places(self) -> None:
         """Refuse a hinge outside the wall, and what acts above it."""

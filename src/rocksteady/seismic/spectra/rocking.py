@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import Restitution, alpha_value
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import ALPHA, Bounds
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -47,6 +47,9 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
 Floats = NDArray[np.float64]
+
+
+PERIOD = Bounds(2e-6 * math.pi, 2e6 * math.pi, "[]", "give periods 2 pi/p in seconds")
 
 
 @checked
@@ -157,13 +160,8 @@ def spectrum_cells(
     Parameters and errors are those of `compute_rocking_spectrum`.
     """
     grounds = grounds_of(motions)
-    slenderness = [alpha_value(value) for value in axis_values("alpha", alpha)]
-    hint = "give periods 2 pi/p in seconds"
-    shortest, longest = 2e-6 * math.pi, 2e6 * math.pi
-    periods = [
-        in_range("periods_s", value, shortest, longest, "[]", hint=hint)
-        for value in axis_values("periods_s", periods_s)
-    ]
+    slenderness = [ALPHA("alpha", value) for value in axis_values("alpha", alpha)]
+    periods = [PERIOD("periods_s", value) for value in axis_values("periods_s", periods_s)]
     given = 1.0 if scales is None else scales
     factors = scale_values(given)
     one_sided, impact = wall_of(restitution)
