@@ -90,7 +90,7 @@ def checked_array(name: str, values: ArrayLike, bounds: Bounds) -> Floats:
 
 def order_of_orbit(value: object) -> int:
     """Return an order that the closed forms can follow."""
-    order = odd_order(value)
+    order = odd_order("order", value)
     if order > HIGHEST_ORDER:
         valid = f"it must be at most {HIGHEST_ORDER}"
         raise InputError("order", value, valid, "use 1, 3, 5, ...")

@@ -34,7 +34,7 @@ FLOATS: dict[str, Validator] = {
 }
 INTEGERS: dict[str, Validator] = {
     "whole_number": lambda value: whole_number("width", value, at_least=1, hint=HINT),
-    "odd_order": odd_order,
+    "odd_order": lambda value: odd_order("width", value),
 }
 NOT_REAL = [
     True,
@@ -164,14 +164,14 @@ def test_the_line_of_an_interval() -> None:
 
 @given(st.integers(min_value=0, max_value=10**6))
 def test_every_odd_order_is_accepted_and_every_even_one_refused(half: int) -> None:
-    assert odd_order(2 * half + 1) == 2 * half + 1
+    assert odd_order("order", 2 * half + 1) == 2 * half + 1
     with pytest.raises(InputError):
-        odd_order(2 * half)
+        odd_order("order", 2 * half)
 
 
 def test_an_even_order_is_told_why() -> None:
     with pytest.raises(InputError) as caught:
-        odd_order(2, name="--order")
+        odd_order("--order", 2)
     assert str(caught.value) == (
         "--order = 2 is not valid: a symmetric orbit needs an odd number of half periods in its "
         "half cycle; use 1, 3, 5, ..."
@@ -181,11 +181,11 @@ def test_an_even_order_is_told_why() -> None:
 @every("value", [0, -1, -3, 3.0, np.float64(3.0), Fraction(3)])
 def test_an_order_is_a_whole_number_above_zero(value: object) -> None:
     with pytest.raises(InputError):
-        odd_order(value)
+        odd_order("order", value)
 
 
 @every("value", [3, np.int64(3), np.uint8(3), np.array(3)])
 def test_an_order_comes_back_as_a_plain_int(value: object) -> None:
-    result = odd_order(value)
+    result = odd_order("order", value)
     assert result == 3
     assert type(result) is int

@@ -100,7 +100,7 @@ class StartFlags:
         """
         from rocksteady.dynamics.history.start import KICK, Rest, Steady
 
-        odd_order(self.order)
+        odd_order("order", self.order)
         if self.start in STEADY:
             branch = 2 if self.start.endswith("2") else 1
             kick = KICK if self.kick is None else self.kick

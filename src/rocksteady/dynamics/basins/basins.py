@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.basins.basin_facts import basins_described
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
-    seed_value,
+    SEED,
     settled_states,
     states_at_phase,
 )
@@ -27,17 +27,16 @@ from rocksteady.dynamics.basins.measures.uncertainty import (
 from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
-    periods_value,
 )
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
-from rocksteady.dynamics.orbits.attractor import full_outcomes
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, full_outcomes
 from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
@@ -162,7 +161,7 @@ class Basins(Result):
         }
         return full_outcomes(self.block, self.motion, self.model, starts)
 
-    def fractions(self, confidence: float = CONFIDENCE) -> tuple[BasinFraction, ...]:
+    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
 
         The interval is that of as many states drawn at random in the whole window.  One state drawn
@@ -189,11 +188,10 @@ class Basins(Result):
         ----------
         E. B. Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927).
         """
-        level = confidence_value(confidence)
         fractions = []
         for label, states in enumerate(self.states.tolist()):
             share = states / self.label.size
-            low, high = share_interval(share, self.label.size, level)
+            low, high = share_interval(share, self.label.size, confidence)
             fractions.append(
                 BasinFraction(
                     label=label, states=states, share=share, low=float(low), high=float(high)
@@ -407,7 +405,8 @@ def compute_basins(
     half, rest = moment(shaken)
     reaches = window_of(side_table(bare), largest_amplitude(shaken), shaken.frequency_ratio)
     angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)
-    periods = periods_value("max_cycles", max_cycles)
+    periods = FORCING_PERIODS("max_cycles", max_cycles)
+    draw = None if seed is None else SEED("seed", seed)
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
         settled_states,
@@ -416,7 +415,7 @@ def compute_basins(
         half_cycles=half,
         phase=rest,
         cycles=periods,
-        seed=seed_value(seed),
+        seed=draw,
         cell=(spacing(angle), spacing(velocity)),
     )
     data = compute_cells(
@@ -439,6 +438,6 @@ def compute_basins(
         start_angle=cells["start_angle"],
         start_velocity=cells["start_velocity"],
         max_cycles=periods,
-        seed=seed_value(seed),
+        seed=draw,
         model=equations,
     )

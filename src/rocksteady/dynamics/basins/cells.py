@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.dynamics.batch.attractors import Attractors, InitialStates, settled_cells
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
 from rocksteady.sweep.cases.draws import uniform
@@ -18,6 +18,7 @@ from rocksteady.sweep.cases.outputs import Output
 Floats = NDArray[np.float64]
 
 LARGEST_SEED = 2**64 - 1
+SEED = Whole(0, LARGEST_SEED, "give a seed, as 1, or leave it out")
 TINY = 1e-300
 """Least angle of a state that is drawn beside a wall."""
 CELL_ATTRACTOR = ("kind", "side", "phase", "speed", "period", "passages", "rests")
@@ -39,20 +40,6 @@ def states_at_phase(one: BasinAttractor, motion: PeriodicMotion) -> Floats:
     here = run(np.minimum(since / ratio, run.end_time_pt))
     points: Floats = np.column_stack([here.angle, here.velocity])
     return points
-
-
-def seed_value(seed: object) -> int | None:
-    """Return the seed of a draw, or None for the points of a grid.
-
-    Raises
-    ------
-    InputError
-        If it is no whole number of 64 bits.
-    """
-    if seed is None:
-        return None
-    hint = "give a seed, as 1, or leave it out"
-    return whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
 
 
 def settled_states(

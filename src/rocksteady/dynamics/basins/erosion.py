@@ -19,9 +19,9 @@ from rocksteady.dynamics.basins.window import (
     moment,
     window_axes,
 )
-from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
@@ -397,7 +397,7 @@ def compute_erosion(
     # The still base is one more amplitude, unless it is among those given.
     given = axis.points
     all_of_them = given if given[0] == 0.0 else np.concatenate([[0.0], given])
-    start, count = half * math.pi + rest, periods_value("cycles", cycles)
+    start, count = half * math.pi + rest, FORCING_PERIODS("cycles", cycles)
     safe = safe_states(
         sides=sides,
         frequency_ratio=ratio,

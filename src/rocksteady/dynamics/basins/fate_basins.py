@@ -19,7 +19,7 @@ from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -190,7 +190,7 @@ class FateBasins(Result):
         """Share of the states whose fate is undecided."""
         return float((self.fate == Status.UNDECIDED).mean())
 
-    def fractions(self, confidence: float = CONFIDENCE) -> tuple[FateFraction, ...]:
+    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[FateFraction, ...]:
         """Return the share of each fate in the window, with Wilson's score interval.
 
         As for `Basins.fractions` the interval is that of as many states drawn at random.
@@ -211,14 +211,13 @@ class FateBasins(Result):
         InputError
             If the confidence is outside its range.
         """
-        level = confidence_value(confidence)
         fractions = []
         for status, side, name in ORDER:
             states = int(np.count_nonzero((self.fate == status) & (self.side == side)))
             if not states:
                 continue
             share = states / self.fate.size
-            low, high = share_interval(share, self.fate.size, level)
+            low, high = share_interval(share, self.fate.size, confidence)
             fractions.append(
                 FateFraction(
                     fate=status,

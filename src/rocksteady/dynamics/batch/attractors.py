@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.dynamics.history.start import ImpactState
-from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
+from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.queue import LEFT_OVER
@@ -255,18 +255,6 @@ class InitialStates:
             half_cycles=np.full(len(angle), half_cycles, dtype=np.int64),
             phase=np.full(len(angle), phase),
         )
-
-
-def periods_value(name: str, periods: object) -> int:
-    """Return forcing periods for which motions may be followed.
-
-    Raises
-    ------
-    InputError
-        If the argument of that name is not a whole number from 1 to a million.
-    """
-    hint = "give forcing periods to follow"
-    return whole_number(name, periods, at_least=1, at_most=MOST_CYCLES, hint=hint)
 
 
 def batch_size(cycles: int) -> int:

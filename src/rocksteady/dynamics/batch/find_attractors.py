@@ -8,7 +8,7 @@ from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.history.start import refuse_behind_wall
-from rocksteady.dynamics.orbits.attractor import cycles_value
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -101,4 +101,4 @@ def find_attractors(
     sides = symmetric_sides(r)
     if one_sided:
         sides[:, 0, RESTITUTION], sides[:, 1, RESTITUTION] = -r, 1.0
-    return settled_cells(a, w, sides, begin, cycles_value(max_cycles))
+    return settled_cells(a, w, sides, begin, FORCING_PERIODS("max_cycles", max_cycles))

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Annotated
 
 import numpy as np
 
@@ -23,6 +24,7 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -46,6 +48,18 @@ MOST_CYCLES = 1_000_000
 """Limit of a sweep's value, as for `find_attractor`."""
 MOST = 1000
 """Limits of periods and impacts, as for `find_orbits`."""
+UP_TO_MOST = Whole(1, MOST, "give a whole number")
+MANY = Whole(1, 100_000, "give a whole number")
+
+
+def _orders(name: str, value: Iterable[object]) -> tuple[int, ...]:
+    """Return orders of symmetric motions, each once."""
+    orders = tuple(dict.fromkeys(odd_order(name, order) for order in value))
+    if not orders:
+        raise InputError(name, value, "there must be one", "give orders=(1,)")
+    for order in orders:
+        whole_number(name, order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
+    return orders
 
 
 @checked
@@ -77,33 +91,13 @@ class BranchSearch:
         If a number is outside its range, or there is no order.
     """
 
-    orders: tuple[int, ...] = (1,)
-    max_period: int | None = None
-    max_impacts: int = 12
-    max_branches: int = 100
+    orders: Annotated[tuple[int, ...], _orders] = (1,)
+    max_period: Annotated[int | None, UP_TO_MOST] = None
+    max_impacts: Annotated[int, UP_TO_MOST] = 12
+    max_branches: Annotated[int, Whole(1, 10 * MOST, "give a whole number")] = 100
     everywhere: bool = False
-    doublings: int = 6
-    max_cycles: int = 2000
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        hint = "give a whole number"
-        orders = tuple(dict.fromkeys(odd_order(order, name="orders") for order in self.orders))
-        if not orders:
-            raise InputError("orders", self.orders, "there must be one", "give orders=(1,)")
-        for order in orders:
-            whole_number("orders", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
-        object.__setattr__(self, "orders", orders)
-        for name, value, least, most in (
-            ("max_period", self.longest, 1, MOST),
-            ("max_impacts", self.max_impacts, 1, MOST),
-            ("max_branches", self.max_branches, 1, 10 * MOST),
-            ("doublings", self.doublings, 0, 8),
-            ("max_cycles", self.max_cycles, 1, MOST_CYCLES),
-        ):
-            whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-            if name != "max_period" or self.max_period is not None:
-                object.__setattr__(self, name, whole)
+    doublings: Annotated[int, Whole(0, 8, "give a whole number")] = 6
+    max_cycles: Annotated[int, Whole(1, MOST_CYCLES, "give a whole number")] = 2000
 
     @property
     def longest(self) -> int:
@@ -118,9 +112,9 @@ def find_branches(
     parameter: str,
     within: tuple[float, float],
     *,
-    max_period: int = 4,
-    max_impacts: int = 12,
-    max_branches: int = 100,
+    max_period: Annotated[int, MANY] = 4,
+    max_impacts: Annotated[int, MANY] = 12,
+    max_branches: Annotated[int, MANY] = 100,
     largest_step: float = LARGEST_STEP,
 ) -> tuple[Branch, ...]:
     """Follow orbits over a parameter in both directions, and all branches that bifurcate from them.
@@ -169,17 +163,7 @@ def find_branches(
     1 False symmetry-breaking 1.948378, period-doubling 1.789272
     2 False period-doubling 1.789272, period-doubling 1.774691
     """
-    longest, most, count = (
-        whole_number(name, value, at_least=1, at_most=100_000, hint="give a whole number")
-        for name, value in (
-            ("max_period", max_period),
-            ("max_impacts", max_impacts),
-            ("max_branches", max_branches),
-        )
-    )
-    if not isinstance(origins, Iterable):
-        raise InputError("origins", origins, "it must be a list of orbits", "put it into a list")
-    collection = _Found(parameter, within, longest, most, count, largest_step)
+    collection = _Found(parameter, within, max_period, max_impacts, max_branches, largest_step)
     for origin in origins:
         chain = chain_at(origin)
         checked_ranges(chain, (parameter,), (within,))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,7 +28,7 @@ from rocksteady.errors import ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.equations import Model
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
@@ -157,7 +157,9 @@ def find_cascade(
     within: tuple[float, float],
     *,
     direction: int = 1,
-    doublings: int = 6,
+    doublings: Annotated[
+        int, Whole(1, MOST_DOUBLINGS, "give the number of doublings to look for")
+    ] = 6,
     largest_step: float = LARGEST_STEP,
 ) -> DoublingCascade:
     """Locate successive period doublings, each on the branch created by the previous one.
@@ -197,17 +199,10 @@ def find_cascade(
     >>> print([f"{value:.7f}" for value in cascade.values], [f"{r:.3f}" for r in cascade.ratios])
     ['1.7892720', '1.7746913', '1.7723039', '1.7718153'] ['6.107', '4.887']
     """
-    count = whole_number(
-        "doublings",
-        doublings,
-        at_least=1,
-        at_most=MOST_DOUBLINGS,
-        hint="give the number of doublings to look for",
-    )
     points: list[BranchPoint] = []
     here, switch, step = origin, False, largest_step
     impacts = chain_at(origin).impacts
-    while len(points) < count:
+    while len(points) < doublings:
         followed = follow_branch(
             here, parameter, within, direction=direction, switch=switch, largest_step=step
         )

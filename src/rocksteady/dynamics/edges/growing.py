@@ -22,9 +22,9 @@ from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import finite, in_range, is_pair, whole_number
+from rocksteady.model.checks.validation import finite, in_range, whole_number
 
 if TYPE_CHECKING:
     pass
@@ -136,8 +136,6 @@ def compute_manifold(
         window = window_of(side_table(bare), shaking.amplitude, shaking.frequency_ratio)
     else:
         valid = "give half widths in u and du/d(pt), as (1.2, 1.2)"
-        if not is_pair(window):
-            raise InputError("window", window, "it must be a pair", valid)
         angle, speed = (
             in_range("window", half, 0.0, LARGEST_WINDOW, "(]", hint=valid) for half in window
         )

@@ -174,7 +174,7 @@ def find_edge_state(
     ):
         hint = "give a number of forcing periods"
         limits[name] = whole_number(name, value, at_least=1, at_most=most, hint=hint)
-    direction = side_value(kick, name="kick")
+    direction = side_value("kick", kick)
     initial = start_of(start)
     flow = Flow(block, shaken, equations)
     tilted = flow.sides if isinstance(equations, Nonlinear) else None

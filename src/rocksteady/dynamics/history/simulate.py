@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import Annotated
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from rocksteady.kernels.march.march import march
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.equations import Model, Nonlinear, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -37,6 +38,7 @@ LONGEST_REST = 1.0e15
 
 LONGEST_RUN = 1.0e15
 """Most forcing periods of a run; their half periods are still counted exactly."""
+PERIODS = Bounds(0.0, LONGEST_RUN, "(]", "give the number of forcing periods to follow")
 
 FLIGHT_LIMIT = 4_000_000
 """Flights after which a run ends; they would fill 256 MB."""
@@ -51,9 +53,9 @@ def simulate(
     motion: Motion | Record | BaseMotion,
     *,
     start: Start | HasStart | None = None,
-    cycles: float = 50.0,
+    cycles: Annotated[float, PERIODS] = 50.0,
     model: Model | None = None,
-    max_flights: int = FLIGHT_LIMIT,
+    max_flights: Annotated[int, Whole(1, MOST_FLIGHTS, "give a number of flights")] = FLIGHT_LIMIT,
 ) -> Trajectory:
     """Compute the time history of a block on a moving base, flight by flight.
 
@@ -122,11 +124,6 @@ def simulate(
     >>> print(f"{run.peak:.6f}")
     0.183552
     """
-    periods = in_range(
-        "cycles", cycles, 0.0, LONGEST_RUN, hint="give the number of forcing periods to follow"
-    )
-    hint = "give a number of flights"
-    limit = whole_number("max_flights", max_flights, at_least=1, at_most=MOST_FLIGHTS, hint=hint)
     equations = chosen_model(model, block, motion)
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
     across, vertical = base.horizontal, base.vertical
@@ -143,15 +140,15 @@ def simulate(
     if segments[-1, FREQUENCY] != 0.0:
         # Whole half cycles are counted as an integer, so that the run ends in the exact phase.
         first_half, first_phase = segment_start(segments, 0)
-        halves = math.floor(2.0 * periods)
+        halves = math.floor(2.0 * cycles)
         stop_half = first_half + halves
-        stop_phase = first_phase + (2.0 * periods - halves) * math.pi
+        stop_phase = first_phase + (2.0 * cycles - halves) * math.pi
         if stop_phase >= math.pi:
             stop_half, stop_phase = stop_half + 1, stop_phase - math.pi
     else:
         stop_half = 0
         stop_phase = ELASTIC_TIME if bare.lossless else LONGEST_REST
-    arguments = (segments, sides, begin, stop_half, stop_phase, SMALLEST_BOUNCE, limit)
+    arguments = (segments, sides, begin, stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
     _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     status, _ = march(*arguments, rows, np.zeros(0))
@@ -166,6 +163,6 @@ def simulate(
         sides=sides,
         rows=rows,
     )
-    if run.status is Status.AT_REST and end.flights == limit:
+    if run.status is Status.AT_REST and end.flights == max_flights:
         return replace(run, impacts_left_out=end.impacts - len(run.impacts))
     return run

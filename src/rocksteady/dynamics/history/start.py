@@ -2,7 +2,8 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Protocol
+from functools import partial
+from typing import Annotated, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,10 +22,10 @@ from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import (
     LARGEST,
     finite,
-    in_range,
     odd_order,
     positive,
     side_value,
@@ -39,6 +40,13 @@ KICK = 1e-6
 """Default distance from an unstable orbit at which a block is set off."""
 LARGEST_KICK = 0.1
 """Further from an orbit its unstable direction means nothing."""
+
+
+def _turned(name: str, value: float) -> float:
+    """Return a phase from 0 to 2 pi."""
+    phase = finite(name, value, hint="give the phase of the shaking in radians")
+    turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
+    return turned if turned < 2.0 * math.pi else 0.0
 
 
 @checked
@@ -67,35 +75,23 @@ class State:
         If a number is not finite, or an angle or velocity beyond 1e50.
     """
 
-    angle: float
-    velocity: float
-    phase: float | None = None
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        angle = in_range("angle", self.angle, -LARGEST, LARGEST, "[]", hint="give theta/alpha")
-        velocity = in_range(
-            "velocity", self.velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(p t)"
-        )
-        object.__setattr__(self, "angle", angle)
-        object.__setattr__(self, "velocity", velocity)
-        if self.phase is not None:
-            object.__setattr__(self, "phase", _turned(self.phase))
+    angle: Annotated[float, Bounds(-LARGEST, LARGEST, "[]", "give theta/alpha")]
+    velocity: Annotated[float, Bounds(-LARGEST, LARGEST, "[]", "give d(theta/alpha)/d(p t)")]
+    phase: Annotated[float | None, _turned] = None
 
     @classmethod
     def per_tau(
         cls,
         *,
         angle: float,
-        velocity_tau: float,
-        frequency_ratio: float,
+        velocity_tau: Annotated[
+            float, Bounds(-LARGEST, LARGEST, "[]", "give d(theta/alpha)/d(omega t)")
+        ],
+        frequency_ratio: Annotated[float, partial(positive, hint="give omega/p")],
         phase: float | None = None,
     ) -> "State":
         """Return the state whose velocity is given as du/d(omega t)."""
-        hint = "give d(theta/alpha)/d(omega t)"
-        rate = in_range("velocity_tau", velocity_tau, -LARGEST, LARGEST, "[]", hint=hint)
-        ratio = positive("frequency_ratio", frequency_ratio, hint="give omega/p")
-        return cls(angle=angle, velocity=rate * ratio, phase=phase)
+        return cls(angle=angle, velocity=velocity_tau * frequency_ratio, phase=phase)
 
 
 @checked
@@ -129,20 +125,10 @@ class Steady:
         If a value is outside its range, or the order is even.
     """
 
-    branch: int = 1
-    order: int = 1
-    kick: float = KICK
-    side: int = 1
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "branch", validated_branch(self.branch))
-        object.__setattr__(self, "order", odd_order(self.order))
-        kick = in_range(
-            "kick", self.kick, 0.0, LARGEST_KICK, "(]", hint="give a small number, as 1e-6"
-        )
-        object.__setattr__(self, "kick", kick)
-        object.__setattr__(self, "side", side_value(self.side))
+    branch: Annotated[int, validated_branch] = 1
+    order: Annotated[int, odd_order] = 1
+    kick: Annotated[float, Bounds(0.0, LARGEST_KICK, "(]", "give a small number, as 1e-6")] = KICK
+    side: Annotated[int, side_value] = 1
 
 
 @checked
@@ -167,20 +153,9 @@ class ImpactState:
         If a value is outside its range.
     """
 
-    side: int
-    phase: float
-    speed: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        side = side_value(self.side)
-        phase = _turned(self.phase)
-        speed = in_range(
-            "speed", self.speed, 0.0, LARGEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
-        )
-        object.__setattr__(self, "side", side)
-        object.__setattr__(self, "phase", phase)
-        object.__setattr__(self, "speed", speed)
+    side: Annotated[int, side_value]
+    phase: Annotated[float, _turned]
+    speed: Annotated[float, Bounds(0.0, LARGEST, "[]", "give |d(theta/alpha)/d(p t)|")]
 
     @property
     def mirrored(self) -> "ImpactState":
@@ -197,13 +172,6 @@ class HasStart(Protocol):
     @property
     def start(self) -> Start | None:
         """Its start; None where it has none."""
-
-
-def _turned(value: float) -> float:
-    """Return a phase from 0 to 2 pi."""
-    phase = finite("phase", value, hint="give the phase of the shaking in radians")
-    turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
-    return turned if turned < 2.0 * math.pi else 0.0
 
 
 def start_of(start: object, *, name: str = "start") -> Start:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.start import HasStart, Start, start_of
 from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
@@ -88,7 +88,7 @@ def map_of(
         model=chosen_model(model, block),
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
-    periods = periods_value(question.counted, question.cycles if cycles is None else cycles)
+    periods = FORCING_PERIODS(question.counted, question.cycles if cycles is None else cycles)
     question.load(scenario.model)
     cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
     how: dict[str, Any] = {

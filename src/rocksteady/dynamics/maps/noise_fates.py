@@ -22,7 +22,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.confidence import (
     CONFIDENCE,
     CONFIDENCE_TEXT,
-    confidence_value,
+    Confidence,
     share_interval,
 )
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
@@ -130,7 +130,7 @@ class NoiseFates(Result):
         share: Floats = self.overturned / self.draws
         return share
 
-    def interval(self, confidence: float = CONFIDENCE) -> tuple[Floats, Floats]:
+    def interval(self, confidence: Confidence = CONFIDENCE) -> tuple[Floats, Floats]:
         """Return Wilson's score interval of the probability of overturning.
 
         One realisation is a trial at every level.  At level 0 all trials are one, and the interval
@@ -151,8 +151,7 @@ class NoiseFates(Result):
         InputError
             If the confidence is outside its range.
         """
-        level = confidence_value(confidence)
-        ends = np.stack(share_interval(self.share, self.draws, level))
+        ends = np.stack(share_interval(self.share, self.draws, confidence))
         ends[:, :, self.rms == 0.0] = self.share[np.newaxis, :, self.rms == 0.0]
         return ends[0], ends[1]
 

@@ -46,6 +46,7 @@ from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model, needs_full_equations
 from rocksteady.model.facts import lean_text
@@ -64,6 +65,7 @@ over each of the two last quarters of its run."""
 
 
 MOST_CYCLES = 1_000_000
+FORCING_PERIODS = Whole(1, MOST_CYCLES, "give forcing periods to follow")
 """Some seconds."""
 LONGEST_RUN = 4000
 """Most forcing periods of a run without an orbit."""
@@ -370,7 +372,7 @@ def find_attractor(
     unsymmetric 1 [0.90035, -0.44427]
     """
     bare, shaken = bare_block(block), periodic_motion(motion)
-    periods = cycles_value(max_cycles)
+    periods = FORCING_PERIODS("max_cycles", max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
     initial = start_of(start)
@@ -411,19 +413,6 @@ def find_attractor(
         state=state_of(settled.state) if settled.state.side != 0 else None,
         initial=initial,
         model=equations,
-    )
-
-
-def cycles_value(cycles: object) -> int:
-    """Return forcing periods for which a motion may be followed.
-
-    Raises
-    ------
-    InputError
-        If it is not a whole number from 1 to a million.
-    """
-    return whole_number(
-        "max_cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
     )
 
 

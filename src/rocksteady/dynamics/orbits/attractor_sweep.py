@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, start_of
 from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
-from rocksteady.dynamics.orbits.attractor import KINDS, Attractor, cycles_value, find_attractor
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, KINDS, Attractor, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import (
     bare_block,
@@ -326,7 +326,7 @@ def sweep_attractor(
     if steps.ndim != 1 or steps.size == 0:
         valid = "it must be a list of one value or more"
         raise InputError("values", values, valid, "use numpy.linspace")
-    periods = cycles_value(max_cycles)
+    periods = FORCING_PERIODS("max_cycles", max_cycles)
     begin = initial = start_of(start)
     attractors: list[Attractor] = []
     carried: ImpactState | None = None

@@ -6,7 +6,6 @@ one along which the stable and unstable manifolds of the upright saddles first t
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,8 +15,8 @@ from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.kernels.elementary.roots import root
 from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.bounds import RESTITUTION, Bounds
-from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.checks.bounds import RESTITUTION
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import number
@@ -275,12 +274,7 @@ def symmetry_breaking_amplitude(
 
 
 @checked
-def symmetry_breaking_frequency(
-    amplitude: Annotated[float, Bounds(0.0, LARGEST, "(]", "give a_max/(alpha g)")],
-    restitution: Annotated[float, RESTITUTION],
-    *,
-    order: int = 1,
-) -> Floats:
+def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
     """Return every frequency ratio in [0.01, 1000] at which branch 1 loses its symmetry.
 
     Roots of `symmetry_breaking_amplitude`, isolated on a fine logarithmic grid and found by Brent's
@@ -310,10 +304,12 @@ def symmetry_breaking_frequency(
     >>> symmetry_breaking_frequency(2.0, 0.8).round(6)
     array([1.948378])
     """
+    a = in_range("amplitude", amplitude, 0.0, LARGEST, hint="give a_max/(alpha g)")
+    ratio_of_velocities = RESTITUTION("restitution", restitution)
     n = order_of_orbit(order)
 
     def excess(log_ratio: float) -> float:
-        return symmetry_breaking(exp(log_ratio), restitution, n) - amplitude
+        return symmetry_breaking(exp(log_ratio), ratio_of_velocities, n) - a
 
     grid = np.linspace(log(0.01), log(1000.0), 4001).tolist()
     values = np.array([excess(x) for x in grid])

@@ -153,7 +153,7 @@ def compute_response_curve(
             "exactly one of the two sets the frequencies",
             "give frequency_ratio (omega/p), or frequency_hz for a Block",
         )
-    branch = validated_branch(branch)
+    branch = validated_branch("branch", branch)
     if frequency_hz is not None:
         if not isinstance(block, Block):
             raise ModelError(

@@ -41,13 +41,13 @@ Bools = NDArray[np.bool_]
 BRANCHES = (1, 2)
 
 
-def validated_branch(branch: object) -> Literal[1, 2]:
+def validated_branch(name: str, value: object) -> Literal[1, 2]:
     """Return the number of a branch, 1 or 2, as an int.
 
     Parameters
     ----------
-    branch
-        1 or 2: the upper or the lower signs of eqs 21 and 22.
+    name, value
+        Name of the argument, and 1 or 2: the upper or the lower signs of eqs 21 and 22.
 
     Returns
     -------
@@ -61,13 +61,13 @@ def validated_branch(branch: object) -> Literal[1, 2]:
 
     Examples
     --------
-    >>> validated_branch(2)
+    >>> validated_branch("branch", 2)
     2
     """
-    number = scalar_of(branch)
+    number = scalar_of(value)
     whole = isinstance(number, Integral) and not isinstance(number, bool)
     if not whole or number not in BRANCHES:
-        raise InputError("branch", branch, "there are two branches", "give 1 or 2")
+        raise InputError(name, value, "there are two branches", "give 1 or 2")
     return 1 if number == 1 else 2
 
 
@@ -450,7 +450,7 @@ def compute_steady_orbit(
     ):
         finite(name, value, hint="give one number")
     order = order_of_orbit(order)
-    which = validated_branch(branch)
+    which = validated_branch("branch", branch)
     count = whole_number(
         "samples", samples, at_least=3, at_most=999_999, hint="give an odd number, as 801"
     )

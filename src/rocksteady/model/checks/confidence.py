@@ -1,29 +1,19 @@
 """Confidence of intervals: one default for all, and Wilson's interval of a share."""
 
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 
 Floats = NDArray[np.float64]
 
 CONFIDENCE: Final = 0.9
 """Default confidence of every interval."""
+Confidence = Annotated[float, Bounds(0.0, 1.0, "()", "give 0.9 for 90 %")]
 CONFIDENCE_TEXT: Final = f"{100.0 * CONFIDENCE:g} % interval"
 """Heading of an interval of that confidence."""
-
-
-def confidence_value(confidence: object) -> float:
-    """Return a confidence in (0, 1).
-
-    Raises
-    ------
-    InputError
-        If it is outside that range.
-    """
-    return in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.9 for 90 %")
 
 
 def share_interval(

@@ -207,7 +207,7 @@ def span_value(
     return float(numbers[0]), float(numbers[1])
 
 
-def side_value(value: object, *, name: str = "side") -> int:
+def side_value(name: str, value: object) -> int:
     """Return `value` as 1 or -1, the positive side or the negative one.
 
     Raises
@@ -221,7 +221,7 @@ def side_value(value: object, *, name: str = "side") -> int:
     return 1 if plain == 1 else -1
 
 
-def odd_order(value: object, *, name: str = "order") -> int:
+def odd_order(name: str, value: object) -> int:
     """Return `value` as an int where it can be the order n of a symmetric orbit: 1, 3, 5, ...
 
     The order counts the half periods of the forcing in one half cycle of the rocking. After its
@@ -230,10 +230,8 @@ def odd_order(value: object, *, name: str = "order") -> int:
 
     Parameters
     ----------
-    value
-        What the caller gave.
-    name
-        The argument's name, for the message.
+    name, value
+        As for `finite`.
 
     Returns
     -------

@@ -3,7 +3,7 @@
 import math
 import re
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
@@ -128,13 +128,7 @@ class Pulse:
                 object.__setattr__(self, name, rule(name, value))
 
     @classmethod
-    def lasting(
-        cls,
-        duration: Annotated[float, partial(positive, hint="give the pivot time p t that it lasts")],
-        *,
-        shape: str,
-        amplitude: float,
-    ) -> "Pulse":
+    def lasting(cls, duration: float, *, shape: str, amplitude: float) -> "Pulse":
         """Return the pulse of a shape that lasts a given pivot time.
 
         Parameters
@@ -154,8 +148,9 @@ class Pulse:
         >>> Pulse.lasting(1.0, shape="half-sine", amplitude=2.4).frequency_ratio
         3.141592653589793
         """
+        length = positive("duration", duration, hint="give the pivot time p t that it lasts")
         unit = cls(shape=shape, amplitude=amplitude, frequency_ratio=1.0)
-        return cls(shape=shape, amplitude=amplitude, frequency_ratio=unit.duration / duration)
+        return cls(shape=shape, amplitude=amplitude, frequency_ratio=unit.duration / length)
 
     @classmethod
     def from_si(

@@ -6,7 +6,6 @@ A segment of the base acceleration, in units of ``alpha g`` over pivot time ``s 
 
 import math
 from dataclasses import dataclass, field
-from functools import partial
 from typing import Annotated, Protocol
 
 from rocksteady.errors import InputError, ModelError
@@ -203,12 +202,7 @@ class Harmonic:
 
     @classmethod
     def from_si(
-        cls,
-        block: Block,
-        *,
-        acceleration_m_s2: Annotated[float, partial(non_negative, hint="give the peak in m/s^2")],
-        frequency_hz: float,
-        phase: float = 0.0,
+        cls, block: Block, *, acceleration_m_s2: float, frequency_hz: float, phase: float = 0.0
     ) -> "Harmonic":
         """Return the shaking of a given block in its own measures.
 
@@ -235,6 +229,7 @@ class Harmonic:
         >>> round(motion.amplitude, 12), round(motion.frequency_ratio, 12)
         (2.0, 4.0)
         """
+        a = non_negative("acceleration_m_s2", acceleration_m_s2, hint="give the peak in m/s^2")
         f = positive("frequency_hz", frequency_hz, hint="give the frequency in Hz")
         ratio = 2.0 * math.pi * f / block.p
         if not LOWEST_FREQUENCY_RATIO <= ratio <= HIGHEST_FREQUENCY_RATIO:
@@ -246,8 +241,7 @@ class Harmonic:
                 f"{HIGHEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}]",
                 "give the frequency in Hz",
             )
-        amplitude = acceleration_m_s2 / block.uplift_acceleration
-        return cls(amplitude=amplitude, frequency_ratio=ratio, phase=phase)
+        return cls(amplitude=a / block.uplift_acceleration, frequency_ratio=ratio, phase=phase)
 
     def acceleration_m_s2(self, block: Block) -> float:
         """Return the peak base acceleration for a block [m/s^2]."""

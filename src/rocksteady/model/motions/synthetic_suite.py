@@ -1,11 +1,11 @@
 """Synthetic motions for examples and trials: clearly named, seeded, and no earthquake's."""
 
 import math
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic import SyntheticMotion
 
@@ -26,11 +26,7 @@ RMS_M_S2 = 1.0
 
 
 @checked
-def make_synthetic_suite(
-    count: Annotated[int, Whole(1, 1000, "give 24")] = 24,
-    *,
-    seed: Annotated[int, Whole(0, None, "give a seed, as 0")] = 0,
-) -> list[Record]:
+def make_synthetic_suite(count: int = 24, *, seed: int = 0) -> list[Record]:
     """Make a suite of synthetic motions, for trials without records.
 
     Parameters
@@ -57,10 +53,12 @@ def make_synthetic_suite(
     >>> suite[0].name, round(suite[0].duration_s, 6), len(suite)
     ('synthetic 1', 12.0, 3)
     """
+    number = whole_number("count", count, at_least=1, at_most=1000, hint="give 24")
+    first = whole_number("seed", seed, at_least=0, hint="give a seed, as 0")
     import numpy as np
 
-    seeds = np.random.SeedSequence(seed).generate_state(count).tolist()
-    return [_motion(place, count, each) for place, each in enumerate(seeds)]
+    seeds = np.random.SeedSequence(first).generate_state(number).tolist()
+    return [_motion(place, number, each) for place, each in enumerate(seeds)]
 
 
 def _motion(place: int, count: int, seed: int) -> Record:

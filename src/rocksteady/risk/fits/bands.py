@@ -1,11 +1,12 @@
 """Options of the confidence bands."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 
 LEAST_REPLICATES = 100
 """Redrawn suites, below which the ends of an interval are too rough."""
@@ -48,21 +49,12 @@ class Bands:
     Bands(confidence=0.95, replicates=1000, seed=0)
     """
 
-    confidence: float = CONFIDENCE
-    replicates: int = 1000
-    seed: int = 0
+    confidence: Confidence = CONFIDENCE
+    replicates: Annotated[int, Whole(0, 1_000_000, "give 1000")] = 1000
+    seed: Annotated[int, Whole(0, None, "give a whole number, as 0")] = 0
 
     def __post_init__(self) -> None:
-        """Check every number."""
-        values = {
-            "confidence": confidence_value(self.confidence),
-            "replicates": whole_number(
-                "replicates", self.replicates, at_least=0, at_most=1_000_000, hint="give 1000"
-            ),
-            "seed": whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0"),
-        }
-        if 0 < values["replicates"] < LEAST_REPLICATES:
+        """Refuse bands of too few suites."""
+        if 0 < self.replicates < LEAST_REPLICATES:
             valid = f"it must be 0 for no bands, or {LEAST_REPLICATES} or more"
             raise InputError("replicates", self.replicates, valid, "give 1000")
-        for name, value in values.items():
-            object.__setattr__(self, name, value)

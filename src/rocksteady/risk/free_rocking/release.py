@@ -102,8 +102,8 @@ class Release:
         if given is None:
             return np.where(np.arange(count) % 2 == 0, 1, -1)
         if not isinstance(given, list | tuple | np.ndarray) or np.ndim(given) == 0:
-            return np.full(count, side_value(given, name="sides"))
-        sides = np.array([side_value(side, name="sides") for side in given])
+            return np.full(count, side_value("sides", given))
+        sides = np.array([side_value("sides", side) for side in given])
         return self._fitting("sides", sides, count)
 
     def _fitting(

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT, confidence_value
+from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT, Confidence
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_SIZES, NOT_IDENTIFIED, TOO_FEW
@@ -97,7 +97,7 @@ class UncertaintyExponent(Result):
         """Share of the variance of the logarithms that the line has."""
         return self._fit[2]
 
-    def interval(self, confidence: float = CONFIDENCE) -> tuple[float, float]:
+    def interval(self, confidence: Confidence = CONFIDENCE) -> tuple[float, float]:
         """Return the interval of the exponent, from Student's distribution.
 
         The counts at several sizes are of one boundary and not independent: the interval measures
@@ -110,11 +110,10 @@ class UncertaintyExponent(Result):
         """
         from scipy.stats import t
 
-        level = confidence_value(confidence)
         left = int(np.count_nonzero(self.uncertain)) - 2
         if left < 1:
             return math.nan, math.nan
-        half = float(t.ppf(0.5 + 0.5 * level, left)) * self.standard_error
+        half = float(t.ppf(0.5 + 0.5 * confidence, left)) * self.standard_error
         return self.exponent - half, self.exponent + half
 
     def describe(self) -> Description:

@@ -4,13 +4,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from numbers import Real
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 
@@ -67,9 +66,6 @@ class BasinMatching:
 
     def __post_init__(self) -> None:
         """Validate."""
-        if self.distance not in get_args(Distance):
-            valid = "it must be one of " + ", ".join(get_args(Distance))
-            raise InputError("distance", self.distance, valid, "leave it out for hausdorff")
         given: object = self.threshold
         if not (isinstance(given, Real) and given == math.inf):
             hint = "give a distance as 0.3, or infinity"

@@ -5,7 +5,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
+    SEED,
     drawn_states,
     found_in_cells,
-    seed_value,
 )
 from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropies, compute_basin_entropy
 from rocksteady.dynamics.basins.over._seeding import Here, seed_neighbours
@@ -33,18 +33,18 @@ from rocksteady.dynamics.basins.window import (
 from rocksteady.dynamics.batch.attractors import (
     InitialStates,
     batch_size,
-    periods_value,
     settled_cells,
 )
 from rocksteady.dynamics.history.lowering import only_side, side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
 from rocksteady.dynamics.parameters import AXES, PARAMETERS, moved_to
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, confidence_value, share_interval
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.fourier import (
@@ -103,13 +103,8 @@ class BasinSampling:
 
     angles: ArrayLike | None = None
     velocities: ArrayLike | None = None
-    seed: int | None = None
-    max_cycles: int = MAX_CYCLES
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "seed", seed_value(self.seed))
-        object.__setattr__(self, "max_cycles", periods_value("max_cycles", self.max_cycles))
+    seed: Annotated[int | None, SEED] = None
+    max_cycles: Annotated[int, FORCING_PERIODS] = MAX_CYCLES
 
 
 @checked_result
@@ -167,7 +162,7 @@ class BasinShares(Result):
         shares: Floats = self.states / self.label[0].size
         return shares
 
-    def intervals(self, confidence: float = CONFIDENCE) -> tuple[Floats, Floats]:
+    def intervals(self, confidence: Confidence = CONFIDENCE) -> tuple[Floats, Floats]:
         """Return Wilson's interval of each share, two arrays of shape (families, values).
 
         `Basins.fractions` explains what it means.
@@ -182,8 +177,7 @@ class BasinShares(Result):
         InputError
             If the confidence is outside its range.
         """
-        level = confidence_value(confidence)
-        return share_interval(self.share, self.label[0].size, level)
+        return share_interval(self.share, self.label[0].size, confidence)
 
     def entropies(self, box: int | Sequence[int] = BOX) -> BasinEntropies:
         """Return the entropy of the basins at each value, as from `compute_basin_entropy`.

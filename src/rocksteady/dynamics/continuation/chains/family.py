@@ -216,7 +216,7 @@ class Course:
 
     def __post_init__(self) -> None:
         """Validate."""
-        side_value(self.direction, name="direction")
+        side_value("direction", self.direction)
         step, most = self.largest_step, self.most_points
         in_range("largest_step", step, 0.0, 0.2, "(]", hint="give 0.02, or less")
         whole_number(

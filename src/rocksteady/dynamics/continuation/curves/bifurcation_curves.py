@@ -1,9 +1,9 @@
 """Bifurcation curves of a plane of two parameters, and the points of codimension two on them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +18,10 @@ from rocksteady.dynamics.continuation.branch_facts import (
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
@@ -36,8 +36,25 @@ Floats = NDArray[np.float64]
 
 MOST = 1000
 """Limits of periods, impacts, curves and points, as for branches."""
+UP_TO_MOST = Whole(1, MOST, "give a whole number")
 SHORT = {**SYMBOLS, "restitution": "delta"}
 """As headings have them."""
+
+
+def _orders(name: str, value: Iterable[object]) -> tuple[int, ...]:
+    """Return orders of symmetric motions, each once."""
+    orders = tuple(dict.fromkeys(odd_order("order", order) for order in value))
+    whole_number(name, len(orders), at_least=1, at_most=50, hint="give one order or more")
+    return orders
+
+
+def _lines(name: str, value: tuple[int, int]) -> tuple[int, int]:
+    """Return numbers of lines of which one is not 0."""
+    first, second = value
+    whole_number(name, first, at_least=0, at_most=MOST, hint="give a whole number")
+    least = 0 if first else 1
+    whole_number(name, second, at_least=least, at_most=MOST, hint="give a whole number")
+    return value
 
 
 @checked
@@ -72,36 +89,14 @@ class CurveSearch:
         If a number is outside its range.
     """
 
-    orders: tuple[int, ...] = (1,)
-    lines: tuple[int, int] = (3, 3)
-    max_period: int | None = None
-    max_impacts: int = 6
-    max_branches: int = 20
-    max_curves: int = 40
+    orders: Annotated[tuple[int, ...], _orders] = (1,)
+    lines: Annotated[tuple[int, int], _lines] = (3, 3)
+    max_period: Annotated[int | None, UP_TO_MOST] = None
+    max_impacts: Annotated[int, UP_TO_MOST] = 6
+    max_branches: Annotated[int, Whole(1, 10 * MOST, "give a whole number")] = 20
+    max_curves: Annotated[int, UP_TO_MOST] = 40
     everywhere: bool = False
-    most_points: int = 400
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        hint = "give a whole number"
-        orders = tuple(dict.fromkeys(odd_order(order) for order in self.orders))
-        whole_number("orders", len(orders), at_least=1, at_most=50, hint="give one order or more")
-        object.__setattr__(self, "orders", orders)
-        if len(self.lines) != 2:
-            raise InputError("lines", self.lines, "they must be two numbers", "give (3, 3)")
-        first, second = self.lines
-        for name, value, least, most in (
-            ("lines", first, 0, MOST),
-            ("lines", second, 0 if first else 1, MOST),
-            ("max_period", self.longest, 1, MOST),
-            ("max_impacts", self.max_impacts, 1, MOST),
-            ("max_branches", self.max_branches, 1, 10 * MOST),
-            ("max_curves", self.max_curves, 1, MOST),
-            ("most_points", self.most_points, 1, 100 * MOST),
-        ):
-            whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-            if name != "lines" and (name != "max_period" or self.max_period is not None):
-                object.__setattr__(self, name, whole)
+    most_points: Annotated[int, Whole(1, 100 * MOST, "give a whole number")] = 400
 
     @property
     def longest(self) -> int:

@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from rocksteady.dynamics.continuation.resting._legs import Uplifts
 from rocksteady.dynamics.continuation.resting._tracing import Span, Tracer
@@ -26,7 +26,8 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import positive, whole_number
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -143,7 +144,7 @@ def find_resting_branches(
     parameter: str,
     within: tuple[float, float],
     *,
-    max_period: int = LONGEST,
+    max_period: Annotated[int, Whole(1, 1000, "give a number of forcing periods")] = LONGEST,
     resolution: float | None = None,
     model: Model | None = None,
 ) -> RestingBranches:
@@ -192,10 +193,7 @@ def find_resting_branches(
     0.900 1.000 below-uplift
     1.076 1.080 no-rest
     """
-    longest = whole_number(
-        "max_period", max_period, at_least=1, at_most=1000, hint="give a number of forcing periods"
-    )
-    moving = Uplifts(block, motion, parameter, chosen_model(model, block), longest)
+    moving = Uplifts(block, motion, parameter, chosen_model(model, block), max_period)
     uplifts, ends, step = _asked(moving, within, resolution)
     low, high = ends
     tracers = [Tracer(uplifts, side) for side in uplifts.sides]
