@@ -7,12 +7,11 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.screens.demand import Demand, peak_value
+from rocksteady.risk.screens.demand import FRICTION, PGA, PGV, Demand
 from rocksteady.risk.screens.friction import (
     FrictionNeed,
     Mode,
@@ -231,12 +230,11 @@ def assess_two_numbers(
     >>> print(answer.sentence)
     About 2 in 5 blocks of this shape and size would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
     """
-    pga, pgv = peak_value("pga_g", pga_g), peak_value("pgv_m_s", pgv_m_s)
+    pga, pgv = PGA("pga_g", pga_g), PGV("pgv_m_s", pgv_m_s)
     demand = Demand(pga_g=pga, pgv_m_s=pgv, vertical_g=vertical_g, vertical_share=vertical_share)
     vertical = demand.vertical_at_peak_g
     if friction is not None:
-        hint = "give the coefficient of friction, as 0.4"
-        friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
+        friction = FRICTION("friction", friction)
     uplift = uplift_acceleration_g(block, vertical)
     mode: Mode = "rocks" if pga > uplift else "rest"
     if friction is not None:

@@ -1,14 +1,24 @@
 """What shakings a back-analysis tries: limits, levels, draws and temper."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 
 MOST_LEVELS = 200
 MOST_DRAWS = 10_000
+
+
+def _limits(name: str, value: tuple[float, float]) -> tuple[float, float]:
+    """Return the lowest and the highest scale."""
+    rule = Bounds(1.0 / LARGEST, LARGEST, "[]", "as (0.05, 2)")
+    low, high = (rule(name, each) for each in value)
+    if low >= high:
+        raise InputError(name, (low, high), "the first is below the second", "exchange the two")
+    return low, high
 
 
 @checked
@@ -47,8 +57,8 @@ class Scan:
     'auto'
     """
 
-    limits: tuple[float, float] | None = None
-    levels: int = 22
+    limits: Annotated[tuple[float, float] | None, _limits] = None
+    levels: Annotated[int, Whole(4, MOST_LEVELS, "leave it out")] = 22
     draws: int | None = None
     temper: float | Literal["auto"] = "auto"
     trials: int = 4
@@ -56,25 +66,8 @@ class Scan:
 
     def __post_init__(self) -> None:
         """Validate."""
-        if self.limits is not None:
-            if len(self.limits) != 2:
-                raise InputError(
-                    "limits", self.limits, "there are two", "give the lowest and the highest"
-                )
-            low, high = (
-                in_range("limits", value, 1.0 / LARGEST, LARGEST, "[]", hint="as (0.05, 2)")
-                for value in self.limits
-            )
-            if low >= high:
-                raise InputError(
-                    "limits", (low, high), "the first is below the second", "exchange the two"
-                )
-            object.__setattr__(self, "limits", (low, high))
-        for name, least, most in (("levels", 4, MOST_LEVELS), ("trials", 0, 1000)):
-            value = whole_number(
-                name, getattr(self, name), at_least=least, at_most=most, hint="leave it out"
-            )
-            object.__setattr__(self, name, value)
+        trials = whole_number("trials", self.trials, at_least=0, at_most=1000, hint="leave it out")
+        object.__setattr__(self, "trials", trials)
         whole_number("seed", self.seed, at_least=0, hint="give a seed, as 0")
         if self.draws is not None:
             whole_number(

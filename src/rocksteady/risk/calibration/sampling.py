@@ -1,9 +1,10 @@
 """How many runs a calibration makes, and which seed decides the draws."""
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Annotated, Final
 
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import in_range, whole_number
 
 LEAST_DRAWS: Final = 30
@@ -47,18 +48,14 @@ class Sampling:
     [100, 100, 100]
     """
 
-    draws: int = 1500
-    gains: int = 5
+    draws: Annotated[int, Whole(LEAST_DRAWS, MOST_DRAWS, "give a whole number, as 1500")] = 1500
+    gains: Annotated[int, Whole(1, MOST_GAINS, "give a whole number, as 5")] = 5
     rounds: int | None = None
     error: float = 0.01
     seed: int = 0
 
     def __post_init__(self) -> None:
         """Validate."""
-        hint = "give a whole number, as 1500"
-        whole_number("draws", self.draws, at_least=LEAST_DRAWS, at_most=MOST_DRAWS, hint=hint)
-        hint = "give a whole number, as 5"
-        whole_number("gains", self.gains, at_least=1, at_most=MOST_GAINS, hint=hint)
         hint = "give a whole number, as 3, and at least five draws for each"
         whole_number("rounds", self._rounds, at_least=1, at_most=self.draws // 5, hint=hint)
         whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final, Literal
+from typing import Annotated, Final, Literal
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.risk.screens.spectra import damping_factor
 
 Soil = Literal["A", "B", "C", "D", "E"]
@@ -39,14 +39,16 @@ LONGEST_NTC_S: Final = 4.0
 LONGEST_S: Final = 60.0
 """Longest period that is answered [s]."""
 
-LIMITS: Final[Mapping[str, tuple[float, float, str]]] = {
-    "ag_g": (0.001, 1.0, "give a_g in g, as 0.2: divide m/s^2 by 9.81"),
-    "f0": (1.5, 5.0, "give F0 of the site, as 2.5"),
-    "tc_star_s": (0.05, 1.0, "give TC* of the site in seconds, as 0.35"),
-    "soil_factor": (0.5, 4.0, "give S_S, as 1.2"),
-    "cc": (0.5, 4.0, "give C_C, as 1.4"),
-    "topography": (1.0, 2.0, "give T1, T2, T3 or T4, or S_T as a number, as 1.2"),
+PERIOD: Final = Bounds(0.0, LONGEST_S, "[]", "give a period in seconds, as 1.9")
+DAMPING: Final = Bounds(0.0, 1.0, "()", "give it over the critical one: 0.08 for 8 %")
+
+AG: Final = Bounds(0.001, 1.0, "[]", "give a_g in g, as 0.2: divide m/s^2 by 9.81")
+TC_STAR: Final = Bounds(0.05, 1.0, "[]", "give TC* of the site in seconds, as 0.35")
+OPTIONS: Final = {
+    "soil_factor": Bounds(0.5, 4.0, "[]", "give S_S, as 1.2"),
+    "cc": Bounds(0.5, 4.0, "[]", "give C_C, as 1.4"),
 }
+S_T: Final = Bounds(1.0, 2.0, "[]", "give T1, T2, T3 or T4, or S_T as a number, as 1.2")
 
 
 @checked
@@ -94,9 +96,9 @@ class ElasticSpectrum:
     0.200 0.500 0.150
     """
 
-    ag_g: float
-    f0: float
-    tc_star_s: float
+    ag_g: Annotated[float, AG]
+    f0: Annotated[float, Bounds(1.5, 5.0, "[]", "give F0 of the site, as 2.5")]
+    tc_star_s: Annotated[float, TC_STAR]
     soil: Soil | None = None
     topography: Topography | float = "T1"
     soil_factor: float | None = None
@@ -104,15 +106,12 @@ class ElasticSpectrum:
 
     def __post_init__(self) -> None:
         """Validate."""
-        for key in ("ag_g", "f0", "tc_star_s", "soil_factor", "cc"):
+        for key, rule in OPTIONS.items():
             value = getattr(self, key)
-            if value is not None or key in ("ag_g", "f0", "tc_star_s"):
-                low, high, hint = LIMITS[key]
-                object.__setattr__(self, key, in_range(key, value, low, high, "[]", hint=hint))
+            if value is not None:
+                object.__setattr__(self, key, rule(key, value))
         if not (isinstance(self.topography, str) and self.topography in TOPOGRAPHY_FACTORS):
-            low, high, hint = LIMITS["topography"]
-            factor = in_range("topography", self.topography, low, high, "[]", hint=hint)
-            object.__setattr__(self, "topography", factor)
+            object.__setattr__(self, "topography", S_T("topography", self.topography))
         self._check_ground()
         if self.tc_s >= self.td_s:
             raise ModelError(
@@ -190,7 +189,7 @@ class ElasticSpectrum:
         InputError
             If a number is outside its range.
         """
-        t, xi = period_value(period_s), damping_value(damping)
+        t, xi = PERIOD("period_s", period_s), DAMPING("damping", damping)
         eta = damping_factor(xi)
         tc, td = self.tc_s, self.td_s
         plateau = self.peak_g * eta * self.f0
@@ -213,15 +212,3 @@ def displacement_of(sa_g: float, period_s: float) -> float:
     """Return the displacement [m] of a spectral acceleration [g] at a period [s]."""
     rate = 2.0 * math.pi
     return sa_g * STANDARD_GRAVITY * period_s * period_s / (rate * rate)
-
-
-def period_value(value: object) -> float:
-    """Return a period of a spectrum."""
-    hint = "give a period in seconds, as 1.9"
-    return in_range("period_s", value, 0.0, LONGEST_S, "[]", hint=hint)
-
-
-def damping_value(value: object) -> float:
-    """Return a damping of a spectrum."""
-    hint = "give it over the critical one: 0.08 for 8 %"
-    return in_range("damping", value, 0.0, 1.0, "()", hint=hint)

@@ -10,6 +10,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.measures.response_spectrum import (
@@ -29,6 +30,10 @@ MOST_SHOWN = 60
 FIRST_S, LAST_S = 0.05, 8.0
 """Periods between which the pseudo-acceleration is tabulated [s]."""
 PERIODS_S: Floats = FIRST_S * exp(np.linspace(0.0, 1.0, 30) * log(LAST_S / FIRST_S))
+PERIOD = Bounds(0.0, LONGEST_S, "(]", "give a period in seconds, as 1.9")
+DAMPING = Bounds(0.0, 1.0, "[)", "give it over the critical one: 0.08 for 8 %")
+
+
 COARSE, FINE = 16, 7
 """Periods of the search for the largest ordinate: evenly spaced, then between its neighbours."""
 
@@ -98,9 +103,8 @@ class RecordDemand:
 
         Parameters and errors are those of `displacement_m`.
         """
-        hint = "give a period in seconds, as 1.9"
-        end = in_range("period_s", period_s, 0.0, LONGEST_S, "(]", hint=hint)
-        damping = _damping(damping)
+        end = PERIOD("period_s", period_s)
+        damping = DAMPING("damping", damping)
         if (end, damping) not in self._kept:
             self._kept[end, damping] = np.array(
                 [_largest(record, end, damping) for record in self.records]
@@ -126,7 +130,7 @@ class RecordDemand:
         """
         hint = "give a period in seconds, as 0.5"
         period = in_range("period_s", period_s, 0.0, LAST_S, "[]", hint=hint)
-        damping = _damping(damping)
+        damping = DAMPING("damping", damping)
         if period == 0.0:
             peaks = [record.peak_acceleration_m_s2 for record in self.records]
             return float(np.mean(peaks)) / STANDARD_GRAVITY
@@ -167,12 +171,6 @@ def different_motions(grounds: Sequence[GroundShaking]) -> int:
             )
         names[whole] = name
     return len(across)
-
-
-def _damping(value: object) -> float:
-    """Return a damping in [0, 1)."""
-    hint = "give it over the critical one: 0.08 for 8 %"
-    return in_range("damping", value, 0.0, 1.0, "[)", hint=hint)
 
 
 def _largest(record: Record, end: float, damping: float) -> float:

@@ -13,10 +13,10 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import (
+    DAMPING,
     LONGEST_S,
-    damping_value,
+    PERIOD,
     displacement_of,
-    period_value,
 )
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.observations.files.csv_table import Columns, number_in, read_csv_table
@@ -98,7 +98,7 @@ class SpectrumTable:
         ModelError
             If the period is outside the table.
         """
-        t, xi = period_value(period_s), damping_value(damping)
+        t, xi = PERIOD("period_s", period_s), DAMPING("damping", damping)
         first, last = self.periods_s[0], self.periods_s[-1]
         if t > last or (t < first and first > RIGID_S):
             raise ModelError(
@@ -119,7 +119,7 @@ class SpectrumTable:
 
     def remark(self, damping: float) -> Remark:
         """Return how a damping follows from those of the table."""
-        xi, given = damping_value(damping), self.damping
+        xi, given = DAMPING("damping", damping), self.damping
         wanted = number(100.0 * xi)
         if any(math.isclose(each, xi, rel_tol=1e-9) for each in given):
             return Remark("table_as_given", (wanted,))
@@ -169,7 +169,7 @@ def read_spectrum_table(
     1.20
     """
     file = Path(path)
-    stated = None if spectrum_damping is None else damping_value(spectrum_damping)
+    stated = None if spectrum_damping is None else DAMPING("damping", spectrum_damping)
     table = read_csv_table(file, COLUMNS, name="spectrum", hint=HINT)
     several = "damping" in table.header
     if several == (stated is not None):
@@ -236,7 +236,7 @@ def _tabulated(periods: Any, values: Any, damping: Any) -> TabulatedSpectrum:
     row = isinstance(damping, list | tuple) or getattr(damping, "ndim", 0) == 1
     dampings = list(damping) if row else [damping]
     for each in dampings:
-        damping_value(each)
+        DAMPING("damping", each)
     spectrum = tabulated(rows.tolist(), dampings)
     assert spectrum is not None
     return spectrum

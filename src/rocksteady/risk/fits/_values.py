@@ -6,10 +6,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.numbers import number, quantity
 
 Floats = NDArray[np.float64]
+
+SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
 
 
 def intensities(given: ArrayLike) -> Floats:
@@ -21,11 +23,6 @@ def intensities(given: ArrayLike) -> Floats:
             "intensity", float(at[bad].flat[0]), "it must be 0 or above", "give an intensity"
         )
     return at
-
-
-def share_value(given: float) -> float:
-    """Return a probability in (0, 1)."""
-    return in_range("probability", given, 0.0, 1.0, "()", hint="give a share, as 0.5")
 
 
 def listed(pair: tuple[float, float] | None) -> list[float] | None:

@@ -21,10 +21,10 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPA
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
 from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import (
+    SHARE,
     intensities,
     listed,
     range_words,
-    share_value,
     value_words,
 )
 from rocksteady.risk.fits.bands import Bands
@@ -168,7 +168,7 @@ class FragilityCurve(Result):
         float
             NaN without a curve.
         """
-        p = share_value(probability)
+        p = SHARE("probability", probability)
         if self.status != FITTED:
             return self.median
         eta = float(family_of(self.family).quantile(np.array(p)))

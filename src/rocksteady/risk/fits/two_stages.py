@@ -20,10 +20,10 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
 from rocksteady.risk.fits._trial_counts import SAME_LEVEL, counts_of, same_length, values_of
 from rocksteady.risk.fits._values import (
+    SHARE,
     intensities,
     listed,
     range_words,
-    share_value,
     value_words,
 )
 from rocksteady.risk.fits.bands import Bands
@@ -180,7 +180,7 @@ class TwoStageCurve(Result):
         """
         from scipy.optimize import brentq
 
-        p = share_value(probability)
+        p = SHARE("probability", probability)
         stages = [s for s in (self.uplift, self.given_uplift) if s.status != ALWAYS]
         if any(s.status not in (FITTED, SEPARATED) for s in stages) or not stages:
             return math.nan

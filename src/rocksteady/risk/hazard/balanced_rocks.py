@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -150,12 +150,12 @@ class BranchTest(Result):
 def reject_branches(
     fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     branches: Sequence[HazardCurve],
-    age_years: float,
+    age_years: Annotated[float, Bounds(0.0, OLDEST_YEARS, "(]", "give an age in years")],
     *,
     measure: Intensity | str | None = None,
     block: Block | None = None,
-    alpha_cv: float = 0.05,
-    level: float = 0.95,
+    alpha_cv: Annotated[float, Bounds(0.0, 1.0, "[]", "give a share, as .05")] = 0.05,
+    level: Annotated[float, Bounds(0.0, 1.0, "()", "give a confidence, as .95")] = 0.95,
 ) -> BranchTest:
     """Test branches of a hazard model against a standing object.
 
@@ -206,9 +206,6 @@ def reject_branches(
     >>> test.rejected.tolist(), test.confidence.round(2).tolist()
     ([False, True], [0.53, 1.0])
     """
-    age_years = in_range("age_years", age_years, 0.0, OLDEST_YEARS, hint="give an age in years")
-    alpha_cv = in_range("alpha_cv", alpha_cv, 0.0, 1.0, "[]", hint="give a share, as .05")
-    level = in_range("level", level, 0.0, 1.0, "()", hint="give a confidence, as .95")
     prior = _prior(branches)
     curve, words, remarks = fragility_over(fragility, branches[0], measure, block)
     factors, weights = lognormal_rule(alpha_cv)

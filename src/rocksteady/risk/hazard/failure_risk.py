@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from operator import itemgetter
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,7 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, number_or_none, quantity
 from rocksteady.results.result import Result
@@ -281,11 +281,11 @@ class Risk(Result):
 def compute_risk(
     fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     hazard: HazardCurve,
-    years: float = 50.0,
+    years: Annotated[float, Bounds(0.0, LONGEST_YEARS, "(]", "give a time in years")] = 50.0,
     *,
     measure: Intensity | str | None = None,
     block: Block | None = None,
-    beta_u: float = 0.0,
+    beta_u: Annotated[float, Bounds(0.0, 20.0, "[]", "give 0, or .2 to .4")] = 0.0,
 ) -> Risk:
     r"""Compute the annual rate of failure of an object under a hazard curve.
 
@@ -336,9 +336,6 @@ def compute_risk(
     >>> print(f"{risk.annual_rate:.5f} {risk.closed_form_rate:.5f} {risk.hclpf:.4f}")
     0.00093 0.00093 0.1757
     """
-    hint = "give a time in years"
-    years = in_range("years", years, 0.0, LONGEST_YEARS, hint=hint)
-    beta_u = in_range("beta_u", beta_u, 0.0, 20.0, "[]", hint="give 0, or .2 to .4")
     curve, words, remarks = fragility_over(fragility, hazard, measure, block)
     integral = failure_integral(curve, hazard)
     median, beta = curve.quantile(0.5), curve.beta if curve.quantile(0.5) > 0.0 else math.nan

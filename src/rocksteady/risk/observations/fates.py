@@ -4,7 +4,7 @@ import functools
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,7 +13,8 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
 from rocksteady.risk.observations.observations import Observations
@@ -36,6 +37,13 @@ MOST_DRAWS: Final = 1_000_000
 LARGEST_SEED: Final = 2**64 - 1
 KEPT: Final = ("status", "peak_angle", "impacts")
 """Outputs of a cell."""
+
+
+def _by_object(_: str, value: object) -> "Floats | dict[str, Floats]":
+    """Return deviations as read-only arrays, of all objects or of each."""
+    if isinstance(value, Mapping):
+        return {name: _deviations(each) for name, each in value.items()}
+    return _deviations(value)
 
 
 @checked
@@ -65,24 +73,9 @@ class Scatter:
     8
     """
 
-    deviation: float | ArrayLike | Mapping[str, ArrayLike]
-    draws: int = 1
-    seed: int = 0
-
-    def __post_init__(self) -> None:
-        """Validate, and keep read-only arrays."""
-        given = self.deviation
-        kept = (
-            {name: _deviations(value) for name, value in given.items()}
-            if isinstance(given, Mapping)
-            else _deviations(given)
-        )
-        hint = "give the number of runs of each block, as 8"
-        draws = whole_number("draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint=hint)
-        hint = "give a whole number, as 7"
-        seed = whole_number("seed", self.seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
-        for name, value in (("deviation", kept), ("draws", draws), ("seed", seed)):
-            object.__setattr__(self, name, value)
+    deviation: Annotated[float | ArrayLike | Mapping[str, ArrayLike], _by_object]
+    draws: Annotated[int, Whole(1, MOST_DRAWS, "give the number of runs of each block, as 8")] = 1
+    seed: Annotated[int, Whole(0, LARGEST_SEED, "give a whole number, as 7")] = 0
 
 
 @checked

@@ -8,10 +8,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.arrays import checked_array, real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import finite, in_range, positive
 
 Floats = NDArray[np.float64]
@@ -247,11 +248,7 @@ def shares_of(name: str, uniforms: ArrayLike) -> Floats:
     InputError
         With the first that is none.
     """
-    shares = real_array(name, uniforms)
-    valid = (shares >= 0.0) & (shares <= 1.0)
-    if not valid.all():
-        in_range(name, float(shares[~valid].flat[0]), 0.0, 1.0, "[]", hint="give shares")
-    return shares
+    return checked_array(name, uniforms, Bounds(0.0, 1.0, "[]", "give shares"))
 
 
 def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:

@@ -1,32 +1,34 @@
 """Demand on a block: peak acceleration and velocity, and a response spectrum."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import compare_by_value
-from rocksteady.model.checks.validation import LARGEST, Ends, in_range
+from rocksteady.model.checks.bounds import Bounds
+from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens.spectra import read_table, tabulated
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import integrate_record
 
-PEAKS = {
-    "pga_g": "give the peak in g; 0.3 is usual",
-    "pgv_m_s": "give the peak in m/s; 0.4 is usual",
+PGA = Bounds(0.0, LARGEST, "(]", "give the peak in g; 0.3 is usual")
+PGV = Bounds(0.0, LARGEST, "(]", "give the peak in m/s; 0.4 is usual")
+VERTICAL = {
+    "vertical_g": Bounds(
+        0.0, 10.0, "[]", "give the peak without a sign: the worse direction counts"
+    ),
+    "vertical_share": Bounds(
+        0.0, 1.0, "[]", "give the share that acts at the horizontal peak, as 0.4"
+    ),
 }
-"""What to do where a peak is not valid."""
-VERTICAL: Mapping[str, tuple[float, float, Ends, str]] = {
-    "vertical_g": (0.0, 10.0, "[]", "give the peak without a sign: the worse direction counts"),
-    "vertical_share": (0.0, 1.0, "[]", "give the share that acts at the horizontal peak, as 0.4"),
-}
-"""Lowest and highest vertical motion, which ends belong to it, and what to do."""
+FRICTION = Bounds(0.0, 100.0, "[]", "give the coefficient of friction, as 0.4")
+SPECTRAL_RATIO = Bounds(0.0, 10.0, "[]", "give the ratio of the spectra, as 0.67")
 
 
 @checked
@@ -69,32 +71,24 @@ class Demand:
     0.35
     """
 
-    pga_g: float | None = None
-    pgv_m_s: float | None = None
+    pga_g: Annotated[float | None, PGA] = None
+    pgv_m_s: Annotated[float | None, PGV] = None
     spectrum: Any = None
     spectrum_damping: Any = None
-    sa_v_per_sa_h: float = 0.0
-    vertical_g: float = 0.0
-    vertical_share: float = 1.0
+    sa_v_per_sa_h: Annotated[float, SPECTRAL_RATIO] = 0.0
+    vertical_g: Annotated[float, VERTICAL["vertical_g"]] = 0.0
+    vertical_share: Annotated[float, VERTICAL["vertical_share"]] = 1.0
 
     def __post_init__(self) -> None:
-        """Validate, and read a file."""
-        for name in PEAKS:
-            if getattr(self, name) is not None:
-                self._set(name, peak_value(name, getattr(self, name)))
-        hint = "give the ratio of the spectra, as 0.67"
-        ratio = in_range("sa_v_per_sa_h", self.sa_v_per_sa_h, 0.0, 10.0, "[]", hint=hint)
-        self._set("sa_v_per_sa_h", ratio)
-        for name, (low, high, ends, hint) in VERTICAL.items():
-            self._set(name, in_range(name, getattr(self, name), low, high, ends, hint=hint))
+        """Validate the spectrum, and read a file."""
         if self.spectrum is None or isinstance(self.spectrum, ResponseSpectrum | Record):
             self._refuse_damping()
         else:
             if isinstance(self.spectrum, str | PathLike):
                 table, stated = read_table(Path(self.spectrum))
-                self._set("spectrum", table)
+                object.__setattr__(self, "spectrum", table)
                 if self.spectrum_damping is None:
-                    self._set("spectrum_damping", stated)
+                    object.__setattr__(self, "spectrum_damping", stated)
             tabulated(self.spectrum, self.spectrum_damping)
 
     def with_peak(self) -> "Demand":
@@ -160,11 +154,3 @@ class Demand:
                 "it is the damping of a table, and there is none",
                 "leave it out",
             )
-
-    def _set(self, name: str, value: object) -> None:
-        object.__setattr__(self, name, value)
-
-
-def peak_value(name: str, value: object) -> float:
-    """Return a peak, which is above 0."""
-    return in_range(name, value, 0.0, LARGEST, hint=PEAKS[name])

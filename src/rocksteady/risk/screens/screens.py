@@ -1,11 +1,11 @@
 """All published formulas for one block and one demand, side by side, never averaged."""
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
@@ -14,7 +14,7 @@ from rocksteady.risk.screens import _rows
 from rocksteady.risk.screens._asce_row import asce_row
 from rocksteady.risk.screens._cabinets import CABINETS
 from rocksteady.risk.screens._rows import SLIDES
-from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.demand import FRICTION, Demand
 from rocksteady.risk.screens.friction import Mode
 from rocksteady.risk.screens.screen import Screen
 
@@ -138,7 +138,9 @@ class Screens(Result):
 
 
 @checked
-def screen_block(block: Block, demand: Demand, *, friction: float | None = None) -> Screens:
+def screen_block(
+    block: Block, demand: Demand, *, friction: Annotated[float | None, FRICTION] = None
+) -> Screens:
     """Apply published formulas for rocking and overturning to a block, side by side.
 
     Parameters
@@ -172,9 +174,6 @@ def screen_block(block: Block, demand: Demand, *, friction: float | None = None)
     >>> print(screens.motion, f"{screens.row('friction to rock').value:.4f}")
     rocks 0.2199
     """
-    if friction is not None:
-        hint = "give the coefficient of friction, as 0.4"
-        friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
     demand = demand.with_peak()
     case = _rows.Case(block, demand, friction)
     rows = (
