@@ -17,15 +17,14 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import impact_pair
+from rocksteady.model.blocks.housner_forms import Impacts, form_text
 from rocksteady.model.checks.bounds import P
 from rocksteady.model.motions.base_motion import BaseMotion
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from rocksteady.model.blocks.sides import Restitution
+    from rocksteady.model.blocks.housner_forms import Restitution
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
     from rocksteady.show.style.page import Page
@@ -161,7 +160,7 @@ def spectrum(
     cells = cells.load()
     cells.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
     described = describe(cells)
-    factor = housner_factor(ratio)
+    factor = Impacts.of(ratio).factor
     names = zip(cells["record"].values.tolist(), recorded.record or [], strict=True)
     values = {
         **described.to_dict(),
@@ -318,7 +317,7 @@ def _restitution(text: str | None) -> "Restitution":
         If it is no number, or two.
     """
     restitution = restitution_from(text, default="housner")
-    if impact_pair(restitution) is not None:
+    if Impacts.of(restitution).pair is not None:
         raise InputError(
             "restitution",
             text,

@@ -15,12 +15,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import SOURCES, named_block
-from rocksteady.model.blocks.sides import (
-    Restitution,
-    impact_pair,
-    one_restitution,
-    restitution_pair,
-)
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.bounds import length
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
@@ -342,10 +337,10 @@ class BlockFlags:
                 "without a block gravity has no meaning",
                 "describe a block, or leave it out",
             )
-            first, second = restitution_pair(restitution_from(self.restitution, default=None))
+            first, second = Impacts.of(restitution_from(self.restitution, default=None)).numbers
             return DimensionlessBlock(restitution=first, negative_restitution=second)
         ratio = restitution_from(self.restitution, default="housner")
-        pair = impact_pair(ratio)
+        pair = Impacts.of(ratio).pair
         block = self._sized(cast("Restitution", ratio) if pair is None else pair[0], gravity)
         if block is None:
             flags_given = " ".join(["--block", *given] if self.block is not None else given)
@@ -388,9 +383,8 @@ class BlockFlags:
         # Impacts on the base alone do not occur, and need no restitution.
         free = replace(self, one_sided=None, restitution="1").described()
         sized = isinstance(free, Block)
-        ratio = one_restitution(
-            restitution_from(self.restitution, default="housner" if sized else None, wall=True)
-        )
+        default: Restitution | None = "housner" if sized else None
+        ratio = Impacts.of(restitution_from(self.restitution, default=default, wall=True)).of_wall
         if isinstance(free, Block):
             return free.against_wall(ratio)
         assert isinstance(ratio, float)  # without a size no other form is taken

@@ -12,8 +12,7 @@ from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.housner_forms import form_of_text
-from rocksteady.model.blocks.sides import Restitution, one_restitution
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_of_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.rendering import printable
 
@@ -372,5 +371,5 @@ def _body(block: BlockFlags, default: Block | None) -> Block:
         )
     ratio = restitution_from(block.restitution, default="housner")
     if block.one_sided:
-        return default.against_wall(one_restitution(ratio))
+        return default.against_wall(Impacts.of(ratio).of_wall)
     return default if ratio == "housner" else default.with_restitution(ratio)

@@ -6,8 +6,12 @@ import re
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.housner_forms import VALID_TEXT, form_of_text
-from rocksteady.model.blocks.sides import Restitution, Restitutions
+from rocksteady.model.blocks.housner_forms import (
+    VALID_TEXT,
+    Restitution,
+    Restitutions,
+    form_of_text,
+)
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 MOST_AXIS_POINTS = 1_000_000

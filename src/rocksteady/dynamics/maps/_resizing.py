@@ -12,7 +12,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution
 
 Floats = NDArray[np.float64]
 

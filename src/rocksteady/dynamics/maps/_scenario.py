@@ -23,15 +23,14 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
-from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
+from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.housner_forms import form_text
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution, form_text
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
@@ -132,7 +131,7 @@ class Scenario:
         hint = "give a number, or a list of the values of an axis"
         fixed = tuple((name, finite(name, value, hint=hint)) for name, value in self.fixed)
         object.__setattr__(self, "fixed", fixed)
-        bare_block(self.block)
+        self.block.dimensionless()
         if self.motion is not None:
             periodic_motion(self.motion)
         object.__setattr__(self, "start", start_of(self.start))

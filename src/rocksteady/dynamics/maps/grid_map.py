@@ -15,7 +15,7 @@ from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.housner_forms import housner_factor
+from rocksteady.model.blocks.housner_forms import Impacts
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.sweep.cases.axes import Axis
@@ -112,7 +112,7 @@ def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], .
             "it names parameters, each with its values",
             "give a mapping, as {'amplitude': [1.0, 2.0]}",
         )
-    housner = housner_factor(axes.get("restitution"))
+    housner = Impacts.of(axes.get("restitution")).factor
     follows = {"restitution"} if housner is not None else set()
     moved = {name: value for name, value in axes.items() if name not in follows}
     fixed = {name: value for name, value in moved.items() if _is_single(value)}

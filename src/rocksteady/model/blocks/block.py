@@ -15,17 +15,13 @@ from typing import Annotated
 
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
-from rocksteady.model.blocks.housner_forms import housner_factor, noted, restitution_of
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
-    Restitution,
-    Restitutions,
     Side,
     check_one_body,
     has_factor,
+    housner_pair,
     housner_restitution,
-    one_restitution,
-    ratios_of,
-    restitution_pair,
     sides_of_body,
     wall_ratio,
 )
@@ -42,7 +38,6 @@ from rocksteady.model.checks.bounds import (
     ALPHA,
     GRAVITY,
     RADIUS,
-    RESTITUTION,
     P,
     length,
     restitution_of_wall,
@@ -117,7 +112,7 @@ class Block(Measured):
         check_one_body(self.positive, self.negative, self.gravity)
         factor, wall_side = self.housner_factor, self.wall_restitution
         if factor is not None:
-            housner_factor(("housner", factor))  # refuses what is none
+            Impacts.of(("housner", factor))  # refuses what is none
         sides = self.positive, self.negative, self.gravity
         if factor is not None and not has_factor(factor, *sides, wall_side):
             object.__setattr__(self, "housner_factor", None)
@@ -167,9 +162,9 @@ class Block(Measured):
         """
         question_millimetres({"width": width, "height": height}, height=height)
         alpha = atan2(width, height)
-        if housner_factor(restitution) is not None:
+        if Impacts.of(restitution).factor is not None:
             refuse_stocky(width, height, alpha)
-        return cls._homogeneous(alpha, 0.5 * hypot(width, height), restitution, gravity)
+        return cls._symmetric(alpha, 0.5 * hypot(width, height), restitution, gravity)
 
     @classmethod
     def from_radius(
@@ -187,7 +182,7 @@ class Block(Measured):
         InputError
             As for `rectangle`; `alpha` must lie in (0, pi/2).
         """
-        made = cls._homogeneous(alpha, radius, restitution, gravity)
+        made = cls._symmetric(alpha, radius, restitution, gravity)
         question_millimetres({"radius": made.radius}, height=made.height)
         return made
 
@@ -207,7 +202,7 @@ class Block(Measured):
         InputError
             As for `from_radius`; `p` must be a positive number.
         """
-        return cls._symmetric(alpha, 0.75 * gravity / (p * p), p, restitution, gravity)
+        return cls._symmetric(alpha, 0.75 * gravity / (p * p), restitution, gravity, p)
 
     @classmethod
     def general(
@@ -250,7 +245,7 @@ class Block(Measured):
         r = RADIUS("radius", radius)
         check_inertia(inertia, mass * r * r)
         g = GRAVITY("gravity", gravity)
-        made = cls._symmetric(alpha, r, math.sqrt(mass * g * r / i), restitution, g)
+        made = cls._symmetric(alpha, r, restitution, g, math.sqrt(mass * g * r / i))
         question_millimetres({"radius": r}, height=made.height)
         return made
 
@@ -388,7 +383,7 @@ class Block(Measured):
         # A symmetric block is computed in one way, whichever constructor makes it.
         if b1 == b2 and k is None:
             radius, alpha = 0.5 * hypot(2.0 * b1, h), atan2(2.0 * b1, h)
-            return cls._alike(cls._homogeneous, restitution, g, alpha=alpha, radius=radius)
+            return cls._alike(cls._symmetric, restitution, g, alpha=alpha, radius=radius)
         if b1 == b2 and k is not None:
             radius = hypot(b1, 0.5 * h)
             sizes = {"radius": radius, "alpha": atan2(b1, 0.5 * h)}
@@ -402,18 +397,8 @@ class Block(Measured):
             restitution=restitution,
             gravity=g,
         )
-        return cls(
-            positive=positive, negative=negative, gravity=g, housner_factor=noted(restitution)
-        )
-
-    @classmethod
-    def _homogeneous(
-        cls, alpha: float, radius: float, restitution: Restitution, gravity: float
-    ) -> "Block":
-        """Return what `from_radius` does, of whatever size."""
-        r = RADIUS("radius", radius)
-        g = GRAVITY("gravity", gravity)
-        return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
+        factor = Impacts.of(restitution).noted
+        return cls(positive=positive, negative=negative, gravity=g, housner_factor=factor)
 
     @classmethod
     def _alike(
@@ -424,25 +409,32 @@ class Block(Measured):
         **sizes: float,
     ) -> "Block":
         """Return a symmetric block of a constructor, with one restitution or two."""
-        if housner_factor(restitution) is not None:
+        impacts = Impacts.of(restitution)
+        if impacts.factor is not None:
             return make(restitution=restitution, gravity=gravity, **sizes)
-        pair = restitution_pair(restitution)
+        pair = impacts.numbers
         return make(restitution=pair[0], gravity=gravity, **sizes).with_restitution(pair)
 
     @classmethod
     def _symmetric(
-        cls, alpha: float, radius: float, p: float, restitution: Restitution, gravity: float
+        cls,
+        alpha: float,
+        radius: float,
+        restitution: Restitution,
+        gravity: float,
+        p: float | None = None,
     ) -> "Block":
-        """Return the block whose sides are both made of these."""
+        """Return the block whose sides are both made of these; without p a rectangle."""
+        if p is None:
+            radius, gravity = RADIUS("radius", radius), GRAVITY("gravity", gravity)
+            p = math.sqrt(0.75 * gravity / radius)
         angle = ALPHA("alpha", alpha)
-        factor = housner_factor(restitution)
-        if factor is None:
-            ratio = RESTITUTION("restitution", restitution)
-        else:
-            whole = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
-            ratio = restitution_of(factor, whole)
+        impacts = Impacts.of(restitution)
+        ratio = impacts.ratio(
+            lambda: housner_restitution(angle, p=p, radius=radius, gravity=gravity)
+        )
         side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
-        return cls(positive=side, negative=side, gravity=gravity, housner_factor=noted(restitution))
+        return cls(positive=side, negative=side, gravity=gravity, housner_factor=impacts.noted)
 
     def against_wall(self, restitution: Restitution = "housner") -> "Block":
         """Return the block against a wall, which it leaves on its positive side alone.
@@ -467,12 +459,11 @@ class Block(Measured):
         >>> print(f"{facade.restitution:.4f}")
         0.4708
         """
-        factor = housner_factor(restitution)
-        if factor is None:
-            ratio = restitution_of_wall("restitution", restitution)
-        else:
-            ratio = restitution_of(factor, wall_ratio(self.positive, self.negative, self.gravity))
-        return replace(self, wall_restitution=ratio, housner_factor=noted(restitution))
+        impacts = Impacts.of(restitution)
+        ratio = impacts.ratio(
+            lambda: wall_ratio(self.positive, self.negative, self.gravity), restitution_of_wall
+        )
+        return replace(self, wall_restitution=ratio, housner_factor=impacts.noted)
 
     def with_restitution(self, restitution: Restitutions) -> "Block":
         """Return the block with other restitutions, as the constructors take them.
@@ -482,11 +473,12 @@ class Block(Measured):
         InputError
             If one lies outside (0, 1].
         """
+        impacts = Impacts.of(restitution)
         if self.one_sided:
-            return self.against_wall(one_restitution(restitution))
-        first, second = ratios_of(restitution, self.positive, self.negative, self.gravity)
+            return self.against_wall(impacts.of_wall)
+        first, second = impacts.ratios(
+            lambda: housner_pair(self.positive, self.negative, self.gravity)
+        )
         positive = replace(self.positive, restitution=first)
         negative = replace(self.negative, restitution=second)
-        return replace(
-            self, positive=positive, negative=negative, housner_factor=noted(restitution)
-        )
+        return replace(self, positive=positive, negative=negative, housner_factor=impacts.noted)

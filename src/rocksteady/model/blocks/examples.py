@@ -6,7 +6,7 @@ from collections.abc import Callable
 from rocksteady.errors import InputError, with_call_errors
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution
 
 INCH = 0.0254
 """[m]"""

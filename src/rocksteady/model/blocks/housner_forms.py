@@ -1,54 +1,134 @@
-"""Housner's restitution as it is, or a measured factor of it: in Python and as text."""
+"""Restitution as it is given: numbers, Housner's value or a factor of it; in Python and as text."""
 
-from typing import Literal
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.checks.bounds import RESTITUTION, Rule
 from rocksteady.model.checks.validation import positive
 
 Housner = Literal["housner"] | tuple[Literal["housner"], float]
 """Restitution of inelastic impact, or a factor of it, as ("housner", 0.965)."""
 
+Restitution = float | Housner
+"""A ratio of angular velocities in (0, 1], "housner" for that of inelastic impact, or a measured
+factor of it as ("housner", 0.965)."""
+
+Restitutions = Restitution | tuple[float, float]
+"""One for both impacts, or a pair: of the impact that ends positive rotation, and of the other."""
+
 VALID = 'it must be a number in (0, 1], "housner", or a factor of it as ("housner", 0.965)'
 VALID_TEXT = "it must be a number in (0, 1], 'housner', or a factor of it as 'housner*0.965'"
 
 
-def housner_factor(value: object) -> float | None:
-    """Return the factor of Housner's value that a restitution is; None of numbers.
+@dataclass(frozen=True)
+class Impacts:
+    """What is known of the impacts of a block before the block is: numbers, or a factor.
 
-    Raises
-    ------
-    InputError
-        If it is ("housner", ...) with anything but one positive number.
-
-    Examples
-    --------
-    >>> housner_factor("housner"), housner_factor(("housner", 0.965)), housner_factor(0.9)
-    (1.0, 0.965, None)
+    Parameters
+    ----------
+    given
+        What the caller gave.
+    factor
+        Factor of Housner's value that it is; None of numbers, which are not checked yet.
     """
-    word, *factors = value if isinstance(value, tuple | list) and value else (value,)
-    if not isinstance(word, str):
-        return None
-    valid = len(factors) == 1 and not isinstance(factors[0], str)
-    if word != "housner" or not (valid or word is value):
-        raise InputError("restitution", value, VALID, 'give ("housner", 0.965) for a factor of it')
-    hint = 'give the factor as a number, as ("housner", 0.965)'
-    return positive("restitution", factors[0], hint=hint) if factors else 1.0
+
+    given: Any
+    factor: float | None
+
+    @classmethod
+    def of(cls, given: object) -> "Impacts":
+        """Take a restitution apart.
+
+        Raises
+        ------
+        InputError
+            If it is ("housner", ...) with anything but one positive number.
+
+        Examples
+        --------
+        >>> [Impacts.of(each).factor for each in ("housner", ("housner", 0.965), 0.9)]
+        [1.0, 0.965, None]
+        """
+        word, *factors = given if isinstance(given, tuple | list) and given else (given,)
+        if not isinstance(word, str):
+            return cls(given, None)
+        valid = len(factors) == 1 and not isinstance(factors[0], str)
+        if word != "housner" or not (valid or word is given):
+            hint = 'give ("housner", 0.965) for a factor of it'
+            raise InputError("restitution", given, VALID, hint)
+        hint = 'give the factor as a number, as ("housner", 0.965)'
+        return cls(given, positive("restitution", factors[0], hint=hint) if factors else 1.0)
+
+    @property
+    def noted(self) -> float | None:
+        """The factor that a description shows; None of 1."""
+        return None if self.factor == 1.0 else self.factor
+
+    @property
+    def numbers(self) -> tuple[float, float]:
+        """The number of either impact: of one number twice that, of a pair each."""
+        rule = RESTITUTION
+        if not isinstance(self.given, tuple | list):
+            return (rule("restitution", self.given),) * 2
+        if len(self.given) != 2:
+            raise InputError(
+                "restitution",
+                self.given,
+                "there are two impacts: the end of positive and the end of negative rotation",
+                "give one number for both, or a pair of them",
+            )
+        first, second = self.given
+        return rule("restitution", first), rule("restitution", second)
+
+    @property
+    def pair(self) -> tuple[float, float] | None:
+        """A pair of numbers, one for each impact; None where both impacts have one form."""
+        unlike = self.factor is None and isinstance(self.given, tuple)
+        return self.numbers if unlike else None
+
+    @property
+    def of_wall(self) -> Restitution:
+        """The one restitution of a block against a wall."""
+        if self.factor is None and isinstance(self.given, tuple):
+            raise ModelError(
+                "restitution",
+                self.given,
+                "a block against a wall has one restitution",
+                "give one number in [0, 1]",
+            )
+        return self.given  # type: ignore[no-any-return]
+
+    def ratio(self, housner: Callable[[], float], rule: Rule = RESTITUTION) -> float:
+        """Return the ratio of the angular velocities of an impact.
+
+        Parameters
+        ----------
+        housner
+            Returns its value by conservation of angular momentum.
+        rule
+            What a number may be.
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range, or the factor makes the value larger than 1.
+        """
+        if self.factor is None:
+            return rule("restitution", self.given)
+        return _times(self.factor, housner())
+
+    def ratios(self, housner: Callable[[], tuple[float, float]]) -> tuple[float, float]:
+        """Return the ratios of both impacts; arguments and errors are those of `ratio`."""
+        if self.factor is None:
+            return self.numbers
+        first, second = housner()
+        return _times(self.factor, first), _times(self.factor, second)
 
 
-def noted(restitution: object) -> float | None:
-    """Return the factor of Housner's value that a description shows; None of 1."""
-    factor = housner_factor(restitution)
-    return None if factor == 1.0 else factor
-
-
-def restitution_of(factor: float, ratio: float) -> float:
-    """Return a factor of Housner's value.
-
-    Raises
-    ------
-    InputError
-        If it is above 1.
-    """
+def _times(factor: float, ratio: float) -> float:
+    """Return a factor of Housner's value, 1 at most."""
     if factor * ratio > 1.0:
         raise InputError(
             "restitution",
@@ -78,7 +158,7 @@ def form_of_text(text: str) -> Housner | None:
     except ValueError:
         return None
     form: Housner = ("housner", factor)
-    housner_factor(form)
+    Impacts.of(form)
     return form
 
 
@@ -103,5 +183,5 @@ def ratio_words(ratio: float | str) -> str:
     """
     if not isinstance(ratio, str):
         return f"restitution {ratio:.4g}"
-    factor = housner_factor(form_of_text(ratio))
+    factor = Impacts.of(form_of_text(ratio)).factor
     return "Housner's restitution" if factor == 1.0 else f"restitution {factor:.4g} of Housner's"

@@ -10,20 +10,13 @@ from typing import Annotated
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
-from rocksteady.model.blocks.housner_forms import Housner, housner_factor, restitution_of
+from rocksteady.model.blocks.housner_forms import Impacts, Restitutions
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, GRAVITY, GYRATION, RADIUS, RESTITUTION, P, length
 
 SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
 one body: measured values agree to less, computed ones to rounding."""
-
-Restitution = float | Housner
-"""A ratio of angular velocities in (0, 1], "housner" for that of inelastic impact, or a measured
-factor of it as ("housner", 0.965)."""
-
-Restitutions = Restitution | tuple[float, float]
-"""One for both impacts, or a pair: of the impact that ends positive rotation, and of the other."""
 
 
 @checked
@@ -150,10 +143,8 @@ def sides_of_body(
     alphas = atan2(left, centre_height), atan2(right, centre_height)
     radii = hypot(left, centre_height), hypot(right, centre_height)
     rates = [math.sqrt(gravity * r / (gyration * gyration + r * r)) for r in radii]
-    factor = housner_factor(restitution)
-    if factor is None:
-        ratios = restitution_pair(restitution)
-    else:
+
+    def housner() -> tuple[float, float]:
         ratios = (
             impact_ratio(alphas, radii, gyration),
             impact_ratio(alphas[::-1], radii[::-1], gyration),
@@ -168,10 +159,12 @@ def sides_of_body(
                 "rocking needs one above 0",
                 "give a measured restitution in (0, 1], or a more slender block",
             )
-        ratios = restitution_of(factor, ratios[0]), restitution_of(factor, ratios[1])
+        return ratios
+
+    kept = Impacts.of(restitution).ratios(housner)
     first, second = (
         Side(alpha=alpha, radius=radius, p=p, restitution=ratio)
-        for alpha, radius, p, ratio in zip(alphas, radii, rates, ratios, strict=True)
+        for alpha, radius, p, ratio in zip(alphas, radii, rates, kept, strict=True)
     )
     return first, second
 
@@ -359,73 +352,9 @@ def has_factor(
     return all(math.isclose(ratio, factor * value, rel_tol=SAME_BODY) for ratio, value in pairs)
 
 
-def ratios_of(
-    restitution: Restitutions, positive: Side, negative: Side, gravity: float
-) -> tuple[float, float]:
-    """Return the restitutions of both impacts of a body, given in any form.
-
-    Raises
-    ------
-    InputError
-        If the value is no restitution, or above 1.
-    """
-    factor = housner_factor(restitution)
-    if factor is None:
-        return restitution_pair(restitution)
-    first, second = housner_pair(positive, negative, gravity)
-    return restitution_of(factor, first), restitution_of(factor, second)
-
-
-def impact_pair(value: Restitutions) -> tuple[float, float] | None:
-    """Return a pair of numbers, one for each impact; None where both impacts have one form."""
-    if isinstance(value, tuple) and housner_factor(value) is None:
-        return restitution_pair(value)
-    return None
-
-
 def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:
     """Return the value of `impact_restitution`, positive or not."""
     square = gyration * gyration
     # R1 R2 cos(alpha1 + alpha2) is the height squared less the product of the two distances.
     shared = radii[0] * radii[1] * cos(alphas[0] + alphas[1])
     return (square + shared) / (square + radii[1] * radii[1])
-
-
-def one_restitution(value: Restitutions) -> Restitution:
-    """Return the one restitution of a block against a wall.
-
-    Raises
-    ------
-    ModelError
-        If two numbers are given.
-    """
-    if isinstance(value, tuple) and not isinstance(value[0], str):
-        raise ModelError(
-            "restitution",
-            value,
-            "a block against a wall has one restitution",
-            "give one number in [0, 1]",
-        )
-    return value
-
-
-def restitution_pair(value: object) -> tuple[float, float]:
-    """Return the restitutions of both impacts: of a number twice that, of a pair each.
-
-    Raises
-    ------
-    InputError
-        If it is neither, or one of them lies outside (0, 1].
-    """
-    if isinstance(value, tuple | list):
-        if len(value) != 2:
-            raise InputError(
-                "restitution",
-                value,
-                "there are two impacts: the end of positive and the end of negative rotation",
-                "give one number for both, or a pair of them",
-            )
-        first, second = value
-        return RESTITUTION("restitution", first), RESTITUTION("restitution", second)
-    ratios = RESTITUTION("restitution", value)
-    return ratios, ratios

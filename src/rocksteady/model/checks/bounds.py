@@ -16,8 +16,6 @@ from typing import Any, Final, NamedTuple
 
 from rocksteady.model.checks.validation import Ends, in_range, whole_number
 
-Rule = Callable[[str, Any], Any]
-
 
 class Bounds(NamedTuple):
     """An interval of real numbers, and what to do about others: the rule of `in_range`."""
@@ -42,6 +40,9 @@ class Whole(NamedTuple):
     def __call__(self, name: str, value: object) -> int:
         """Return such a number as an int."""
         return whole_number(name, value, at_least=self.low, at_most=self.high, hint=self.hint)
+
+
+Rule = Bounds | Whole | Callable[[str, Any], Any]
 
 
 def length(hint: str) -> Bounds:

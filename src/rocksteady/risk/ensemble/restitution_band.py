@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import RESTITUTION
 from rocksteady.model.checks.validation import in_range, whole_number
@@ -75,7 +74,7 @@ class RestitutionBand:
         """Validate."""
         for name in ("low", "high"):
             value = getattr(self, name)
-            if value is not None and housner_factor(value) is None:
+            if value is not None and Impacts.of(value).factor is None:
                 hint = "give the ratio of the angular velocities after and before an impact"
                 ratio = in_range(name, value, 0.0, 1.0, "[]", hint=hint)
                 object.__setattr__(self, name, ratio)
@@ -122,7 +121,7 @@ class RestitutionBand:
 
 def _check_order(low: Restitution | None, high: Restitution | None) -> None:
     """Refuse a band upside down, as far as its ends can be compared without a block."""
-    first, second = housner_factor(low), housner_factor(high)
+    first, second = Impacts.of(low).factor, Impacts.of(high).factor
     if first is None and isinstance(low, float) and isinstance(high, float):
         first, second = low, high
     if first is not None and second is not None and first > second:

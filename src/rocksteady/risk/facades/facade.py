@@ -8,8 +8,7 @@ from typing import Final, Literal
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
-from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import RESTITUTION, restitution_of_wall
 from rocksteady.results.numbers import number
@@ -278,7 +277,7 @@ class Facade:
 
     def _check_restitution(self) -> None:
         """Refuse a restitution outside the range of one-sided or of two-sided rocking."""
-        if housner_factor(self.restitution) is None:
+        if Impacts.of(self.restitution).factor is None:
             rule = restitution_of_wall if self.one_sided else RESTITUTION
             object.__setattr__(self, "restitution", rule("restitution", self.restitution))
 

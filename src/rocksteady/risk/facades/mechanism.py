@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range, non_negative, positive
 from rocksteady.results.description import Description, Fact
@@ -300,7 +299,7 @@ class Mechanism(Result):
             )
             return made.against_wall(self.restitution) if self.one_sided else made
         except InputError as error:
-            factor = housner_factor(self.restitution)
+            factor = Impacts.of(self.restitution).factor
             raise InputError(
                 "restitution",
                 self.restitution if factor is None else form_text(factor),

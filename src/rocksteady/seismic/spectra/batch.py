@@ -38,8 +38,8 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.devices import run_cells
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.housner_forms import housner_factor
-from rocksteady.model.blocks.sides import Restitution, Side, housner_ratio, wall_ratio
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution
+from rocksteady.model.blocks.sides import Side, housner_ratio, wall_ratio
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -219,7 +219,7 @@ def rectangles_in_si(
     sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
     sides[:, :, RATE] = p[:, np.newaxis]
     sides[:, :, ALPHA : ALPHA + 1] = alpha[:, np.newaxis, np.newaxis]  # of the nonlinear model
-    factor = housner_factor(impact)
+    factor = Impacts.of(impact).factor
     ratios = np.full(len(alpha), impact if factor is None else math.nan)
     if factor is not None:
         # One by one: NumPy's sine may round differently by its place in the array.

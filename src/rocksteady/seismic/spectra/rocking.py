@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.housner_forms import form_text, housner_factor
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, Bounds
 from rocksteady.model.equations import Model, chosen_model
@@ -165,7 +164,7 @@ def spectrum_cells(
     given = 1.0 if scales is None else scales
     factors = scale_values(given)
     one_sided, impact = wall_of(restitution)
-    factor = housner_factor(impact)
+    factor = Impacts.of(impact).factor
     # Of the grid, the corner that needs most of the records, and the shape with least restitution.
     corner, _ = (
         _rectangle(value, 2.0 * math.pi / min(periods), gravity, impact, one_sided=one_sided)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, hypot, sin
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
 from rocksteady.risk.observations.files.toml_tables import named
 

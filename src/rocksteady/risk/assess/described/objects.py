@@ -10,8 +10,7 @@ import numpy as np
 
 from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.housner_forms import form_of_text
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution, form_of_text
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
