@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.sweep.executors.choice import validated_executor, validated_workers
+from rocksteady.sweep.executors.choice import WORKERS, validated_executor
 from rocksteady.sweep.store.store import Store
 
 Progress = Callable[[int], object]
@@ -63,15 +64,10 @@ class Run:
     rocksteady.errors.InputError: workers = 0 is not valid: ...
     """
 
-    executor: str = "threads"
-    workers: int | None = None
+    executor: Annotated[str, validated_executor] = "threads"
+    workers: Annotated[int | None, WORKERS] = None
     store: Store | Path | str | None = None
     progress: Progress | None = None
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "executor", validated_executor(self.executor))
-        object.__setattr__(self, "workers", validated_workers(self.workers))
 
     @property
     def place(self) -> Store | None:

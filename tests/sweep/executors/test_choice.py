@@ -38,12 +38,12 @@ def test_what_is_no_address_is_refused_before_anything_is_written(
 
 @every("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
 def test_what_may_be_an_address_is_valid(given_address: str) -> None:
-    assert validated_executor(given_address) == given_address
+    assert validated_executor("executor", given_address) == given_address
 
 
 def test_a_name_is_one_of_the_executors() -> None:
     for name in EXECUTORS:
-        assert validated_executor(name) == name
+        assert validated_executor("executor", name) == name
     for wrong in ("thread", "", "tcp:/host:1", 4, None, b"threads", ["threads"]):
         with pytest.raises(InputError, match=r"it must be one of .*dask scheduler"):
-            validated_executor(wrong)
+            validated_executor("executor", wrong)

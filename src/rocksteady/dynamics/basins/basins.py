@@ -32,7 +32,7 @@ from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, full_outcomes
-from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
+from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -399,7 +399,7 @@ def compute_basins(
     unsymmetric-1b 0.0450 0.031 to 0.065
     >>> steady = simulate(basins.block, basins.motion, start=basins.attractors[1].start, cycles=2)
     """
-    bare, shaken = bare_block(block), periodic_motion(motion)
+    bare, shaken = block.dimensionless(), periodic_motion(motion)
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)

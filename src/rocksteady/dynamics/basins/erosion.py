@@ -22,7 +22,7 @@ from rocksteady.dynamics.basins.window import (
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
-from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
+from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
@@ -375,7 +375,7 @@ def compute_erosion(
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """
     how = Run() if run is None else run
-    bare_block(block)
+    block.dimensionless()  # refuses sides too unlike
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     given_motion = periodic_motion(motion)
     ratio = given_motion.frequency_ratio

@@ -17,7 +17,6 @@ from rocksteady.dynamics.continuation.chains.switching import switched
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.return_map import bare_block
 from rocksteady.dynamics.orbits.search import find_orbits
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.errors import InputError, ModelError, Words
@@ -302,7 +301,7 @@ def refuse_wall(block: Block | DimensionlessBlock, what: str) -> None:
     InputError, ModelError
         If it is no block, or is such a one.
     """
-    if bare_block(block).one_sided:
+    if block.dimensionless().one_sided:
         raise ModelError(
             "block",
             Words("stands against a wall"),

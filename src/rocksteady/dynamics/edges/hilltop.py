@@ -21,7 +21,7 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import exp, hypot
@@ -249,7 +249,7 @@ def find_hilltop_saddles(
     >>> print(f"{saddle.highest:.3f} {saddle.lowest:.3f} {saddle.multipliers[0]:.6f}")
     1.100 0.900 23.140693
     """
-    bare, shaken = bare_block(block), harmonic(motion)
+    bare, shaken = block.dimensionless(), harmonic(motion)
     equations = chosen_model(model, block)
     table = sides_of(block, equations)
     saddles = []

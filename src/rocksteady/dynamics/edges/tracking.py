@@ -29,7 +29,7 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system
+from rocksteady.dynamics.orbits.return_map import harmonic, make_system
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot, log
@@ -162,7 +162,7 @@ def find_edge_state(
     >>> print(edge.kind, edge.saddle.side, f"{edge.kick:.6f}", edge.outcomes[1])
     hilltop 1 0.920000 overturned to the positive side
     """
-    bare, shaken = bare_block(block), harmonic(motion)
+    bare, shaken = block.dimensionless(), harmonic(motion)
     equations = chosen_model(model, block)
     if max_periods is None:
         lasting = LONGEST_APPROACH * shaken.frequency_ratio / TURN

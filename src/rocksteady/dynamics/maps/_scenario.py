@@ -131,7 +131,7 @@ class Scenario:
         hint = "give a number, or a list of the values of an axis"
         fixed = tuple((name, finite(name, value, hint=hint)) for name, value in self.fixed)
         object.__setattr__(self, "fixed", fixed)
-        self.block.dimensionless()
+        self.block.dimensionless()  # refuses sides too unlike
         if self.motion is not None:
             periodic_motion(self.motion)
         object.__setattr__(self, "start", start_of(self.start))

@@ -32,7 +32,6 @@ from rocksteady.dynamics.orbits._orbit_facts import (
 )
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import (
-    bare_block,
     has_mirror_images,
     make_system,
     periodic_motion,
@@ -371,7 +370,7 @@ def find_attractor(
     >>> print(attractor.kind, attractor.period, [round(peak, 5) for peak in attractor.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """
-    bare, shaken = bare_block(block), periodic_motion(motion)
+    bare, shaken = block.dimensionless(), periodic_motion(motion)
     periods = FORCING_PERIODS("max_cycles", max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None

@@ -16,7 +16,6 @@ from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, KINDS, Attractor, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import (
-    bare_block,
     make_system,
     periodic_motion,
     section_of,
@@ -316,7 +315,7 @@ def sweep_attractor(
     1.80 unsymmetric 1
     1.75 overturned None
     """
-    bare_block(block)
+    block.dimensionless()  # refuses sides too unlike
     shaken, equations = periodic_motion(motion), chosen_model(model, block)
     body = block if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import LINEAR_LEFT_OUT
 from rocksteady.kernels.orbits import return_map, systems
@@ -102,7 +102,7 @@ class ReturnMap:
         *,
         model: Model | None = None,
     ) -> None:
-        self.block = bare_block(block)
+        self.block = block.dimensionless()
         self.motion = periodic_motion(motion)
         self.model = chosen_model(model, block)
         self.system = make_system(block, self.motion, self.model)
@@ -166,24 +166,6 @@ class ReturnMap:
             passage = self(here)
             yield passage
             here = passage.state
-
-
-def bare_block(block: object) -> DimensionlessBlock:
-    """Return what dynamics need of a block.
-
-    Raises
-    ------
-    InputError
-        If the value is no block.
-    """
-    if not isinstance(block, Block | DimensionlessBlock):
-        raise InputError(
-            "block",
-            block,
-            "it must be a Block or a DimensionlessBlock",
-            "the block comes first, then the shaking",
-        )
-    return block.dimensionless()
 
 
 def periodic_motion(motion: object) -> PeriodicMotion:

@@ -14,7 +14,6 @@ from rocksteady.dynamics.orbits._orbit_facts import case_facts, orbit_values, or
 from rocksteady.dynamics.orbits.attractor import full_outcomes
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import (
-    bare_block,
     has_mirror_images,
     make_system,
     periodic_motion,
@@ -122,7 +121,7 @@ def find_orbits(
     symmetric False False nan
     unsymmetric True True 0.90035
     """
-    bare_block(block)
+    block.dimensionless()  # refuses sides too unlike
     shaken = periodic_motion(motion)
     equations = chosen_model(model, block)
     system = make_system(block, shaken, equations)

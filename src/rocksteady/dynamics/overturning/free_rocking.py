@@ -25,6 +25,9 @@ DUPLICATIONS = 16
 """Of an elliptic integral: enough for arguments as far apart as 1 and 1e32."""
 
 
+BELOW_ALPHA = Bounds(0.0, 1.0, "[)", "give theta0/alpha, as 0.5")
+
+
 @checked
 def free_rocking_period(
     amplitude_ratio: ArrayLike, *, alpha: float | None = None, one_sided: bool = False
@@ -78,8 +81,7 @@ def free_rocking_period(
     array([0.93429, 2.63392, 5.98645])
     """
     flights = 1.0 if one_sided else 2.0  # each up and down again
-    bounds = Bounds(0.0, 1.0, "[)", "give theta0/alpha, as 0.5")
-    phi = checked_array("amplitude_ratio", amplitude_ratio, bounds)
+    phi = checked_array("amplitude_ratio", amplitude_ratio, BELOW_ALPHA)
     if alpha is not None and ALPHA("alpha", alpha) > SLENDER:
         return 0.5 * flights * _tilting_period(phi, float(alpha))
     # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi

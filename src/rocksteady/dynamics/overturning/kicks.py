@@ -34,7 +34,7 @@ from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, is_pair
+from rocksteady.model.checks.validation import rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import block_text, block_values, case_text
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -322,10 +322,7 @@ def find_fatal_kick(
     chosen = chosen_model(model, block, shaking)
     hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"
     given = WITHIN if within is None else within
-    if not is_pair(given):
-        raise InputError("within", given, "it must be a pair", hint)
-    low = in_range("within", given[0], 0.0, MOST_KICK, "[)", hint=hint)
-    high = in_range("within", given[1], low, MOST_KICK, "(]", hint=hint)
+    low, high = rising("within", given, 0.0, MOST_KICK, hint=hint)
     times = np.atleast_1d(real_array("times_pt", times_pt))
     if times.ndim != 1 or not times.size or not ((times >= 0.0) & (times <= 1e6)).all():
         raise InputError("times_pt", times_pt, "they must lie in [0, 1e6]", "give pivot times p t")

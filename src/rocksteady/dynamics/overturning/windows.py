@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.orbits.return_map import bare_block
 from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
@@ -20,7 +19,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import (
     amplitude_text,
@@ -325,7 +324,7 @@ def find_overturning_windows(
     3.018600 to 6.318071, 1 impacts
     7.168129 to 20.000000, 0 impacts
     """
-    bare = bare_block(block)
+    bare = block.dimensionless()
     axis = _ratios(frequency_ratios)
     unit = _unit(pulse, axis.points)
     chosen = chosen_model(model, block, unit)
@@ -427,6 +426,4 @@ def range_of(within: tuple[float, float]) -> tuple[float, float]:
     hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"
     if not is_pair(given):
         raise InputError("within", given, "it must be a pair", hint)
-    low = in_range("within", given[0], 0.0, HIGHEST, "[)", hint=hint)
-    high = in_range("within", given[1], low, HIGHEST, "(]", hint=hint)
-    return low, high
+    return rising("within", given, 0.0, HIGHEST, hint=hint)

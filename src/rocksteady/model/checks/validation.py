@@ -207,6 +207,20 @@ def span_value(
     return float(numbers[0]), float(numbers[1])
 
 
+def rising(
+    name: str, value: Sequence[Any], low: float, high: float, *, hint: str
+) -> tuple[float, float]:
+    """Return two numbers from one to another, the first below the second.
+
+    Raises
+    ------
+    InputError
+        If they are none; the first is looked at first.
+    """
+    first = in_range(name, value[0], low, high, "[)", hint=hint)
+    return first, in_range(name, value[1], first, high, "(]", hint=hint)
+
+
 def side_value(name: str, value: object) -> int:
     """Return `value` as 1 or -1, the positive side or the negative one.
 

@@ -14,6 +14,7 @@ from rocksteady.model.checks.validation import (
     in_range,
     non_negative,
     positive,
+    rising,
     whole_number,
 )
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
@@ -112,13 +113,11 @@ class BandNoise:
     def __post_init__(self) -> None:
         """Validate."""
         hint = "give the lowest and the highest omega/p, as (1.0, 20.0)"
-        low = in_range(
-            "band", self.band[0], LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[)", hint=hint
-        )
-        high = in_range("band", self.band[1], low, HIGHEST_FREQUENCY_RATIO, "(]", hint=hint)
+        ends = LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO
+        band = rising("band", self.band, *ends, hint=hint)
         valid = {
             "rms": in_range("rms", self.rms, 0.0, LARGEST, "[]", hint="give it over alpha g"),
-            "band": (low, high),
+            "band": band,
             "duration": in_range(
                 "duration", self.duration, 0.0, LONGEST_DURATION, hint="give the pivot time p t"
             ),

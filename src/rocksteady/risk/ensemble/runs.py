@@ -106,7 +106,7 @@ def run_ensemble(
     band = RestitutionBand() if restitution is None else restitution
     for body in bodies:
         band.ratios(body)  # refused before anything runs
-    directions = _chosen("reverse", reverse, DIRECTIONS)
+    directions = _chosen(reverse, DIRECTIONS)
     lifts = _lifts(vertical, grounds)
     levels = np.array(wanted.levels_for(bodies))
     at_one = wanted.at_scale_one(records, bodies)
@@ -178,18 +178,14 @@ def run_ensemble(
     )
 
 
-def _chosen(name: str, value: object, both: tuple[str, str]) -> tuple[str, ...]:
+def _chosen(value: object, both: tuple[str, str]) -> tuple[str, ...]:
     """Return one of two kinds of runs, or both."""
-    if isinstance(value, bool):
-        return (both[value],)
-    if value == "both":
-        return both
-    raise InputError(name, value, "it must be True, False or 'both'", "leave it out for both")
+    return (both[value],) if isinstance(value, bool) else both
 
 
 def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:
     """Return whether runs are with vertical motion, without, or both."""
-    lifts = _chosen("vertical", value, VERTICAL)
+    lifts = _chosen(value, VERTICAL)
     if any(ground.vertical is not None for ground in grounds):
         return lifts
     if value is True:

@@ -182,18 +182,10 @@ class Thrust:
 
 def _check_end(action: Load | Tie | Thrust) -> None:
     """Validate until when an action acts."""
-    until: object = action.until_collapse
-    if until is not None and not isinstance(until, bool):
-        raise InputError(
-            f"until_collapse of {action.name}",
-            until,
-            "it is true or false",
-            "set true only where it is verified to act up to collapse",
-        )
     if action.lost_at_m is None:
         return
     check_numbers(action, type(action).__name__.lower(), ("lost_at_m",))
-    if until:
+    if action.until_collapse:
         raise ModelError(
             f"lost_at_m of {action.name}",
             action.lost_at_m,

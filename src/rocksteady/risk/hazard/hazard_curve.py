@@ -1,7 +1,7 @@
 """Hazard curves: the annual rate at which shaking exceeds each level of an intensity measure."""
 
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +24,23 @@ LARGEST_EXPONENT = 700.0
 """Of e: beyond it are no numbers."""
 FITTED = 3
 """Points at either end of a curve that a power-law tail is fitted to."""
+
+
+def _row(name: str, values: ArrayLike) -> Floats:
+    """Return positive numbers, two or more, as an array that cannot be changed."""
+    row = np.array(real_array(name, values))
+    if row.ndim != 1 or row.size < 2:
+        raise InputError(name, row.shape, "there must be a row of two or more", "give more points")
+    bad = ~((row >= LOWEST) & (row <= HIGHEST))
+    if bad.any():
+        raise InputError(
+            name,
+            row[bad][0].item(),
+            f"it must lie in [{LOWEST:g}, {HIGHEST:g}]",
+            "leave out levels and rates of 0",
+        )
+    row.setflags(write=False)
+    return row
 
 
 @checked_result
@@ -70,9 +87,9 @@ class HazardCurve(Result):
     0.0025
     """
 
-    measure: Intensity | str
-    levels: Floats
-    rates: Floats
+    measure: Annotated[Intensity | str, ground_measure]
+    levels: Annotated[Floats, _row]
+    rates: Annotated[Floats, _row]
     name: str = ""
     weight: float | None = None
     site: tuple[float, float] | None = None
@@ -81,8 +98,7 @@ class HazardCurve(Result):
 
     def __post_init__(self) -> None:
         """Validate and copy."""
-        object.__setattr__(self, "measure", ground_measure("measure", self.measure))
-        levels, rates = _row("levels", self.levels), _row("rates", self.rates)
+        levels, rates = self.levels, self.rates
         if levels.size != rates.size:
             raise InputError(
                 "rates",
@@ -106,8 +122,6 @@ class HazardCurve(Result):
                 f"it is more than the rate {rates[at[0]]:g} of the level below it",
                 "give rates of exceedance, which never rise with the level",
             )
-        object.__setattr__(self, "levels", levels)
-        object.__setattr__(self, "rates", rates)
         if self.tail == "power-law" and self.end_slopes[1] == 0.0:
             raise InputError(
                 "tail",
@@ -223,20 +237,3 @@ class HazardCurve(Result):
         if self.tail == "none":
             return "unknown"
         return "power laws of exponents {:.3g} and {:.3g}".format(*self.end_slopes)
-
-
-def _row(name: str, values: ArrayLike) -> Floats:
-    """Return positive numbers, two or more, as an array that cannot be changed."""
-    row = np.array(real_array(name, values))
-    if row.ndim != 1 or row.size < 2:
-        raise InputError(name, row.shape, "there must be a row of two or more", "give more points")
-    bad = ~((row >= LOWEST) & (row <= HIGHEST))
-    if bad.any():
-        raise InputError(
-            name,
-            row[bad][0].item(),
-            f"it must lie in [{LOWEST:g}, {HIGHEST:g}]",
-            "leave out levels and rates of 0",
-        )
-    row.setflags(write=False)
-    return row

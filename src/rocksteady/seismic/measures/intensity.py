@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -213,13 +212,6 @@ def measure_intensity(
     >>> print(f"{result.pgv_m_s:.4f} {result.pgd_m:.4f} {result.cav_m_s:.4f}")
     0.6366 0.3183 1.2732
     """
-    if not (block is None or isinstance(block, Block)):
-        raise InputError(
-            "block",
-            block,
-            "it must be a Block, which has a slenderness and a p",
-            "give a Block, or leave it out",
-        )
     hint = "give an acceleration in m/s^2"
     threshold = positive("threshold_m_s2", threshold_m_s2, hint=hint)
     course = integrate_record(record)

@@ -274,13 +274,7 @@ def blocks_of(blocks: Block | Sequence[Block]) -> list[Block]:
 
 def _directions(reverse: object) -> tuple[str, ...]:
     """Return the directions of `reverse`."""
-    if isinstance(reverse, bool):
-        return (DIRECTIONS[reverse],)
-    if reverse == "both":
-        return DIRECTIONS
-    raise InputError(
-        "reverse", reverse, "it must be True, False or 'both'", "leave it out for as recorded"
-    )
+    return (DIRECTIONS[reverse],) if isinstance(reverse, bool) else DIRECTIONS
 
 
 def _measures(bodies: Sequence[Block]) -> dict[str, Any]:

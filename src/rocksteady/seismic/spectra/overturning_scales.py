@@ -23,12 +23,11 @@ from rocksteady.dynamics.overturning.window_cells import (
     uplifts_of,
 )
 from rocksteady.dynamics.overturning.window_lists import WindowLists
-from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.checks.validation import in_range, index_value, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import block_text, block_values, case_text
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -368,8 +367,6 @@ def find_overturning_scales(
     >>> [(round(low, 4), round(high, 4)) for low, high in scales.intervals(0)]
     [(0.9388, 2.0)]
     """
-    if not isinstance(block, Block):
-        raise InputError("block", block, "a record needs a block with sizes", "give a Block")
     grounds = grounds_of(motions)
     names = names_of(ground.record for ground in grounds)
     chosen = chosen_model(model, block, grounds[0].record)
@@ -479,12 +476,8 @@ def _largest_scale(table: Floats) -> float:
 
 def _range(within: tuple[float, float]) -> tuple[float, float]:
     """Return the ends of the range of scales."""
-    given: object = within
     hint = "give the lowest and the highest scale, as (0.1, 10.0)"
-    if not is_pair(given):
-        raise InputError("within", given, "it must be a pair", hint)
-    low = in_range("within", given[0], SMALLEST, LARGEST_SCALE, "[)", hint=hint)
-    return low, in_range("within", given[1], low, LARGEST_SCALE, "(]", hint=hint)
+    return rising("within", within, SMALLEST, LARGEST_SCALE, hint=hint)
 
 
 def _or_none(value: float, digits: int) -> str:

@@ -132,9 +132,6 @@ def _validated_span(
         return 0.0, trajectory.shown_to_pt
     hint = "give span=(start, end) in pivot time p t"
     valid = f"it must be two times, 0 <= start < end <= {trajectory.end_time_pt:.10g}"
-    given: object = span
-    if not isinstance(given, tuple | list) or len(given) != 2:
-        raise InputError("span", span, valid, hint)
     start, end = (finite("span", time, hint=hint) for time in span)
     if not 0.0 <= start < end <= trajectory.end_time_pt * (1.0 + 1e-15):
         raise InputError("span", span, valid, hint)

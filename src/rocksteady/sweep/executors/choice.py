@@ -5,12 +5,12 @@ from contextlib import AbstractContextManager, suppress
 from importlib.util import find_spec
 
 from rocksteady.errors import InputError
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.sweep.cases.queue import Pool
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.executors._threads import serial_pool, thread_pool
 
-MOST_WORKERS = 1024
+WORKERS = Whole(1, 1024, "give a number, or leave it out")
 MOST_PORTS = 65535
 
 
@@ -57,7 +57,7 @@ EXECUTORS: dict[str, Callable[[Task, int | None], AbstractContextManager[Pool]]]
 """Pools by name.  The address of a scheduler, as tcp://host:8786, stands for a running cluster."""
 
 
-def validated_executor(executor: object) -> str:
+def validated_executor(name: str, value: object) -> str:
     """Return the name of an executor, or the address of a scheduler.
 
     Raises
@@ -65,16 +65,16 @@ def validated_executor(executor: object) -> str:
     InputError
         If there is none of that name, or no scheduler can have that address.
     """
-    if isinstance(executor, str) and "://" in executor:
-        return _validated_address(executor)
-    if not isinstance(executor, str) or executor not in EXECUTORS:
+    if isinstance(value, str) and "://" in value:
+        return _validated_address(value)
+    if not isinstance(value, str) or value not in EXECUTORS:
         raise InputError(
-            "executor",
-            executor,
+            name,
+            value,
             f"it must be one of {', '.join(EXECUTORS)}, or the address of a dask scheduler",
             "leave it out for threads, or give an address as tcp://127.0.0.1:8786",
         )
-    return executor
+    return value
 
 
 def _validated_address(address: str) -> str:
@@ -109,18 +109,3 @@ def _validated_address(address: str) -> str:
 
 def _refused_address(address: str, valid: str) -> InputError:
     return InputError("executor", address, valid, "give it as tcp://127.0.0.1:8786")
-
-
-def validated_workers(workers: object) -> int | None:
-    """Return a number of workers, or None.
-
-    Raises
-    ------
-    InputError
-        If it is not a whole number from 1 to 1024.
-    """
-    if workers is None:
-        return None
-    return whole_number(
-        "workers", workers, at_least=1, at_most=MOST_WORKERS, hint="give a number, or leave it out"
-    )

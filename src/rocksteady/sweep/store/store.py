@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import KW_ONLY, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.sweep.cases.inputs import inputs_of, named_function
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.store._contents import DONE, LOCK, attributes_in, refuse_taken
@@ -55,14 +55,13 @@ class Store:
     _: KW_ONLY
     resume: bool = False
     overwrite: bool = False
-    chunk: int | None = None
+    chunk: Annotated[
+        int | None, Whole(1, LARGEST_CHUNK, "give a number of cells, as 10000, or leave it out")
+    ] = None
 
     def __post_init__(self) -> None:
         """Validate."""
         object.__setattr__(self, "path", Path(self.path))
-        if self.chunk is not None:
-            hint = "give a number of cells, as 10000, or leave it out"
-            whole_number("chunk", self.chunk, at_least=1, at_most=LARGEST_CHUNK, hint=hint)
         if self.resume and self.overwrite:
             raise self._refused("it cannot be both continued and replaced", "choose one")
 

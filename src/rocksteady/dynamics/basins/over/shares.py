@@ -38,7 +38,7 @@ from rocksteady.dynamics.batch.attractors import (
 from rocksteady.dynamics.history.lowering import only_side, side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
-from rocksteady.dynamics.orbits.return_map import bare_block, periodic_motion
+from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.dynamics.parameters import AXES, PARAMETERS, moved_to
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
@@ -314,7 +314,7 @@ def compute_basin_shares(
     symmetric-1 [0.042 0.115 0.115]
     unsymmetric-1 [0.06 0.   0.  ]
     """
-    bare_block(block)
+    block.dimensionless()  # refuses sides too unlike
     equations = chosen_model(model, block)
     body = block if isinstance(equations, Linear) else slender_block(block)
     how = BasinSampling() if sampling is None else sampling
@@ -393,10 +393,8 @@ def _window(
     """Return the axes of the one window of all values."""
     reaches = np.max(
         [
-            window_of(
-                side_table(bare_block(block_at)), largest_amplitude(moved), moved.frequency_ratio
-            )
-            for block_at, moved in line
+            window_of(side_table(bare), largest_amplitude(moved), moved.frequency_ratio)
+            for bare, moved in ((each.dimensionless(), moved) for each, moved in line)
         ],
         axis=0,
     ).tolist()

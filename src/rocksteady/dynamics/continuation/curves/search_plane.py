@@ -132,7 +132,10 @@ def find_bifurcation_curves(
 
 
 def _checked_plane(
-    block: Block | DimensionlessBlock, motion: Harmonic, parameters: object, within: object
+    block: Block | DimensionlessBlock,
+    motion: Harmonic,
+    parameters: tuple[str, str],
+    within: tuple[Pair, Pair],
 ) -> tuple[tuple[str, str], tuple[Pair, Pair]]:
     """Return the names of the two parameters and their ranges.
 
@@ -142,17 +145,12 @@ def _checked_plane(
         If they are none.
     """
     choice = ", ".join(PARAMETERS)
-    if not isinstance(parameters, tuple | list) or len(parameters) != 2:
-        raise InputError("parameters", parameters, "they must be two", f"give two of {choice}")
     for name in parameters:
         if name not in PARAMETERS:
             valid = f"bifurcations are followed over {choice}"
             raise InputError("parameters", name, valid, "name two of them")
     if parameters[0] == parameters[1]:
         raise InputError("parameters", parameters, "they must differ", f"give two of {choice}")
-    if not isinstance(within, tuple | list) or len(within) != 2:
-        hint = "give a pair (low, high) for each parameter"
-        raise InputError("within", within, "there must be a range for each of the two", hint)
     ranges = []
     for name, ends in zip(parameters, within, strict=True):
         low, high = range_of(ends, name)

@@ -20,7 +20,7 @@ from rocksteady.dynamics.continuation.resting.resting_facts import (
 )
 from rocksteady.dynamics.continuation.resting.resting_types import NoRest, RestingPointType
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, range_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
@@ -292,7 +292,7 @@ def _asked(
     InputError
         If one of them is not valid.
     """
-    bare_block(moving.block)
+    moving.block.dimensionless()  # refuses sides too unlike
     harmonic(moving.motion)
     if not isinstance(moving.model, Linear):
         slender_block(moving.block)
