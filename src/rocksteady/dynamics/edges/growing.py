@@ -118,14 +118,8 @@ def compute_manifold(
     """
     hint = "give a length in half widths of the window, as 20"
     longest = in_range("length", length, 0.0, 1e4, "(]", hint=hint)
-    step = in_range(
-        "spacing",
-        spacing,
-        1e-4,
-        0.5,
-        "[]",
-        hint="give a distance in half widths of the window, as 0.01",
-    )
+    hint = "give a distance in half widths of the window, as 0.01"
+    step = in_range("spacing", spacing, 1e-4, 0.5, "[]", hint=hint)
     count = whole_number(
         "impacts", impacts, at_least=1, at_most=1000, hint="give a number of impacts, as 1"
     )

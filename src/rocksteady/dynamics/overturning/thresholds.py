@@ -21,10 +21,9 @@ from rocksteady.kernels.elementary.arrays import cos, exp, expm1, log, log1p, si
 from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model, chosen_model
-from rocksteady.model.motions.pulses import HIGHEST_PULSE_RATIO
-from rocksteady.model.motions.segments import LOWEST_FREQUENCY_RATIO, Still
+from rocksteady.model.motions.pulses import PULSE_RATIO
+from rocksteady.model.motions.segments import Still
 
 Floats = NDArray[np.float64]
 
@@ -87,16 +86,8 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
         )
     ratios = real_array("frequency_ratio", frequency_ratio)
     amplitudes = np.empty(ratios.shape)
-    hint = "give omega/p, 2 pi over the pulse's period over the block's p"
     for index, ratio in np.ndenumerate(ratios):
-        w = in_range(
-            "frequency_ratio",
-            ratio.item(),
-            LOWEST_FREQUENCY_RATIO,
-            HIGHEST_PULSE_RATIO,
-            "[]",
-            hint=hint,
-        )
+        w = PULSE_RATIO("frequency_ratio", ratio.item())
         amplitudes[index] = THRESHOLDS[shape](w)
     return amplitudes
 

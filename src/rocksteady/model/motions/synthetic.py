@@ -9,6 +9,7 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import (
     LARGEST,
     in_range,
@@ -31,7 +32,7 @@ SAMPLES_A_PERIOD = 40
 LEFT_AT_THE_END = 0.01
 """Of the envelope's strong part."""
 
-LEAST_DAMPING = 0.01
+DAMPING = Bounds(0.01, 1.0, "[]", "give it over the critical one, as 0.6")
 """Below it the filters take too long to forget how they began."""
 
 SETTLED = 10.0
@@ -115,14 +116,7 @@ class SyntheticMotion:
                 "duration", self.duration, 0.0, longest, hint="give the pivot time p t"
             ),
             "seed": whole_number("seed", self.seed, at_least=0, hint="give a seed, as 1"),
-            "filter_damping": in_range(
-                "filter_damping",
-                self.filter_damping,
-                LEAST_DAMPING,
-                1.0,
-                "[]",
-                hint="give it over the critical one, as 0.6",
-            ),
+            "filter_damping": DAMPING("filter_damping", self.filter_damping),
             "high_pass_ratio": in_range(
                 "high_pass_ratio", self.high_pass_ratio, 0.001, 1.0, "[)", hint="give 0.1"
             ),
