@@ -233,8 +233,7 @@ def test_ranges_of_a_facade_are_those_of_the_reader() -> None:
             found = INTERVAL.search(row["valid"][row["valid"].find("[1, 2]") :])
             found = found if key == "topography" else INTERVAL.match(row["valid"])
             if key in FACADE_BOUNDS or key in SPECTRUM_LIMITS:
-                low, high, *rest = (FACADE_BOUNDS | SPECTRUM_LIMITS)[key]  # type: ignore[operator]
-                ends = rest[0] if key in FACADE_BOUNDS else "[]"
+                low, high, ends, _ = {**FACADE_BOUNDS, **SPECTRUM_LIMITS}[key]
                 assert found is not None, key
                 shown = (found[1], float(found[2]), float(found[3]), found[4])
                 assert shown == (ends[0], low, high, ends[1]), (table, key)

@@ -16,7 +16,7 @@ from rocksteady import (
     simulate,
     summarise_spectra,
 )
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.numbers import number

@@ -3,6 +3,7 @@
 import inspect
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
@@ -168,6 +169,7 @@ def test_signatures_and_annotations_stay() -> None:
 
 def test_a_rule_stands_in_an_annotation_and_the_signature_shows_the_type_alone() -> None:
     share = Bounds(0.0, 1.0, "(]", "give a share")
+    none: Any = None
 
     @checked
     def taken(
@@ -184,19 +186,21 @@ def test_a_rule_stands_in_an_annotation_and_the_signature_shows_the_type_alone()
         part: Annotated[float, share]
         count: Annotated[int, Whole(1, None, "give 1")] = 1
 
-    assert taken(np.float32(0.5), last=None) == (0.5, None, "")
+    assert taken(np.float32(0.5), last=None) == (0.5, None, "")  # type: ignore[arg-type]
     assert str(inspect.signature(taken)) == "(first: float, *, last: float | None = 0.5, text: str = '') -> object"  # fmt: skip  # noqa: E501
     assert str(inspect.signature(Kept)) == "(*, part: float, count: int = 1) -> None"
-    assert repr(Kept(part=1)) == repr(Kept(part=np.array(1.0), count=np.int8(1)))
+    other: Any = {"part": np.array(1.0), "count": np.int8(1)}
+    assert repr(Kept(part=1)) == repr(Kept(**other))
     assert type(replace(Kept(part=1), part=1).part) is float
-    for call, line in (
+    calls: list[tuple[Callable[[], object], str]] = [
         (lambda: taken(0.0), "first = 0.0 is not valid: it must lie in (0, 1]; give a share"),
         (lambda: taken(0, last=math.nan), "first = 0 is not valid"),
         (lambda: taken(1.0, last=math.nan), "last = nan is not valid"),
-        (lambda: taken(None), "first = None is not valid: it must lie in (0, 1]"),
+        (lambda: taken(none), "first = None is not valid: it must lie in (0, 1]"),
         (lambda: Kept(part=2.0, count=0), "part = 2.0 is not valid"),
         (lambda: Kept(part=1.0, count=0), "count = 0 is not valid: it must be a whole number of 1"),
-    ):
+    ]
+    for call, line in calls:
         with pytest.raises(InputError, match=re.escape(line)):
             call()
 

@@ -25,6 +25,7 @@ CHECKED = {"checked", "checked_result"}
 
 def test_a_rule_returns_plain_numbers_of_its_interval_alone() -> None:
     share = Bounds(0.0, 1.0, "[)", "give a share")
+    given: object
     for given in (0, 0.0, 0.5, np.float32(0.5)):
         assert (type(share("part", given)), share("part", given)) == (float, given)
     for given in (1.0, -0.1, math.nan, math.inf, True, "0.5", None):

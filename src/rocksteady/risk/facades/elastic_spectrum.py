@@ -42,13 +42,14 @@ LONGEST_S: Final = 60.0
 PERIOD: Final = Bounds(0.0, LONGEST_S, "[]", "give a period in seconds, as 1.9")
 DAMPING: Final = Bounds(0.0, 1.0, "()", "give it over the critical one: 0.08 for 8 %")
 
-AG: Final = Bounds(0.001, 1.0, "[]", "give a_g in g, as 0.2: divide m/s^2 by 9.81")
-TC_STAR: Final = Bounds(0.05, 1.0, "[]", "give TC* of the site in seconds, as 0.35")
-OPTIONS: Final = {
+LIMITS: Final = {
+    "ag_g": Bounds(0.001, 1.0, "[]", "give a_g in g, as 0.2: divide m/s^2 by 9.81"),
+    "f0": Bounds(1.5, 5.0, "[]", "give F0 of the site, as 2.5"),
+    "tc_star_s": Bounds(0.05, 1.0, "[]", "give TC* of the site in seconds, as 0.35"),
     "soil_factor": Bounds(0.5, 4.0, "[]", "give S_S, as 1.2"),
     "cc": Bounds(0.5, 4.0, "[]", "give C_C, as 1.4"),
+    "topography": Bounds(1.0, 2.0, "[]", "give T1, T2, T3 or T4, or S_T as a number, as 1.2"),
 }
-S_T: Final = Bounds(1.0, 2.0, "[]", "give T1, T2, T3 or T4, or S_T as a number, as 1.2")
 
 
 @checked
@@ -96,9 +97,9 @@ class ElasticSpectrum:
     0.200 0.500 0.150
     """
 
-    ag_g: Annotated[float, AG]
-    f0: Annotated[float, Bounds(1.5, 5.0, "[]", "give F0 of the site, as 2.5")]
-    tc_star_s: Annotated[float, TC_STAR]
+    ag_g: Annotated[float, LIMITS["ag_g"]]
+    f0: Annotated[float, LIMITS["f0"]]
+    tc_star_s: Annotated[float, LIMITS["tc_star_s"]]
     soil: Soil | None = None
     topography: Topography | float = "T1"
     soil_factor: float | None = None
@@ -106,12 +107,13 @@ class ElasticSpectrum:
 
     def __post_init__(self) -> None:
         """Validate."""
-        for key, rule in OPTIONS.items():
+        for key in ("soil_factor", "cc"):
             value = getattr(self, key)
             if value is not None:
-                object.__setattr__(self, key, rule(key, value))
+                object.__setattr__(self, key, LIMITS[key](key, value))
         if not (isinstance(self.topography, str) and self.topography in TOPOGRAPHY_FACTORS):
-            object.__setattr__(self, "topography", S_T("topography", self.topography))
+            factor = LIMITS["topography"]("topography", self.topography)
+            object.__setattr__(self, "topography", factor)
         self._check_ground()
         if self.tc_s >= self.td_s:
             raise ModelError(

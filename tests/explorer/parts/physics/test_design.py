@@ -18,7 +18,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.pulses import PULSES
 from tests.explorer.in_node import InNode
