@@ -147,6 +147,8 @@ def _of(name: str, parts: list[ast.expr], module: str) -> str:
         return _either(f"``{ast.unparse(part)}``" for part in parts)
     if name in WORDS:
         return WORDS[name]
+    if name == "Annotated":  # the range of a value stands in its own sentence
+        return in_words(parts[0], module)
     words = [in_words(part, module) for part in parts if ast.unparse(part) != "..."]
     if name in {"Mapping", "dict"}:
         return f"mapping of {words[0]} to {words[1]}"
