@@ -6,28 +6,9 @@ import numpy as np
 
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import nearest_whole
-from rocksteady.kernels.lanes._fields import (
-    ASTRAY,
-    DELTA,
-    IMPACTS,
-    LAG,
-    LANDED,
-    LANES,
-    LAUNCH,
-    LEFT,
-    LIMIT,
-    LOOKING,
-    PHASE,
-    REF_IMPACTS,
-    REF_LEFT,
-    REF_PHASE,
-    REF_VELOCITY,
-    SETTLED,
-    STAGE,
-    VELOCITY,
-    WIDEST,
-)
+from rocksteady.kernels.lanes._fields import LANES
 from rocksteady.kernels.lanes._law import Law, after_return, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
@@ -42,35 +23,36 @@ LOST = 10.0 * NEAR
 """The same, at which a motion has lost its way to an orbit."""
 
 # Other uses of fields: no lane that looks for an orbit leaps over periods.
-LOOK = REF_LEFT  # half cycles since the start from which on a state is looked at
-NEXT = REF_IMPACTS  # impacts at which the motion is next back; REF_PHASE, REF_VELOCITY: the last
-KNOWN_LAW = WIDEST  # whether the law of the returns is that of a stable orbit
+LOOK = lane.REF_LEFT  # half cycles since the start from which on a state is looked at
+# Impacts at which the motion is next back; REF_PHASE and REF_VELOCITY are of the last time.
+NEXT = lane.REF_IMPACTS
+KNOWN_LAW = lane.WIDEST  # whether the law of the returns is that of a stable orbit
 
 
 @compiled
 def remember(lanes: Floats, memory: Floats3) -> None:
     """Keep the states of lanes, each in the row of its last impact."""
     for j in range(LANES):
-        row = (int(lanes[IMPACTS + j]) - 1) & (MEMORY - 1)
-        memory[j, row, 0] = lanes[PHASE + j]
-        memory[j, row, 1] = lanes[LEFT + j]
-        memory[j, row, 2] = lanes[VELOCITY + j]
+        row = (int(lanes[lane.IMPACTS + j]) - 1) & (MEMORY - 1)
+        memory[j, row, 0] = lanes[lane.PHASE + j]
+        memory[j, row, 1] = lanes[lane.LEFT + j]
+        memory[j, row, 2] = lanes[lane.VELOCITY + j]
 
 
 @compiled
 def watch(lanes: Floats) -> None:
     """Stop lanes that are to look for an orbit, come back close enough, go astray or rest."""
     for j in range(LANES):
-        stage = lanes[STAGE + j]
-        phase = lanes[PHASE + j]
-        velocity = lanes[VELOCITY + j]
-        impacts = lanes[IMPACTS + j]
-        limit = lanes[LIMIT + j]
-        ref_phase = lanes[REF_PHASE + j]
-        ref_velocity = lanes[REF_VELOCITY + j]
-        landed = stage == LANDED
-        rests = (stage == LAUNCH) & (velocity == 0.0)
-        halves = (FAR - lanes[LEFT + j]) + np.floor(phase * (1.0 / math.pi))
+        stage = lanes[lane.STAGE + j]
+        phase = lanes[lane.PHASE + j]
+        velocity = lanes[lane.VELOCITY + j]
+        impacts = lanes[lane.IMPACTS + j]
+        limit = lanes[lane.LIMIT + j]
+        ref_phase = lanes[lane.REF_PHASE + j]
+        ref_velocity = lanes[lane.REF_VELOCITY + j]
+        landed = stage == lane.LANDED
+        rests = (stage == lane.LAUNCH) & (velocity == 0.0)
+        halves = (FAR - lanes[lane.LEFT + j]) + np.floor(phase * (1.0 / math.pi))
         due = landed & (halves >= lanes[LOOK + j])
         back = landed & (impacts == lanes[NEXT + j])
         # As `rocksteady.kernels.orbits.periodic.distance` has it.
@@ -79,7 +61,7 @@ def watch(lanes: Floats) -> None:
         faster = velocity - ref_velocity
         apart = max(abs(turned), abs(faster) / max(ref_velocity, SMALLEST_SPEED))
         law = law_of(lanes, j)
-        delta = lanes[DELTA + j]
+        delta = lanes[lane.DELTA + j]
         law, attracted = after_return(
             Law(
                 law.product,
@@ -109,10 +91,12 @@ def watch(lanes: Floats) -> None:
         )
         lanes[KNOWN_LAW + j] = 1.0 if attracted else lanes[KNOWN_LAW + j]
         astray = back & (apart > LOST)
-        over = landed & (lanes[LAG + j] == 0.0) & (impacts > limit)
-        onward = LOOKING if due else stage
-        onward = SETTLED if back & (attracted | (apart <= CLOSE) | (impacts >= limit)) else onward
-        lanes[STAGE + j] = ASTRAY if astray | over | rests else onward
-        lanes[REF_PHASE + j] = phase if back else ref_phase
-        lanes[REF_VELOCITY + j] = velocity if back else ref_velocity
-        lanes[NEXT + j] += lanes[LAG + j] if back else 0.0
+        over = landed & (lanes[lane.LAG + j] == 0.0) & (impacts > limit)
+        onward = lane.LOOKING if due else stage
+        onward = (
+            lane.SETTLED if back & (attracted | (apart <= CLOSE) | (impacts >= limit)) else onward
+        )
+        lanes[lane.STAGE + j] = lane.ASTRAY if astray | over | rests else onward
+        lanes[lane.REF_PHASE + j] = phase if back else ref_phase
+        lanes[lane.REF_VELOCITY + j] = velocity if back else ref_velocity
+        lanes[NEXT + j] += lanes[lane.LAG + j] if back else 0.0

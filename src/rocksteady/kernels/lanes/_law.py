@@ -5,19 +5,7 @@ from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
-from rocksteady.kernels.lanes._fields import (
-    AREA,
-    BEFORE_PHASE,
-    BEFORE_VELOCITY,
-    COSINE,
-    LAST_PHASE,
-    LAST_SQUARE,
-    LAST_VELOCITY,
-    PHASE,
-    PRODUCT,
-    SINE,
-    VELOCITY,
-)
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 CLOSE = 1e-5  # returns as close are held against the law ...
@@ -43,26 +31,26 @@ class Law(NamedTuple):
 def law_of(lanes: Floats, j: int) -> Law:
     """Return the law of a lane."""
     return Law(
-        lanes[PRODUCT + j],
-        lanes[LAST_SQUARE + j],
-        lanes[AREA + j],
-        lanes[LAST_PHASE + j],
-        lanes[LAST_VELOCITY + j],
-        lanes[BEFORE_PHASE + j],
-        lanes[BEFORE_VELOCITY + j],
+        lanes[lane.PRODUCT + j],
+        lanes[lane.LAST_SQUARE + j],
+        lanes[lane.AREA + j],
+        lanes[lane.LAST_PHASE + j],
+        lanes[lane.LAST_VELOCITY + j],
+        lanes[lane.BEFORE_PHASE + j],
+        lanes[lane.BEFORE_VELOCITY + j],
     )
 
 
 @inlined
 def put_law(lanes: Floats, j: int, law: Law) -> None:
     """Give a lane its law."""
-    lanes[PRODUCT + j] = law.product
-    lanes[LAST_SQUARE + j] = law.square
-    lanes[AREA + j] = law.area
-    lanes[LAST_PHASE + j] = law.last_phase
-    lanes[LAST_VELOCITY + j] = law.last_velocity
-    lanes[BEFORE_PHASE + j] = law.before_phase
-    lanes[BEFORE_VELOCITY + j] = law.before_velocity
+    lanes[lane.PRODUCT + j] = law.product
+    lanes[lane.LAST_SQUARE + j] = law.square
+    lanes[lane.AREA + j] = law.area
+    lanes[lane.LAST_PHASE + j] = law.last_phase
+    lanes[lane.LAST_VELOCITY + j] = law.last_velocity
+    lanes[lane.BEFORE_PHASE + j] = law.before_phase
+    lanes[lane.BEFORE_VELOCITY + j] = law.before_velocity
 
 
 @inlined
@@ -107,9 +95,9 @@ def after_return(law: Law, back: bool, further: float, faster: float) -> tuple[L
 @compiled
 def draw_near(lanes: Floats, j: int, times: float) -> None:
     """Bring a lane as near to its orbit as so many returns would, by the linear law of them."""
-    trace, area = lanes[PRODUCT + j] / lanes[LAST_SQUARE + j], lanes[AREA + j]
-    phase, velocity = lanes[LAST_PHASE + j], lanes[LAST_VELOCITY + j]
-    before_phase, before_velocity = lanes[BEFORE_PHASE + j], lanes[BEFORE_VELOCITY + j]
+    trace, area = lanes[lane.PRODUCT + j] / lanes[lane.LAST_SQUARE + j], lanes[lane.AREA + j]
+    phase, velocity = lanes[lane.LAST_PHASE + j], lanes[lane.LAST_VELOCITY + j]
+    before_phase, before_velocity = lanes[lane.BEFORE_PHASE + j], lanes[lane.BEFORE_VELOCITY + j]
     further = faster = 0.0
     if fades(trace, area, times):
         # The sum of all differences to come.
@@ -125,9 +113,9 @@ def draw_near(lanes: Floats, j: int, times: float) -> None:
         further += phase
         faster += velocity
         times -= 1.0
-    lanes[PHASE + j] += further
-    lanes[VELOCITY + j] += faster
-    lanes[SINE + j], lanes[COSINE + j] = sincos_near(lanes[PHASE + j])
+    lanes[lane.PHASE + j] += further
+    lanes[lane.VELOCITY + j] += faster
+    lanes[lane.SINE + j], lanes[lane.COSINE + j] = sincos_near(lanes[lane.PHASE + j])
 
 
 @compiled

@@ -4,45 +4,13 @@ from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_short
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import (
     growth_and_decay,
     nearest_whole,
     turned_by,
 )
-from rocksteady.kernels.lanes._fields import (
-    AMPLITUDE,
-    ANGLE_THERE,
-    BETA,
-    COSINE,
-    COSINE_THERE,
-    DELTA,
-    DOWN,
-    END_PHASE,
-    FREQUENCY,
-    GROWING,
-    IMPACTS,
-    KNOWN,
-    LANDED,
-    LANES,
-    LAST_STEPS,
-    LEAVE,
-    LEFT,
-    OUTCOME,
-    PHASE,
-    POLISH,
-    REACHED,
-    SHORT,
-    SINE,
-    SINE_THERE,
-    SQUARE,
-    STAGE,
-    START_PHASE,
-    STEP,
-    SWING_RATE,
-    TIME,
-    VELOCITY,
-    VELOCITY_THERE,
-)
+from rocksteady.kernels.lanes._fields import LANES, LAST_STEPS
 from rocksteady.kernels.linear.zeros import reversion
 from rocksteady.kernels.machine_code.compilation import compiled
 
@@ -54,27 +22,31 @@ LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left 
 def shake(lanes: Floats) -> None:
     """Find sine and cosine at `TIME`."""
     for j in range(LANES):
-        sine, cosine = sincos_short(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
-        lanes[SINE_THERE + j] = sine
-        lanes[COSINE_THERE + j] = cosine
+        sine, cosine = sincos_short(
+            lanes[lane.PHASE + j] + lanes[lane.FREQUENCY + j] * lanes[lane.TIME + j]
+        )
+        lanes[lane.SINE_THERE + j] = sine
+        lanes[lane.COSINE_THERE + j] = cosine
 
 
 @compiled
 def fly(lanes: Floats) -> None:
     """Find angle and velocity at `TIME` by the closed form."""
     for j in range(LANES):
-        grown, decayed = growth_and_decay(lanes[TIME + j])
-        beta = lanes[BETA + j]
-        sine = lanes[SINE + j]
-        growing = lanes[GROWING + j]
+        grown, decayed = growth_and_decay(lanes[lane.TIME + j])
+        beta = lanes[lane.BETA + j]
+        sine = lanes[lane.SINE + j]
+        growing = lanes[lane.GROWING + j]
         up = growing * grown
         down = ((beta * sine - 1.0) - growing) * decayed
-        lanes[ANGLE_THERE + j] = up - down + beta * (sine - lanes[SINE_THERE + j])
-        lanes[VELOCITY_THERE + j] = (
-            lanes[VELOCITY + j]
+        lanes[lane.ANGLE_THERE + j] = up - down + beta * (sine - lanes[lane.SINE_THERE + j])
+        lanes[lane.VELOCITY_THERE + j] = (
+            lanes[lane.VELOCITY + j]
             + up
             + down
-            + beta * lanes[FREQUENCY + j] * (lanes[COSINE + j] - lanes[COSINE_THERE + j])
+            + beta
+            * lanes[lane.FREQUENCY + j]
+            * (lanes[lane.COSINE + j] - lanes[lane.COSINE_THERE + j])
         )
 
 
@@ -82,12 +54,12 @@ def fly(lanes: Floats) -> None:
 def bounce(lanes: Floats) -> None:
     """Find them by Taylor's polynomial, in the lanes at `SHORT`."""
     for j in range(LANES):
-        short = lanes[STAGE + j] >= SHORT
-        time = lanes[TIME + j] if short else 0.0
-        w = lanes[FREQUENCY + j]
-        velocity = lanes[VELOCITY + j]
-        swing_even = lanes[AMPLITUDE + j] * lanes[SINE + j]
-        swing_odd = lanes[SWING_RATE + j] * lanes[COSINE + j]
+        short = lanes[lane.STAGE + j] >= lane.SHORT
+        time = lanes[lane.TIME + j] if short else 0.0
+        w = lanes[lane.FREQUENCY + j]
+        velocity = lanes[lane.VELOCITY + j]
+        swing_even = lanes[lane.AMPLITUDE + j] * lanes[lane.SINE + j]
+        swing_odd = lanes[lane.SWING_RATE + j] * lanes[lane.COSINE + j]
         w2 = -w * w
         even = swing_even - 1.0
         odd = velocity + swing_odd
@@ -104,9 +76,9 @@ def bounce(lanes: Floats) -> None:
             third = half * (time * (1.0 / (n + 1)))
             rise += even * half + odd * third
             speed += even * half * n + odd * third * (n + 1)
-        y, v = lanes[ANGLE_THERE + j], lanes[VELOCITY_THERE + j]
-        lanes[ANGLE_THERE + j] = time * (velocity + rise) if short else y
-        lanes[VELOCITY_THERE + j] = velocity + speed if short else v
+        y, v = lanes[lane.ANGLE_THERE + j], lanes[lane.VELOCITY_THERE + j]
+        lanes[lane.ANGLE_THERE + j] = time * (velocity + rise) if short else y
+        lanes[lane.VELOCITY_THERE + j] = velocity + speed if short else v
 
 
 @compiled
@@ -117,14 +89,14 @@ def approach(lanes: Floats) -> None:
     fall.
     """
     for j in range(LANES):
-        frequency = lanes[FREQUENCY + j]
-        v = lanes[VELOCITY_THERE + j]
+        frequency = lanes[lane.FREQUENCY + j]
+        v = lanes[lane.VELOCITY_THERE + j]
         falls = v < 0.0
         v = v if falls else -1.0
-        y = lanes[ANGLE_THERE + j]
-        swing = lanes[AMPLITUDE + j] * lanes[SINE_THERE + j]
-        swing_rate = lanes[SWING_RATE + j] * lanes[COSINE_THERE + j]
-        w2 = lanes[SQUARE + j]
+        y = lanes[lane.ANGLE_THERE + j]
+        swing = lanes[lane.AMPLITUDE + j] * lanes[lane.SINE_THERE + j]
+        swing_rate = lanes[lane.SWING_RATE + j] * lanes[lane.COSINE_THERE + j]
+        w2 = lanes[lane.SQUARE + j]
         d2 = y - 1.0 + swing
         d3 = v + swing_rate
         d4 = d2 - w2 * swing
@@ -153,57 +125,59 @@ def approach(lanes: Floats) -> None:
             & (abs(a5) < 1e-12)
         )
         half = 0.5 * step
-        lanes[STEP + j] = step
-        lanes[REACHED + j] = lanes[TIME + j] + step
-        lanes[VELOCITY_THERE + j] = v + step * (
+        lanes[lane.STEP + j] = step
+        lanes[lane.REACHED + j] = lanes[lane.TIME + j] + step
+        lanes[lane.VELOCITY_THERE + j] = v + step * (
             d2 + half * (3.0 * d3 + step * (4.0 * d4 + step * (5.0 * d5)))
         )
-        lanes[OUTCOME + j] = (2.0 if final else 1.0) if falls else 0.0
+        lanes[lane.OUTCOME + j] = (2.0 if final else 1.0) if falls else 0.0
 
 
 @compiled
 def land(lanes: Floats, below: float) -> None:
     """Judge the step of lanes at stages below one: an impact, another step, or another way."""
     for j in range(LANES):
-        stage = lanes[STAGE + j]
-        active = (stage >= POLISH) & (stage < below)
-        old = lanes[PHASE + j]
-        frequency = lanes[FREQUENCY + j]
-        reached = lanes[REACHED + j]
-        outcome = lanes[OUTCOME + j]
+        stage = lanes[lane.STAGE + j]
+        active = (stage >= lane.POLISH) & (stage < below)
+        old = lanes[lane.PHASE + j]
+        frequency = lanes[lane.FREQUENCY + j]
+        reached = lanes[lane.REACHED + j]
+        outcome = lanes[lane.OUTCOME + j]
         turned = frequency * reached
         phase = old + turned
         inside = (
             (outcome > 0.0)
             & (reached > 0.0)
-            & (phase > lanes[START_PHASE + j])
-            & (phase < lanes[END_PHASE + j])
+            & (phase > lanes[lane.START_PHASE + j])
+            & (phase < lanes[lane.END_PHASE + j])
         )
         brief = max(reached, turned)
-        short = stage >= SHORT
+        short = stage >= lane.SHORT
         tiny = (brief < SHORTEST) & (not short) & inside
         right = inside & (not tiny) & ((brief < LONGEST) | (not short))
         landed = active & right & (outcome > 1.0)
         more = (stage != LAST_STEPS[0]) & (stage != LAST_STEPS[1]) & (stage != LAST_STEPS[2])
-        failed = DOWN if stage < KNOWN else LEAVE
-        failed = SHORT if tiny & (lanes[START_PHASE + j] == old) else failed
+        failed = lane.DOWN if stage < lane.KNOWN else lane.LEAVE
+        failed = lane.SHORT if tiny & (lanes[lane.START_PHASE + j] == old) else failed
         onward = stage + 1.0 if right & more else failed
-        onward = LANDED if landed else onward
-        lanes[STAGE + j] = onward if active else stage
+        onward = lane.LANDED if landed else onward
+        lanes[lane.STAGE + j] = onward if active else stage
         turns = (phase - HALF_PI) * (1.0 / TWO_PI) - 0.5
         halves = 2.0 * nearest_whole(turns) + 1.0
         phase = (phase - halves * PI_HIGH) - halves * PI_LOW
-        lanes[PHASE + j] = phase if landed else old
-        lanes[LEFT + j] -= halves if landed else 0.0
-        lanes[IMPACTS + j] += 1.0 if landed else 0.0
-        lanes[VELOCITY + j] = (
-            -lanes[DELTA + j] * lanes[VELOCITY_THERE + j] if landed else lanes[VELOCITY + j]
+        lanes[lane.PHASE + j] = phase if landed else old
+        lanes[lane.LEFT + j] -= halves if landed else 0.0
+        lanes[lane.IMPACTS + j] += 1.0 if landed else 0.0
+        lanes[lane.VELOCITY + j] = (
+            -lanes[lane.DELTA + j] * lanes[lane.VELOCITY_THERE + j]
+            if landed
+            else lanes[lane.VELOCITY + j]
         )
         sine, cosine = turned_by(
-            lanes[SINE_THERE + j],
-            lanes[COSINE_THERE + j],
-            frequency * lanes[STEP + j] if landed else 0.0,
+            lanes[lane.SINE_THERE + j],
+            lanes[lane.COSINE_THERE + j],
+            frequency * lanes[lane.STEP + j] if landed else 0.0,
         )
-        lanes[SINE + j] = -sine if landed else lanes[SINE + j]
-        lanes[COSINE + j] = -cosine if landed else lanes[COSINE + j]
-        lanes[TIME + j] = reached if active & inside else lanes[TIME + j]
+        lanes[lane.SINE + j] = -sine if landed else lanes[lane.SINE + j]
+        lanes[lane.COSINE + j] = -cosine if landed else lanes[lane.COSINE + j]
+        lanes[lane.TIME + j] = reached if active & inside else lanes[lane.TIME + j]

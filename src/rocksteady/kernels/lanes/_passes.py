@@ -5,15 +5,13 @@ import math
 from rocksteady.kernels.core.queue import together
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import (
     LANES,
     MANY,
     NODES_BITS,
-    SHORT,
     SHORTS_BITS,
     SPECIALS_BITS,
-    STAGE,
-    VELOCITY,
     weight,
 )
 from rocksteady.kernels.lanes._launching import begin_special, launch
@@ -33,7 +31,7 @@ def fill_empty(lanes: Floats) -> None:
     """Fill lanes with a cell that has none: empty ones fly too, and come to no harm."""
     for j in range(LANES):
         load(lanes, j, ZERO, 0.0, 1.0, 0.5, 0.0)
-        lanes[VELOCITY + j] = 1.0
+        lanes[lane.VELOCITY + j] = 1.0
 
 
 @compiled
@@ -41,7 +39,7 @@ def census(lanes: Floats) -> int:
     """Count the lanes of each kind of stage."""
     count = 0
     for j in range(LANES):
-        count += weight(lanes[STAGE + j])
+        count += weight(lanes[lane.STAGE + j])
     return count
 
 
@@ -65,7 +63,7 @@ def step(lanes: Floats, numbers: int, bounces: int) -> int:
     flying, shorts = numbers & MANY, (numbers >> SHORTS_BITS) & MANY
     shake(lanes)
     fly(lanes)
-    below = SHORT
+    below = lane.SHORT
     bounces += 1
     if shorts > 0 and (shorts >= GATHERED or shorts >= flying or bounces >= PATIENCE):
         bounce(lanes)

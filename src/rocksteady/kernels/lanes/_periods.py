@@ -2,23 +2,8 @@
 
 from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.lanes._fields import (
-    DELTA,
-    IMPACTS,
-    LAG,
-    LANDED,
-    LANES,
-    LEFT,
-    PHASE,
-    REF_IMPACTS,
-    REF_LEFT,
-    REF_PHASE,
-    REF_VELOCITY,
-    STAGE,
-    UNKNOWN,
-    VELOCITY,
-    WIDEST,
-)
+from rocksteady.kernels.lanes import _fields as lane
+from rocksteady.kernels.lanes._fields import LANES, UNKNOWN
 from rocksteady.kernels.lanes._law import Law, after_return, draw_near, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
@@ -29,12 +14,12 @@ ATTRACTED = -3.0  # what has become of a lag, as `PERIODIC`: the motion surely s
 def reference_of(lanes: Floats, j: int) -> Reference:
     """Return the reference of a lane."""
     return Reference(
-        lanes[REF_PHASE + j],
-        lanes[REF_VELOCITY + j],
-        lanes[REF_LEFT + j],
-        lanes[REF_IMPACTS + j],
-        lanes[LAG + j],
-        lanes[WIDEST + j],
+        lanes[lane.REF_PHASE + j],
+        lanes[lane.REF_VELOCITY + j],
+        lanes[lane.REF_LEFT + j],
+        lanes[lane.REF_IMPACTS + j],
+        lanes[lane.LAG + j],
+        lanes[lane.WIDEST + j],
     )
 
 
@@ -46,20 +31,20 @@ def compare(lanes: Floats, most: int) -> int:
     """
     count = 0
     for j in range(LANES):
-        stage = lanes[STAGE + j]
+        stage = lanes[lane.STAGE + j]
         reference = reference_of(lanes, j)
-        impacts = lanes[IMPACTS + j]
-        phase, velocity = lanes[PHASE + j], lanes[VELOCITY + j]
-        left = lanes[LEFT + j]
-        launched = (stage > 0.0) & (stage <= LANDED)
+        impacts = lanes[lane.IMPACTS + j]
+        phase, velocity = lanes[lane.PHASE + j], lanes[lane.VELOCITY + j]
+        left = lanes[lane.LEFT + j]
+        launched = (stage > 0.0) & (stage <= lane.LANDED)
         compares = launched & (reference.lag >= 0.0) & (impacts <= most)
         then = compared(reference, compares, phase, velocity, left, impacts)
         back = compares & (reference.lag > 0.0) & (impacts - reference.impacts == reference.lag)
         law = law_of(lanes, j)
-        delta = lanes[DELTA + j]
-        area = law.area * (delta * delta if stage == LANDED else 1.0)
+        delta = lanes[lane.DELTA + j]
+        area = law.area * (delta * delta if stage == lane.LANDED else 1.0)
         # Of a flight by the march it is not counted.
-        area = UNKNOWN if launched & (stage < LANDED) else area
+        area = UNKNOWN if launched & (stage < lane.LANDED) else area
         law, attracted = after_return(
             Law(
                 law.product,
@@ -90,13 +75,13 @@ def compare(lanes: Floats, most: int) -> int:
                 0.0 if afresh else law.before_velocity,
             ),
         )
-        lanes[REF_PHASE + j] = then.phase
-        lanes[REF_VELOCITY + j] = then.velocity
-        lanes[REF_LEFT + j] = reference.left if attracted else then.left
-        lanes[REF_IMPACTS + j] = reference.impacts if attracted else then.impacts
+        lanes[lane.REF_PHASE + j] = then.phase
+        lanes[lane.REF_VELOCITY + j] = then.velocity
+        lanes[lane.REF_LEFT + j] = reference.left if attracted else then.left
+        lanes[lane.REF_IMPACTS + j] = reference.impacts if attracted else then.impacts
         lag = ATTRACTED if attracted else then.lag
-        lanes[LAG + j] = lag
-        lanes[WIDEST + j] = then.widest
+        lanes[lane.LAG + j] = lag
+        lanes[lane.WIDEST + j] = then.widest
         count += 1 if (lag == PERIODIC) | (lag == ATTRACTED) else 0
     return count
 
@@ -105,12 +90,12 @@ def compare(lanes: Floats, most: int) -> int:
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):
-        lag = lanes[LAG + j]
+        lag = lanes[lane.LAG + j]
         if lag == ATTRACTED:
-            lanes[LAG + j] = PERIODIC
-        left, period = lanes[LEFT + j], lanes[REF_LEFT + j] - lanes[LEFT + j]
-        lanes[LEFT + j], lanes[IMPACTS + j], lanes[LAG + j] = leapt(
-            reference_of(lanes, j), left, lanes[IMPACTS + j]
+            lanes[lane.LAG + j] = PERIODIC
+        left, period = lanes[lane.LEFT + j], lanes[lane.REF_LEFT + j] - lanes[lane.LEFT + j]
+        lanes[lane.LEFT + j], lanes[lane.IMPACTS + j], lanes[lane.LAG + j] = leapt(
+            reference_of(lanes, j), left, lanes[lane.IMPACTS + j]
         )
         if lag == ATTRACTED:
-            draw_near(lanes, j, (left - lanes[LEFT + j]) / period)
+            draw_near(lanes, j, (left - lanes[lane.LEFT + j]) / period)

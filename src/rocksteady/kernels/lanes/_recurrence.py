@@ -7,19 +7,8 @@ from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import KNOWN_LAW, LOOK, NEXT
-from rocksteady.kernels.lanes._fields import (
-    CELL,
-    IMPACTS,
-    LAG,
-    LEFT,
-    LIMIT,
-    PHASE,
-    REF_PHASE,
-    REF_VELOCITY,
-    TIME,
-    VELOCITY,
-)
 from rocksteady.kernels.lanes._law import Law, put_law
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import (
@@ -92,8 +81,8 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
 
     As `settle` looks, but that the orbit is left to be found when the motion is nearer.
     """
-    count = int(lanes[IMPACTS + j])
-    phase, left, velocity = lanes[PHASE + j], lanes[LEFT + j], lanes[VELOCITY + j]
+    count = int(lanes[lane.IMPACTS + j])
+    phase, left, velocity = lanes[lane.PHASE + j], lanes[lane.LEFT + j], lanes[lane.VELOCITY + j]
     # The states on the same side; a motion without rest changes sides with each impact.
     for passages in range(2, min(count, MEMORY), 2):
         row = (count - 1 - passages) & (MEMORY - 1)
@@ -106,12 +95,12 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
         returns[j, PERIODS], returns[j, PASSED], returns[j, FIRST] = periods, passed, count
         returns[j, PHASE_THEN], returns[j, VELOCITY_THEN] = phase, velocity
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
-        lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = phase, velocity
-        lanes[LAG + j] = passages
+        lanes[lane.REF_PHASE + j], lanes[lane.REF_VELOCITY + j] = phase, velocity
+        lanes[lane.LAG + j] = passages
         put_law(lanes, j, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
         lanes[KNOWN_LAW + j] = 0.0
         lanes[NEXT + j] = count + passages
-        lanes[LIMIT + j] = count + MOST_RETURNS * passages
+        lanes[lane.LIMIT + j] = count + MOST_RETURNS * passages
         lanes[LOOK + j] = math.inf
         return True
     return False
@@ -130,8 +119,8 @@ def computed(
     real: Floats2,
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
-    passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
-    guess = lanes[TIME + j]
+    passages, periods = int(lanes[lane.LAG + j]), int(returns[j, PERIODS])
+    guess = lanes[lane.TIME + j]
     # Of an orbit that is its own mirror image one half is enough.
     folded = mirrored(lanes, j, memory, passages, periods)
     near = Near(False, here, math.inf, Fixed(False, math.inf, identity(), ZERO, ZERO))
@@ -152,7 +141,7 @@ def computed(
         near = stable_orbit(system, then, passages, periods, table)
     if not near.found or growth_over(near.fixed.jacobian) > TAME:
         return False
-    since = (int(lanes[IMPACTS + j]) - int(returns[j, FIRST])) // passages
+    since = (int(lanes[lane.IMPACTS + j]) - int(returns[j, FIRST])) // passages
     if since >= returns_to(passages, near.largest):
         return False
     if distance(near.orbit, here) > ARRIVED and not arrives(
@@ -166,7 +155,7 @@ def computed(
     else:
         fill_peaks(system, passages, table)
     found = settled_to(near, passages, periods, passed, 0.0, table)
-    note_attractor(system, found, table, whole, real, int(lanes[CELL + j]))
+    note_attractor(system, found, table, whole, real, int(lanes[lane.CELL + j]))
     return True
 
 
@@ -176,11 +165,11 @@ def mirrored(lanes: Floats, j: int, memory: Floats3, passages: int, periods: int
     half = passages // 2
     if half % 2 == 0 or periods % 2 == 0:
         return False
-    row = (int(lanes[IMPACTS + j]) - 1 - half) & (MEMORY - 1)
+    row = (int(lanes[lane.IMPACTS + j]) - 1 - half) & (MEMORY - 1)
     # As seen from the side of the flight a mirror image is the same state.
-    between = (memory[j, row, 1] - lanes[LEFT + j]) * math.pi
-    between += (lanes[PHASE + j] - memory[j, row, 0]) - periods * math.pi
-    velocity, earlier = lanes[VELOCITY + j], memory[j, row, 2]
+    between = (memory[j, row, 1] - lanes[lane.LEFT + j]) * math.pi
+    between += (lanes[lane.PHASE + j] - memory[j, row, 0]) - periods * math.pi
+    velocity, earlier = lanes[lane.VELOCITY + j], memory[j, row, 2]
     slower = abs(earlier - velocity) / max(earlier, SMALLEST_SPEED)
     return bool(max(abs(between), slower) < ALIKE)
 

@@ -22,23 +22,8 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.core.typed import ONE
-from rocksteady.kernels.lanes._fields import (
-    CELL,
-    DOWN,
-    EMPTY,
-    ENDED,
-    FALLEN,
-    FIELDS,
-    IMPACTS,
-    LAG,
-    LANES,
-    LEAVE,
-    MANY,
-    RESTED,
-    STAGE,
-    STOP,
-    WAITING_BITS,
-)
+from rocksteady.kernels.lanes import _fields as lane
+from rocksteady.kernels.lanes._fields import FIELDS, LANES, MANY, WAITING_BITS
 from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import (
@@ -149,14 +134,14 @@ def queued_lane_fates(
             lost = 0
             for j in range(LANES):
                 if exhausted(lanes, j, most):
-                    lanes[STAGE + j] = LEAVE
+                    lanes[lane.STAGE + j] = lane.LEAVE
                     lost += 1
             if together(lost) > 0:
                 waiting = WAITING
         if waiting >= WAITING or not in_flight(numbers):
             for j in range(LANES):
-                if LEAVE <= lanes[STAGE + j] < DOWN:
-                    cell = int(lanes[CELL + j])
+                if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
+                    cell = int(lanes[lane.CELL + j])
                     prepare(segments, sides, amplitude, frequency_ratio, restitution, phase, cell)
                     end_half = clock(phase[cell])[0] + 2 * cycles
                     given_up = exhausted(lanes, j, most)
@@ -169,9 +154,9 @@ def queued_lane_fates(
                         put_lane(lanes, j, state, end_half)
                     else:
                         note(status, impacts, final, cell, code, state)
-                        lanes[STAGE + j] = EMPTY
+                        lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
-                while lanes[STAGE + j] == EMPTY and fresh:
+                while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
                     cell = take(queue)
                     if cell < 0:
                         fresh = False
@@ -220,8 +205,8 @@ def queued_lane_fates(
 @compiled
 def exhausted(lanes: Floats, j: int, most: int) -> bool:
     """Return whether the motion of a lane, not leapt, has had more impacts than it is given."""
-    flies = lanes[STAGE + j] != EMPTY and lanes[LAG + j] != LEAPT
-    return bool(flies and lanes[IMPACTS + j] > most)
+    flies = lanes[lane.STAGE + j] != lane.EMPTY and lanes[lane.LAG + j] != LEAPT
+    return bool(flies and lanes[lane.IMPACTS + j] > most)
 
 
 @compiled
@@ -258,20 +243,20 @@ def settled(
     lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int
 ) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight from the floor (UNDECIDED)."""
-    stage = lanes[STAGE + j]
+    stage = lanes[lane.STAGE + j]
     state = taken(lanes, j, end_half)
-    if stage == FALLEN:
+    if stage == lane.FALLEN:
         return OVERTURNED, state
-    if stage == ENDED:
+    if stage == lane.ENDED:
         return ROCKING, at_the_end(lanes, j, end_half)
-    if stage == RESTED:
+    if stage == lane.RESTED:
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
-    stop = lanes[STOP + j]
+    stop = lanes[lane.STOP + j]
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     code, state = linear_march(segments, sides, state, end_half, stop, math.inf, ONE, rows, peaks)
     if code != UNDECIDED:
         return code, state
-    if stage != RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
+    if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
         # As the march has it, which would have come to this at the next flight.
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     return launched(segments, sides, state, end_half, stop)

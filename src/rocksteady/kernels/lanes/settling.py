@@ -18,30 +18,9 @@ from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
 from rocksteady.kernels.core.queue import LEFT_OVER, enter, queue_of, take, together
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
 from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import FAR, KNOWN_LAW, LOOK, NEXT, remember, watch
-from rocksteady.kernels.lanes._fields import (
-    AMPLITUDE,
-    CELL,
-    DELTA,
-    DOWN,
-    EMPTY,
-    FALLEN,
-    FIELDS,
-    FREQUENCY,
-    LAG,
-    LANDED,
-    LANES,
-    LAUNCH,
-    LEAVE,
-    LIMIT,
-    LOOKING,
-    MANY,
-    REF_PHASE,
-    REF_VELOCITY,
-    SETTLED,
-    STAGE,
-    WAITING_BITS,
-)
+from rocksteady.kernels.lanes._fields import FIELDS, LANES, MANY, WAITING_BITS
 from rocksteady.kernels.lanes._law import draw_near
 from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
@@ -165,8 +144,8 @@ def queued_lane_attractors(
     returns = np.empty((LANES, RETURN_COLUMNS))
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
-    lanes[REF_PHASE : REF_PHASE + LANES] = 0.0
-    lanes[REF_VELOCITY : REF_VELOCITY + LANES] = 1.0
+    lanes[lane.REF_PHASE : lane.REF_PHASE + LANES] = 0.0
+    lanes[lane.REF_VELOCITY : lane.REF_VELOCITY + LANES] = 1.0
     fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
     bounces = ZERO  # passes since the last look at short bounces ...
@@ -176,14 +155,14 @@ def queued_lane_attractors(
         waiting = (numbers >> WAITING_BITS) & MANY
         if waiting >= WAITING or not in_flight(numbers):
             for j in range(LANES):
-                if LEAVE <= lanes[STAGE + j] < DOWN:
-                    start = half_cycles[int(lanes[CELL + j])]
+                if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
+                    start = half_cycles[int(lanes[lane.CELL + j])]
                     if attended(
                         lanes, j, memory, returns, sides, start, cycles, table, whole, real
                     ):
-                        lanes[STAGE + j] = EMPTY
+                        lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
-                while lanes[STAGE + j] == EMPTY and fresh:
+                while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
                     cell = take(queue)
                     if cell < 0:
                         fresh = False
@@ -202,7 +181,7 @@ def queued_lane_attractors(
                     if angle[cell] == 0.0 and toward > 0.0:
                         flight = Section(side[cell], half, phase[cell], toward)
                         put_section(lanes, j, flight, half + FAR, ZERO)
-                        lanes[STAGE + j] = LAUNCH
+                        lanes[lane.STAGE + j] = lane.LAUNCH
                     else:
                         sides[:, RESTITUTION] = restitution[cell]
                         system = make_system(amplitude[cell], frequency_ratio[cell], sides)
@@ -221,8 +200,8 @@ def queued_lane_attractors(
                         put_section(lanes, j, first.state, half + FAR, ONE)
                     lanes[LOOK + j] = 2.0 * min(FIRST_LOOK, cycles)
                     lanes[NEXT + j] = math.inf
-                    lanes[LIMIT + j] = MOST_IMPACTS
-                    lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = 0.0, 1.0
+                    lanes[lane.LIMIT + j] = MOST_IMPACTS
+                    lanes[lane.REF_PHASE + j], lanes[lane.REF_VELOCITY + j] = 0.0, 1.0
                     busy += 1
             if together(busy) == 0:
                 return
@@ -247,7 +226,7 @@ def put_section(lanes: Floats, j: int, state: Section, end_half: int, impacts: i
         March(state.side, 0.0, velocity, ZERO, state.half_cycles, state.phase, impacts, ZERO),
         end_half,
     )
-    lanes[STAGE + j] = LANDED
+    lanes[lane.STAGE + j] = lane.LANDED
 
 
 @compiled
@@ -264,31 +243,33 @@ def attended(
     real: Floats2,
 ) -> bool:
     """Help a waiting lane on; return whether its motion is over, with its row written."""
-    stage = lanes[STAGE + j]
-    cell = int(lanes[CELL + j])
-    if stage == SETTLED and lanes[KNOWN_LAW + j] > 0.0:
+    stage = lanes[lane.STAGE + j]
+    cell = int(lanes[lane.CELL + j])
+    if stage == lane.SETTLED and lanes[KNOWN_LAW + j] > 0.0:
         draw_near(lanes, j, math.inf)
     taken_up = taken(lanes, j, start + FAR)
     here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
     passed = (here.half_cycles - start) // 2
-    falls = stage == FALLEN and lanes[LAG + j] == 0.0
-    if stage == LOOKING:
+    falls = stage == lane.FALLEN and lanes[lane.LAG + j] == 0.0
+    if stage == lane.LOOKING:
         if returning(lanes, j, memory, returns, passed):
-            lanes[STAGE + j] = LAUNCH
+            lanes[lane.STAGE + j] = lane.LAUNCH
             return False
         if passed < cycles:
             lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
-            lanes[STAGE + j] = LAUNCH
+            lanes[lane.STAGE + j] = lane.LAUNCH
             return False
-    sides[:, RESTITUTION] = lanes[DELTA + j]
-    system = make_system(lanes[AMPLITUDE + j], lanes[FREQUENCY + j], sides)
-    if stage == LEAVE:
+    sides[:, RESTITUTION] = lanes[lane.DELTA + j]
+    system = make_system(lanes[lane.AMPLITUDE + j], lanes[lane.FREQUENCY + j], sides)
+    if stage == lane.LEAVE:
         after = next_passage(system, here, -1.0)
         if after.kind == IMPACT:
             put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
             return False
-        falls = after.kind == FALL and lanes[LAG + j] == 0.0
-    if stage == SETTLED and computed(lanes, j, memory, returns, system, here, table, whole, real):
+        falls = after.kind == FALL and lanes[lane.LAG + j] == 0.0
+    if stage == lane.SETTLED and computed(
+        lanes, j, memory, returns, system, here, table, whole, real
+    ):
         return True
     if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)

@@ -8,54 +8,8 @@ from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.march.rest import STILL
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    ACROSS,
-    ANGLE,
-    CALMING,
-    CHANGES,
-    CURVING,
-    DELTA,
-    DRIFT,
-    ENDED,
-    FALLEN,
-    FLAT,
-    FLYING,
-    FOOT_SINE,
-    FOOT_SWING,
-    FREQUENCY,
-    GIVEN_UP,
-    HALVINGS,
-    HIGH,
-    HIGHEST,
-    IMPACTS,
-    LAG,
-    LANDED,
-    LANES,
-    LEAVE,
-    LEFT,
-    LIMIT,
-    LOST,
-    LOW,
-    OFFSETS,
-    OPEN,
-    OTHER,
-    PHASE,
-    PLACE,
-    REMAINING,
-    REST,
-    SIDE,
-    SLOPE,
-    SLOW,
-    SPEED,
-    STAGE,
-    START_ANGLE,
-    STEP,
-    TAYLOR,
-    TIME,
-    TOTAL,
-    VALUE,
-    VELOCITY,
-)
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
+from rocksteady.kernels.nonlinear_lanes._layout import HIGHEST, LANES, OFFSETS
 from rocksteady.kernels.nonlinear_lanes._signs import approach
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST
 
@@ -72,11 +26,11 @@ def find_places(lanes: Floats) -> None:
     """Find the one zero of each polynomial that has one, and the state there or at the end."""
     approach(lanes)
     for k in range(LANES):
-        single = lanes[CHANGES + k] == 1.0
-        stage = lanes[STAGE + k]
-        lanes[LOW + k] = 0.0
-        lanes[HIGH + k] = 1.0
-        lanes[OPEN + k] = 1.0 if single & (stage > 0.0) & (stage <= LANDED) else 0.0
+        single = lanes[lane.CHANGES + k] == 1.0
+        stage = lanes[lane.STAGE + k]
+        lanes[lane.LOW + k] = 0.0
+        lanes[lane.HIGH + k] = 1.0
+        lanes[lane.OPEN + k] = 1.0 if single & (stage > 0.0) & (stage <= lane.LANDED) else 0.0
     for _ in range(ITERATIONS):
         all_terms_there(lanes)
         if improve(lanes) == 0:
@@ -87,32 +41,32 @@ def find_places(lanes: Floats) -> None:
 def all_terms_there(lanes: Floats) -> None:
     """Find y and its derivative by the part of the step at `PLACE`."""
     for k in range(LANES):
-        lanes[VALUE + k] = lanes[TAYLOR + HIGHEST * LANES + k]
-        lanes[SLOPE + k] = 0.0
+        lanes[lane.VALUE + k] = lanes[lane.TAYLOR + HIGHEST * LANES + k]
+        lanes[lane.SLOPE + k] = 0.0
     for n in range(HIGHEST - 4, 0, -4):
         here = (n * LANES) & OFFSETS
         for k in range(LANES):
-            x = lanes[PLACE + k]
-            value, slope = lanes[VALUE + k], lanes[SLOPE + k]
+            x = lanes[lane.PLACE + k]
+            value, slope = lanes[lane.VALUE + k], lanes[lane.SLOPE + k]
             slope = slope * x + value
-            value = value * x + lanes[TAYLOR + here + 3 * LANES + k]
+            value = value * x + lanes[lane.TAYLOR + here + 3 * LANES + k]
             slope = slope * x + value
-            value = value * x + lanes[TAYLOR + here + 2 * LANES + k]
+            value = value * x + lanes[lane.TAYLOR + here + 2 * LANES + k]
             slope = slope * x + value
-            value = value * x + lanes[TAYLOR + here + LANES + k]
+            value = value * x + lanes[lane.TAYLOR + here + LANES + k]
             slope = slope * x + value
-            value = value * x + lanes[TAYLOR + here + k]
-            lanes[VALUE + k], lanes[SLOPE + k] = value, slope
+            value = value * x + lanes[lane.TAYLOR + here + k]
+            lanes[lane.VALUE + k], lanes[lane.SLOPE + k] = value, slope
     for k in range(LANES):
-        x = lanes[PLACE + k]
-        value, slope = lanes[VALUE + k], lanes[SLOPE + k]
+        x = lanes[lane.PLACE + k]
+        value, slope = lanes[lane.VALUE + k], lanes[lane.SLOPE + k]
         slope = slope * x + value
-        value = value * x + lanes[TAYLOR + 2 * LANES + k]
+        value = value * x + lanes[lane.TAYLOR + 2 * LANES + k]
         slope = slope * x + value
-        value = value * x + lanes[TAYLOR + LANES + k]
+        value = value * x + lanes[lane.TAYLOR + LANES + k]
         slope = slope * x + value
-        value = value * x + lanes[TAYLOR + k]
-        lanes[VALUE + k], lanes[SLOPE + k] = value, slope
+        value = value * x + lanes[lane.TAYLOR + k]
+        lanes[lane.VALUE + k], lanes[lane.SLOPE + k] = value, slope
 
 
 @inlined
@@ -120,10 +74,10 @@ def improve(lanes: Floats) -> int:
     """Take Newton's step in lanes that have not arrived; return how many have not."""
     count = 0
     for k in range(LANES):
-        x = lanes[PLACE + k]
-        value, slope = lanes[VALUE + k], lanes[SLOPE + k]
-        searching = lanes[OPEN + k] > 0.0
-        old_low, old_high = lanes[LOW + k], lanes[HIGH + k]
+        x = lanes[lane.PLACE + k]
+        value, slope = lanes[lane.VALUE + k], lanes[lane.SLOPE + k]
+        searching = lanes[lane.OPEN + k] > 0.0
+        old_low, old_high = lanes[lane.LOW + k], lanes[lane.HIGH + k]
         low = x if value > 0.0 else old_low
         high = old_high if value > 0.0 else x
         step = value / slope
@@ -133,11 +87,11 @@ def improve(lanes: Floats) -> int:
         near = near if inside else 0.5 * (low + high)
         # What is left moves the velocity by less than its rounding.
         low = x - step if arrived else low
-        lanes[LOW + k] = low if searching else old_low
-        lanes[HIGH + k] = high if searching else old_high
+        lanes[lane.LOW + k] = low if searching else old_low
+        lanes[lane.HIGH + k] = high if searching else old_high
         onwards = searching & (not arrived)
-        lanes[PLACE + k] = near if onwards else x
-        lanes[OPEN + k] = 1.0 if onwards else 0.0
+        lanes[lane.PLACE + k] = near if onwards else x
+        lanes[lane.OPEN + k] = 1.0 if onwards else 0.0
         count += 1 if onwards else 0
     return count
 
@@ -147,83 +101,89 @@ def finish(lanes: Floats, most: int) -> int:
     """Move all lanes to the end of their steps; return how many wait for what loops do not do."""
     count = 0
     for k in range(LANES):
-        stage = lanes[STAGE + k]
-        flies = (stage > 0.0) & (stage <= LANDED)
-        changes = lanes[CHANGES + k]
-        step = lanes[STEP + k]
-        old, frequency = lanes[PHASE + k], lanes[FREQUENCY + k]
-        old_angle, old_speed = lanes[ANGLE + k], lanes[SPEED + k]
-        start_angle, start_velocity = lanes[START_ANGLE + k], lanes[VELOCITY + k]
-        halvings = lanes[HALVINGS + k]
-        root, place = lanes[LOW + k], lanes[PLACE + k]
-        start, delta = lanes[TIME + k], lanes[DELTA + k]
-        settled = flies & (lanes[OPEN + k] == 0.0) & (lanes[TOTAL + k] < lanes[FLAT + k])
+        stage = lanes[lane.STAGE + k]
+        flies = (stage > 0.0) & (stage <= lane.LANDED)
+        changes = lanes[lane.CHANGES + k]
+        step = lanes[lane.STEP + k]
+        old, frequency = lanes[lane.PHASE + k], lanes[lane.FREQUENCY + k]
+        old_angle, old_speed = lanes[lane.ANGLE + k], lanes[lane.SPEED + k]
+        start_angle, start_velocity = lanes[lane.START_ANGLE + k], lanes[lane.VELOCITY + k]
+        halvings = lanes[lane.HALVINGS + k]
+        root, place = lanes[lane.LOW + k], lanes[lane.PLACE + k]
+        start, delta = lanes[lane.TIME + k], lanes[lane.DELTA + k]
+        settled = (
+            flies & (lanes[lane.OPEN + k] == 0.0) & (lanes[lane.TOTAL + k] < lanes[lane.FLAT + k])
+        )
         passes = settled & (changes == 0.0)
         # No other zero is near.
-        fall = lanes[SLOPE + k]
-        far = min(root, -fall / lanes[CURVING + k])
+        fall = lanes[lane.SLOPE + k]
+        far = min(root, -fall / lanes[lane.CURVING + k])
         beyond = min(root + far, 1.0)
         square = beyond * beyond
         fourth = square * square
-        doubt = lanes[REST + k] * (fourth * fourth * square)
+        doubt = lanes[lane.REST + k] * (fourth * fourth * square)
         lands = settled & (changes == 1.0) & (-fall * far > 4.0 * doubt)
         halves = flies & (not passes) & (not lands)
         place = root if lands else place
         time = start + place * step
         slope = fall / step
         # Onwards in the air.
-        angle, speed = lanes[VALUE + k], slope
-        ended = passes & (lanes[REMAINING + k] <= step)
-        lost = passes & (angle > lanes[LOST + k]) & (speed >= 0.0)
+        angle, speed = lanes[lane.VALUE + k], slope
+        ended = passes & (lanes[lane.REMAINING + k] <= step)
+        lost = passes & (angle > lanes[lane.LOST + k]) & (speed >= 0.0)
         # The march sees a loss at the ends of its own steps, none of which is longer than LONGEST.
-        left = lanes[REMAINING + k] - step
+        left = lanes[lane.REMAINING + k] - step
         unseen = lost & (left < LONGEST)
         fallen = lost & (not unseen)
         sunk = passes & (not (angle > 0.0))
         stuck = passes & (time == start) & (not ended)
         # An impact.
         rebound = -delta * min(slope, 0.0)
-        velocity = rebound * lanes[ACROSS + k]
+        velocity = rebound * lanes[lane.ACROSS + k]
         phase = old + frequency * time
         turns = (phase - HALF_PI) * (1.0 / TWO_PI) - 0.5
         half_cycles = 2.0 * ((turns + ROUND) - ROUND) + 1.0
         phase = (phase - half_cycles * PI_HIGH) - half_cycles * PI_LOW
         sine, _ = sincos_short(phase)
         # What holds the block down, on the side that it has left and on that which it is on now.
-        calming = lanes[CALMING + k]
-        behind = lanes[FOOT_SINE + k] + lanes[FOOT_SWING + k] * sine
-        pull = lanes[OTHER + FOOT_SINE + k] - lanes[OTHER + FOOT_SWING + k] * sine
-        calm_behind = (rebound < behind) & (
-            lanes[DRIFT + k] * rebound <= calming * (behind * behind)
+        calming = lanes[lane.CALMING + k]
+        behind = lanes[lane.FOOT_SINE + k] + lanes[lane.FOOT_SWING + k] * sine
+        pull = (
+            lanes[lane.OTHER + lane.FOOT_SINE + k] - lanes[lane.OTHER + lane.FOOT_SWING + k] * sine
         )
-        calm = (velocity < pull) & (lanes[OTHER + DRIFT + k] * velocity <= calming * (pull * pull))
+        calm_behind = (rebound < behind) & (
+            lanes[lane.DRIFT + k] * rebound <= calming * (behind * behind)
+        )
+        calm = (velocity < pull) & (
+            lanes[lane.OTHER + lane.DRIFT + k] * velocity <= calming * (pull * pull)
+        )
         slow = lands & ((velocity < STILL) | (calm_behind & calm))
-        impacts = lanes[IMPACTS + k] + (1.0 if lands else 0.0)
-        exhausted = flies & (impacts > most) & (lanes[LAG + k] != LEAPT)
+        impacts = lanes[lane.IMPACTS + k] + (1.0 if lands else 0.0)
+        exhausted = flies & (impacts > most) & (lanes[lane.LAG + k] != LEAPT)
         halvings = halvings + 1.0 if halves else 0.0
         left_open = halvings > MOST_HALVINGS
-        following = LANDED if lands else FLYING
-        following = SLOW if slow else following
-        following = ENDED if ended else following
-        following = FALLEN if fallen else following
-        following = LEAVE if sunk | left_open | unseen | stuck else following
-        following = GIVEN_UP if exhausted else following
+        following = lane.LANDED if lands else lane.FLYING
+        following = lane.SLOW if slow else following
+        following = lane.ENDED if ended else following
+        following = lane.FALLEN if fallen else following
+        following = lane.LEAVE if sunk | left_open | unseen | stuck else following
+        following = lane.GIVEN_UP if exhausted else following
         following = following if flies else stage
-        side = lanes[SIDE + k]
-        lanes[SIDE + k] = -side if lands else side
-        lanes[STAGE + k] = following
-        lanes[LIMIT + k] = 0.5 * step if halves else NO_LIMIT
-        lanes[HALVINGS + k] = halvings
-        lanes[IMPACTS + k] = impacts
-        lanes[PHASE + k] = phase if lands else old
-        lanes[LEFT + k] -= half_cycles if lands else 0.0
-        lanes[START_ANGLE + k] = 0.0 if lands else start_angle
-        lanes[VELOCITY + k] = velocity if lands else start_velocity
+        side = lanes[lane.SIDE + k]
+        lanes[lane.SIDE + k] = -side if lands else side
+        lanes[lane.STAGE + k] = following
+        lanes[lane.LIMIT + k] = 0.5 * step if halves else NO_LIMIT
+        lanes[lane.HALVINGS + k] = halvings
+        lanes[lane.IMPACTS + k] = impacts
+        lanes[lane.PHASE + k] = phase if lands else old
+        lanes[lane.LEFT + k] -= half_cycles if lands else 0.0
+        lanes[lane.START_ANGLE + k] = 0.0 if lands else start_angle
+        lanes[lane.VELOCITY + k] = velocity if lands else start_velocity
         on = time if passes else start
-        lanes[TIME + k] = 0.0 if lands else on
+        lanes[lane.TIME + k] = 0.0 if lands else on
         high = angle if passes else old_angle
-        lanes[ANGLE + k] = 0.0 if lands else high
+        lanes[lane.ANGLE + k] = 0.0 if lands else high
         fast = speed if passes else old_speed
-        lanes[SPEED + k] = velocity if lands else fast
-        count += 1 if (following > LANDED) | (following == 0.0) else 0
+        lanes[lane.SPEED + k] = velocity if lands else fast
+        count += 1 if (following > lane.LANDED) | (following == 0.0) else 0
     return count

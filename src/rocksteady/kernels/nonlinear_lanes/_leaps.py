@@ -3,36 +3,20 @@
 from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    APART,
-    IMPACTS,
-    LAG,
-    LANDED,
-    LANES,
-    LEFT,
-    PHASE,
-    REF_IMPACTS,
-    REF_LEFT,
-    REF_PHASE,
-    REF_VELOCITY,
-    SIDE,
-    SLOW,
-    STAGE,
-    VELOCITY,
-    WIDEST,
-)
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
+from rocksteady.kernels.nonlinear_lanes._layout import LANES
 
 
 @inlined
 def reference_of(lanes: Floats, j: int) -> Reference:
     """Return the reference of a lane."""
     return Reference(
-        lanes[REF_PHASE + j],
-        lanes[REF_VELOCITY + j],
-        lanes[REF_LEFT + j],
-        lanes[REF_IMPACTS + j],
-        lanes[LAG + j],
-        lanes[WIDEST + j],
+        lanes[lane.REF_PHASE + j],
+        lanes[lane.REF_VELOCITY + j],
+        lanes[lane.REF_LEFT + j],
+        lanes[lane.REF_IMPACTS + j],
+        lanes[lane.LAG + j],
+        lanes[lane.WIDEST + j],
     )
 
 
@@ -46,24 +30,24 @@ def compare(lanes: Floats, most: int) -> int:
     """
     count = 0
     for j in range(LANES):
-        stage = lanes[STAGE + j]
+        stage = lanes[lane.STAGE + j]
         reference = reference_of(lanes, j)
-        impacts = lanes[IMPACTS + j]
-        landed = (stage >= LANDED) & (stage <= SLOW)
+        impacts = lanes[lane.IMPACTS + j]
+        landed = (stage >= lane.LANDED) & (stage <= lane.SLOW)
         then = compared(
             reference,
             landed & (reference.lag >= 0.0) & (impacts <= most),
-            lanes[PHASE + j] + lanes[APART + j] * lanes[SIDE + j],
-            lanes[VELOCITY + j],
-            lanes[LEFT + j],
+            lanes[lane.PHASE + j] + lanes[lane.APART + j] * lanes[lane.SIDE + j],
+            lanes[lane.VELOCITY + j],
+            lanes[lane.LEFT + j],
             impacts,
         )
-        lanes[REF_PHASE + j] = then.phase
-        lanes[REF_VELOCITY + j] = then.velocity
-        lanes[REF_LEFT + j] = then.left
-        lanes[REF_IMPACTS + j] = then.impacts
-        lanes[LAG + j] = then.lag
-        lanes[WIDEST + j] = then.widest
+        lanes[lane.REF_PHASE + j] = then.phase
+        lanes[lane.REF_VELOCITY + j] = then.velocity
+        lanes[lane.REF_LEFT + j] = then.left
+        lanes[lane.REF_IMPACTS + j] = then.impacts
+        lanes[lane.LAG + j] = then.lag
+        lanes[lane.WIDEST + j] = then.widest
         count += 1 if then.lag == PERIODIC else 0
     return count
 
@@ -72,9 +56,9 @@ def compare(lanes: Floats, most: int) -> int:
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):
-        before, side = lanes[LEFT + j], lanes[SIDE + j]
-        left, impacts, lag = leapt(reference_of(lanes, j), before, lanes[IMPACTS + j])
-        lanes[SIDE + j] = -side if (before - left) % 2.0 == 1.0 else side
-        lanes[LEFT + j] = left
-        lanes[IMPACTS + j] = impacts
-        lanes[LAG + j] = lag
+        before, side = lanes[lane.LEFT + j], lanes[lane.SIDE + j]
+        left, impacts, lag = leapt(reference_of(lanes, j), before, lanes[lane.IMPACTS + j])
+        lanes[lane.SIDE + j] = -side if (before - left) % 2.0 == 1.0 else side
+        lanes[lane.LEFT + j] = left
+        lanes[lane.IMPACTS + j] = impacts
+        lanes[lane.LAG + j] = lag

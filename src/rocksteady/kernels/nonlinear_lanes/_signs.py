@@ -2,18 +2,8 @@
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    ANGLE,
-    CHANGES,
-    LANES,
-    PLACE,
-    POINTS,
-    REST,
-    SPEED,
-    TAYLOR,
-    TOP,
-    TOTAL,
-)
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
+from rocksteady.kernels.nonlinear_lanes._layout import LANES, TOP
 
 ROUNDING = 1e-14
 """As in `rocksteady.kernels.nonlinear._bernstein`, of as many terms."""
@@ -40,17 +30,17 @@ def count_changes(lanes: Floats) -> None:
     Lifting off, b_1 = 0 and b_2 is not negative, whatever rounding says.
     """
     for k in range(LANES):
-        p0, p1 = lanes[POINTS + k], lanes[POINTS + LANES + k]
-        p2, p3 = lanes[POINTS + 2 * LANES + k], lanes[POINTS + 3 * LANES + k]
-        p4, p5 = lanes[POINTS + 4 * LANES + k], lanes[POINTS + 5 * LANES + k]
-        p6, p7 = lanes[POINTS + 6 * LANES + k], lanes[POINTS + 7 * LANES + k]
-        p8, p9 = lanes[POINTS + 8 * LANES + k], lanes[POINTS + 9 * LANES + k]
-        p10 = lanes[POINTS + 10 * LANES + k]
-        lifting = (lanes[ANGLE + k] == 0.0) & (lanes[SPEED + k] == 0.0)
-        off = ROUNDING * (lanes[TOTAL + k] + lanes[REST + k])
+        p0, p1 = lanes[lane.POINTS + k], lanes[lane.POINTS + LANES + k]
+        p2, p3 = lanes[lane.POINTS + 2 * LANES + k], lanes[lane.POINTS + 3 * LANES + k]
+        p4, p5 = lanes[lane.POINTS + 4 * LANES + k], lanes[lane.POINTS + 5 * LANES + k]
+        p6, p7 = lanes[lane.POINTS + 6 * LANES + k], lanes[lane.POINTS + 7 * LANES + k]
+        p8, p9 = lanes[lane.POINTS + 8 * LANES + k], lanes[lane.POINTS + 9 * LANES + k]
+        p10 = lanes[lane.POINTS + 10 * LANES + k]
+        lifting = (lanes[lane.ANGLE + k] == 0.0) & (lanes[lane.SPEED + k] == 0.0)
+        off = ROUNDING * (lanes[lane.TOTAL + k] + lanes[lane.REST + k])
         start = -1.0 if lifting else off
         floor = LEAST if lifting else -LARGEST
-        found = (0.0, 0.0, 1.0, 0.0, max(lanes[ANGLE + k], LEAST))
+        found = (0.0, 0.0, 1.0, 0.0, max(lanes[lane.ANGLE + k], LEAST))
         p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
         p4, p5, p6, p7 = p4 + p5, p5 + p6, p6 + p7, p7 + p8
         p8, p9 = p8 + p9, p9 + p10
@@ -78,11 +68,11 @@ def count_changes(lanes: Floats) -> None:
         p0, p1 = p0 + p1, p1 + p2
         found = noted(p0, 9.0, off, found)
         p0 += p1
-        found = noted(p0, 10.0, off + lanes[REST + k], found)
+        found = noted(p0, 10.0, off + lanes[lane.REST + k], found)
         changes, change, above, below, _ = found
-        lanes[CHANGES + k] = changes
+        lanes[lane.CHANGES + k] = changes
         guess = (change - 1.0 + above / (above - below)) * (1.0 / TOP)
-        lanes[PLACE + k] = guess if changes == 1.0 else 1.0
+        lanes[lane.PLACE + k] = guess if changes == 1.0 else 1.0
 
 
 @inlined
@@ -104,14 +94,14 @@ def noted(point: float, number: float, off: float, found: Found) -> Found:
 def approach(lanes: Floats) -> None:
     """Take Newton's steps towards the zero, from the terms up to the TOP."""
     for k in range(LANES):
-        a0, a1 = lanes[TAYLOR + k], lanes[TAYLOR + LANES + k]
-        a2, a3 = lanes[TAYLOR + 2 * LANES + k], lanes[TAYLOR + 3 * LANES + k]
-        a4, a5 = lanes[TAYLOR + 4 * LANES + k], lanes[TAYLOR + 5 * LANES + k]
-        a6, a7 = lanes[TAYLOR + 6 * LANES + k], lanes[TAYLOR + 7 * LANES + k]
-        a8, a9 = lanes[TAYLOR + 8 * LANES + k], lanes[TAYLOR + 9 * LANES + k]
-        a10 = lanes[TAYLOR + 10 * LANES + k]
-        single = lanes[CHANGES + k] == 1.0
-        guess = lanes[PLACE + k]
+        a0, a1 = lanes[lane.TAYLOR + k], lanes[lane.TAYLOR + LANES + k]
+        a2, a3 = lanes[lane.TAYLOR + 2 * LANES + k], lanes[lane.TAYLOR + 3 * LANES + k]
+        a4, a5 = lanes[lane.TAYLOR + 4 * LANES + k], lanes[lane.TAYLOR + 5 * LANES + k]
+        a6, a7 = lanes[lane.TAYLOR + 6 * LANES + k], lanes[lane.TAYLOR + 7 * LANES + k]
+        a8, a9 = lanes[lane.TAYLOR + 8 * LANES + k], lanes[lane.TAYLOR + 9 * LANES + k]
+        a10 = lanes[lane.TAYLOR + 10 * LANES + k]
+        single = lanes[lane.CHANGES + k] == 1.0
+        guess = lanes[lane.PLACE + k]
         place = guess
         for _ in range(STEPS):
             value, slope = a10 * place + a9, a10
@@ -135,4 +125,4 @@ def approach(lanes: Floats) -> None:
             value = value * place + a0
             near = place - value / slope if slope != 0.0 else 2.0  # flat: out of range
             place = near if (near > CLOSEST * guess) & (near < 1.0) else 0.5 * (place + guess)
-        lanes[PLACE + k] = place if single else guess
+        lanes[lane.PLACE + k] = place if single else guess

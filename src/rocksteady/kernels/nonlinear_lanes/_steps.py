@@ -8,30 +8,8 @@ from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND, ROUND_BITS, bits_of, float_of
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    ALLOWED,
-    ANGLE,
-    CURVING,
-    FREQUENCY,
-    HIGHEST,
-    LANES,
-    LEFT,
-    LIMIT,
-    OFFSETS,
-    PHASE,
-    POINTS,
-    POWER,
-    REMAINING,
-    REST,
-    SPEEDS,
-    STEP,
-    STOP,
-    TAYLOR,
-    TERMS,
-    TIME,
-    TOP,
-    TOTAL,
-)
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
+from rocksteady.kernels.nonlinear_lanes._layout import HIGHEST, LANES, OFFSETS, TERMS, TOP
 
 LONGEST = 8.0
 """Longest step of use."""
@@ -74,57 +52,57 @@ def longest(
 def measure(lanes: Floats) -> None:
     """Find how far each polynomial serves, by the rule of `rocksteady.kernels.nonlinear.series`."""
     for k in range(LANES):
-        angle = low_log2(lanes[ANGLE + k])
-        velocity = low_log2(lanes[SPEEDS + k])
-        bend = low_log2(lanes[SPEEDS + LANES + k] * (1.0 / 2.0))
-        third = low_log2(lanes[SPEEDS + 2 * LANES + k] * (1.0 / 3.0))
-        last = low_log2(lanes[SPEEDS + (HIGHEST - 1) * LANES + k] * (1.0 / HIGHEST))
-        before = low_log2(lanes[SPEEDS + (HIGHEST - 2) * LANES + k] * (1.0 / (HIGHEST - 1)))
-        allowed = lanes[ALLOWED + k] - LOG2_DOUBT
+        angle = low_log2(lanes[lane.ANGLE + k])
+        velocity = low_log2(lanes[lane.SPEEDS + k])
+        bend = low_log2(lanes[lane.SPEEDS + LANES + k] * (1.0 / 2.0))
+        third = low_log2(lanes[lane.SPEEDS + 2 * LANES + k] * (1.0 / 3.0))
+        last = low_log2(lanes[lane.SPEEDS + (HIGHEST - 1) * LANES + k] * (1.0 / HIGHEST))
+        before = low_log2(lanes[lane.SPEEDS + (HIGHEST - 2) * LANES + k] * (1.0 / (HIGHEST - 1)))
+        allowed = lanes[lane.ALLOWED + k] - LOG2_DOUBT
         by_last = longest(angle, velocity, bend, third, last - allowed, float(HIGHEST))
         by_before = longest(angle, velocity, bend, third, before - allowed, HIGHEST - 1.0)
         holds = high_exp2(min(max(min(by_last, by_before) - LOG2_DOUBT, LEAST), MOST))
-        turned = (lanes[LEFT + k] * PI_HIGH + lanes[STOP + k]) - lanes[PHASE + k]
-        left = turned / lanes[FREQUENCY + k] - lanes[TIME + k]
-        reach = min(holds, LONGEST, lanes[LIMIT + k])
-        lanes[REMAINING + k] = left
-        lanes[STEP + k] = min(left, reach)
+        turned = (lanes[lane.LEFT + k] * PI_HIGH + lanes[lane.STOP + k]) - lanes[lane.PHASE + k]
+        left = turned / lanes[lane.FREQUENCY + k] - lanes[lane.TIME + k]
+        reach = min(holds, LONGEST, lanes[lane.LIMIT + k])
+        lanes[lane.REMAINING + k] = left
+        lanes[lane.STEP + k] = min(left, reach)
 
 
 @compiled
 def scale(lanes: Floats) -> None:
     """Fill the Taylor terms of y at the step's end, and their shares in the control points."""
     for k in range(LANES):
-        angle = lanes[ANGLE + k]
-        lanes[TAYLOR + k] = angle
-        lanes[POINTS + k] = angle
-        lanes[TOTAL + k] = abs(angle)
-        lanes[REST + k] = 0.0
-        lanes[CURVING + k] = 0.0
-        lanes[POWER + k] = 1.0
+        angle = lanes[lane.ANGLE + k]
+        lanes[lane.TAYLOR + k] = angle
+        lanes[lane.POINTS + k] = angle
+        lanes[lane.TOTAL + k] = abs(angle)
+        lanes[lane.REST + k] = 0.0
+        lanes[lane.CURVING + k] = 0.0
+        lanes[lane.POWER + k] = 1.0
     for i in range(1, TOP + 1):
         here = (i * LANES) & OFFSETS
         share = 1.0 / i
         part = 1.0 / DIVISORS[i]
         curving = float(i * (i - 1))
         for k in range(LANES):
-            power = lanes[POWER + k] * lanes[STEP + k]
-            term = lanes[SPEEDS - LANES + here + k] * power * share
+            power = lanes[lane.POWER + k] * lanes[lane.STEP + k]
+            term = lanes[lane.SPEEDS - LANES + here + k] * power * share
             size = abs(term)
-            lanes[POWER + k] = power
-            lanes[TAYLOR + here + k] = term
-            lanes[POINTS + here + k] = term * part
-            lanes[TOTAL + k] += size
-            lanes[CURVING + k] += size * curving
+            lanes[lane.POWER + k] = power
+            lanes[lane.TAYLOR + here + k] = term
+            lanes[lane.POINTS + here + k] = term * part
+            lanes[lane.TOTAL + k] += size
+            lanes[lane.CURVING + k] += size * curving
     for i in range(TOP + 1, TERMS):
         here = (i * LANES) & OFFSETS
         share = 1.0 / i
         curving = float(i * (i - 1))
         for k in range(LANES):
-            power = lanes[POWER + k] * lanes[STEP + k]
-            term = lanes[SPEEDS - LANES + here + k] * power * share
+            power = lanes[lane.POWER + k] * lanes[lane.STEP + k]
+            term = lanes[lane.SPEEDS - LANES + here + k] * power * share
             size = abs(term)
-            lanes[POWER + k] = power
-            lanes[TAYLOR + here + k] = term
-            lanes[REST + k] += size
-            lanes[CURVING + k] += size * curving
+            lanes[lane.POWER + k] = power
+            lanes[lane.TAYLOR + here + k] = term
+            lanes[lane.REST + k] += size
+            lanes[lane.CURVING + k] += size * curving

@@ -7,37 +7,8 @@ from rocksteady.kernels.core.tables import LEFT_OUT, RESTITUTION, Floats, March
 from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._ends import NO_LIMIT
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    ALLOWED,
-    ALPHA,
-    ANGLE,
-    CALMING,
-    CELL,
-    FALLEN,
-    FLYING,
-    FREQUENCY,
-    HALVINGS,
-    IMPACTS,
-    LAG,
-    LANDED,
-    LEAN,
-    LEFT,
-    LIMIT,
-    LOST,
-    PHASE,
-    REF_IMPACTS,
-    REF_PHASE,
-    REF_VELOCITY,
-    SIDE,
-    SPEED,
-    STAGE,
-    START_ANGLE,
-    STOP,
-    TIME,
-    UNIT,
-    VELOCITY,
-)
 from rocksteady.kernels.nonlinear_lanes._two_sides import load_sides, turn_to
 
 DOUBT = 1.0 + 1e-9
@@ -51,50 +22,52 @@ def load(
     """Give a lane the constants of a cell; `stop` is the phase at which its run ends."""
     delta: float = max(sides[0, RESTITUTION], sides[1, RESTITUTION])
     load_sides(lanes, k, amplitude, frequency, sides, delta)
-    lanes[CELL + k] = cell
-    lanes[ALLOWED + k] = log(sides[0, LEFT_OUT]) / LN2
+    lanes[lane.CELL + k] = cell
+    lanes[lane.ALLOWED + k] = log(sides[0, LEFT_OUT]) / LN2
     # Bounces are proved to end only if kappa, of the worse side, is (1 + delta)/2 at most.
-    lanes[CALMING + k] = DOUBT * (0.25 * (1.0 + delta) * (1.0 + delta) - delta * delta)
-    lanes[STOP + k] = stop
-    lanes[REF_PHASE + k] = math.inf
-    lanes[REF_VELOCITY + k] = math.inf
-    lanes[REF_IMPACTS + k] = math.inf
-    lanes[LAG + k] = 0.0
+    lanes[lane.CALMING + k] = DOUBT * (0.25 * (1.0 + delta) * (1.0 + delta) - delta * delta)
+    lanes[lane.STOP + k] = stop
+    lanes[lane.REF_PHASE + k] = math.inf
+    lanes[lane.REF_VELOCITY + k] = math.inf
+    lanes[lane.REF_IMPACTS + k] = math.inf
+    lanes[lane.LAG + k] = 0.0
 
 
 @compiled
 def put_lane(lanes: Floats, k: int, state: March, end_half: int) -> None:
     """Give a lane the state of a march in flight."""
     turn_to(lanes, k, state.side)
-    phase, moved = side_phase(state.half_cycles, state.phase, state.side, lanes[FREQUENCY + k])
-    angle = state.side * state.angle / lanes[LEAN + k]
-    velocity = state.side * state.velocity / lanes[UNIT + k]
-    lanes[PHASE + k] = phase
-    lanes[LEFT + k] = end_half - (state.half_cycles - moved)
-    lanes[START_ANGLE + k] = lanes[ANGLE + k] = angle
-    lanes[VELOCITY + k] = lanes[SPEED + k] = velocity
-    lanes[TIME + k] = 0.0
-    lanes[IMPACTS + k] = state.impacts
-    lanes[LIMIT + k] = NO_LIMIT
-    lanes[HALVINGS + k] = 0.0
-    lanes[STAGE + k] = LANDED if angle == 0.0 else FLYING
-    if angle >= HALF_PI / lanes[ALPHA + k] or (angle > lanes[LOST + k] and velocity >= 0.0):
-        lanes[STAGE + k] = FALLEN
+    phase, moved = side_phase(state.half_cycles, state.phase, state.side, lanes[lane.FREQUENCY + k])
+    angle = state.side * state.angle / lanes[lane.LEAN + k]
+    velocity = state.side * state.velocity / lanes[lane.UNIT + k]
+    lanes[lane.PHASE + k] = phase
+    lanes[lane.LEFT + k] = end_half - (state.half_cycles - moved)
+    lanes[lane.START_ANGLE + k] = lanes[lane.ANGLE + k] = angle
+    lanes[lane.VELOCITY + k] = lanes[lane.SPEED + k] = velocity
+    lanes[lane.TIME + k] = 0.0
+    lanes[lane.IMPACTS + k] = state.impacts
+    lanes[lane.LIMIT + k] = NO_LIMIT
+    lanes[lane.HALVINGS + k] = 0.0
+    lanes[lane.STAGE + k] = lane.LANDED if angle == 0.0 else lane.FLYING
+    if angle >= HALF_PI / lanes[lane.ALPHA + k] or (
+        angle > lanes[lane.LOST + k] and velocity >= 0.0
+    ):
+        lanes[lane.STAGE + k] = lane.FALLEN
 
 
 @compiled
 def taken(lanes: Floats, k: int, end_half: int) -> March:
     """Return the state of a lane at the start of its flight, as the march has it."""
-    side = int(lanes[SIDE + k])
-    turned, phase = clock(lanes[PHASE + k])
+    side = int(lanes[lane.SIDE + k])
+    turned, phase = clock(lanes[lane.PHASE + k])
     return March(
         side,
-        side * lanes[START_ANGLE + k] * lanes[LEAN + k],
-        side * lanes[VELOCITY + k] * lanes[UNIT + k],
+        side * lanes[lane.START_ANGLE + k] * lanes[lane.LEAN + k],
+        side * lanes[lane.VELOCITY + k] * lanes[lane.UNIT + k],
         0,
-        end_half - int(lanes[LEFT + k]) + turned,
+        end_half - int(lanes[lane.LEFT + k]) + turned,
         phase,
-        int(lanes[IMPACTS + k]),
+        int(lanes[lane.IMPACTS + k]),
         0,
     )
 
@@ -102,14 +75,14 @@ def taken(lanes: Floats, k: int, end_half: int) -> March:
 @compiled
 def at_the_end(lanes: Floats, k: int, end_half: int) -> March:
     """Return the state of a lane whose run has ended in mid flight."""
-    side = int(lanes[SIDE + k])
+    side = int(lanes[lane.SIDE + k])
     return March(
         side,
-        side * lanes[ANGLE + k] * lanes[LEAN + k],
-        side * lanes[SPEED + k] * lanes[UNIT + k],
+        side * lanes[lane.ANGLE + k] * lanes[lane.LEAN + k],
+        side * lanes[lane.SPEED + k] * lanes[lane.UNIT + k],
         0,
         end_half,
-        lanes[STOP + k],
-        int(lanes[IMPACTS + k]),
+        lanes[lane.STOP + k],
+        int(lanes[lane.IMPACTS + k]),
         0,
     )

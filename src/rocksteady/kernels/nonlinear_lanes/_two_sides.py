@@ -2,40 +2,13 @@
 
 import math
 
-from rocksteady.kernels.core.tables import ALPHA as SIDE_ALPHA
-from rocksteady.kernels.core.tables import LEAN as SIDE_LEAN
-from rocksteady.kernels.core.tables import RATE, RESTITUTION, Floats
+from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    ACROSS,
-    ALPHA,
-    AMPLITUDE,
-    APART,
-    DELTA,
-    DRIFT,
-    FLAT,
-    FOOT_SINE,
-    FOOT_SWING,
-    FREQUENCY,
-    INVERSE,
-    LANDED,
-    LANES,
-    LEAN,
-    LOST,
-    OFFSETS,
-    OTHER,
-    SIDE,
-    SIDED,
-    SLOW,
-    SQUARE,
-    STAGE,
-    SWING_RATE,
-    TURN,
-    UNIT,
-)
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
+from rocksteady.kernels.nonlinear_lanes._layout import LANES, OFFSETS, SIDED
 
 FAR = 8.0
 """Of the phases on the two sides of an unlike block, so that no state on one is like the other."""
@@ -59,9 +32,9 @@ def load_sides(
     `delta` is the larger restitution of the two.
     """
     load_side(lanes, k, amplitude, frequency, sides, 0, delta)
-    load_side(lanes, k + OTHER, amplitude, frequency, sides, 1, delta)
-    lanes[SIDE + k] = 1.0
-    lanes[APART + k] = FAR if unlike(sides) else 0.0
+    load_side(lanes, k + lane.OTHER, amplitude, frequency, sides, 1, delta)
+    lanes[lane.SIDE + k] = 1.0
+    lanes[lane.APART + k] = FAR if unlike(sides) else 0.0
 
 
 @compiled
@@ -75,31 +48,31 @@ def load_side(
     delta: float,
 ) -> None:
     """Fill the constants of one side, with shaking in its units."""
-    alpha: float = sides[row, SIDE_ALPHA]
-    unit: float = sides[row, SIDE_LEAN] * sides[row, RATE]
-    amplitude /= sides[row, SIDE_LEAN]
+    alpha: float = sides[row, ALPHA]
+    unit: float = sides[row, LEAN] * sides[row, RATE]
+    amplitude /= sides[row, LEAN]
     frequency /= sides[row, RATE]
-    lanes[ALPHA + k] = alpha
-    lanes[INVERSE + k] = 1.0 / alpha
-    lanes[SQUARE + k] = alpha * alpha
-    lanes[AMPLITUDE + k] = amplitude
-    lanes[FREQUENCY + k] = frequency
-    lanes[SWING_RATE + k] = amplitude * frequency
-    lanes[TURN + k] = -frequency * frequency
-    lanes[LEAN + k] = sides[row, SIDE_LEAN]
-    lanes[UNIT + k] = unit
-    lanes[ACROSS + k] = unit / (sides[1 - row, SIDE_LEAN] * sides[1 - row, RATE])
-    lanes[DELTA + k] = sides[row, RESTITUTION]
+    lanes[lane.ALPHA + k] = alpha
+    lanes[lane.INVERSE + k] = 1.0 / alpha
+    lanes[lane.SQUARE + k] = alpha * alpha
+    lanes[lane.AMPLITUDE + k] = amplitude
+    lanes[lane.FREQUENCY + k] = frequency
+    lanes[lane.SWING_RATE + k] = amplitude * frequency
+    lanes[lane.TURN + k] = -frequency * frequency
+    lanes[lane.LEAN + k] = sides[row, LEAN]
+    lanes[lane.UNIT + k] = unit
+    lanes[lane.ACROSS + k] = unit / (sides[1 - row, LEAN] * sides[1 - row, RATE])
+    lanes[lane.DELTA + k] = sides[row, RESTITUTION]
     lost = 1.0 + atan2(alpha * amplitude, 1.0) / alpha
     flat = HALF_PI / alpha
-    lanes[LOST + k] = lost
+    lanes[lane.LOST + k] = lost
     # A block that lies on its side may be lost no sooner: then the march looks for the instant.
-    lanes[FLAT + k] = flat if lost >= flat else math.inf
+    lanes[lane.FLAT + k] = flat if lost >= flat else math.inf
     sine, cosine = sincos_near(alpha)
-    lanes[FOOT_SINE + k] = sine / alpha
-    lanes[FOOT_SWING + k] = amplitude * cosine
+    lanes[lane.FOOT_SINE + k] = sine / alpha
+    lanes[lane.FOOT_SWING + k] = amplitude * cosine
     drift = amplitude * frequency * (cosine + alpha * sine)
-    lanes[DRIFT + k] = 4.0 * drift * (delta * delta)
+    lanes[lane.DRIFT + k] = 4.0 * drift * (delta * delta)
 
 
 @compiled
@@ -108,17 +81,17 @@ def change_sides(lanes: Floats) -> None:
     for field in range(0, SIDED, LANES):
         here = field & OFFSETS
         for k in range(LANES):
-            stage = lanes[STAGE + k]
-            landed = (stage == LANDED) | (stage == SLOW)
-            left, reached = lanes[here + k], lanes[OTHER + here + k]
+            stage = lanes[lane.STAGE + k]
+            landed = (stage == lane.LANDED) | (stage == lane.SLOW)
+            left, reached = lanes[here + k], lanes[lane.OTHER + here + k]
             lanes[here + k] = reached if landed else left
-            lanes[OTHER + here + k] = left if landed else reached
+            lanes[lane.OTHER + here + k] = left if landed else reached
 
 
 @compiled
 def turn_to(lanes: Floats, k: int, side: int) -> None:
     """Give a lane the constants of this side."""
-    if side != lanes[SIDE + k]:
-        lanes[SIDE + k] = side
+    if side != lanes[lane.SIDE + k]:
+        lanes[lane.SIDE + k] = side
         for field in range(k, SIDED, LANES):
-            lanes[field], lanes[OTHER + field] = lanes[OTHER + field], lanes[field]
+            lanes[field], lanes[lane.OTHER + field] = lanes[lane.OTHER + field], lanes[field]

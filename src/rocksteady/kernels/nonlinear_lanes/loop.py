@@ -27,21 +27,10 @@ from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Int
 from rocksteady.kernels.march.march import nonlinear_march
 from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear.proofs import bounces_end
+from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._ends import find_places, finish
-from rocksteady.kernels.nonlinear_lanes._layout import (
-    APART,
-    CELL,
-    EMPTY,
-    ENDED,
-    FALLEN,
-    GIVEN_UP,
-    LANES,
-    LEAVE,
-    SIZE,
-    SLOW,
-    STAGE,
-)
+from rocksteady.kernels.nonlinear_lanes._layout import LANES, SIZE
 from rocksteady.kernels.nonlinear_lanes._leaps import compare, leap
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
@@ -136,7 +125,7 @@ def queued_nonlinear_lane_fates(
     for k in range(LANES):  # empty ones fly too, and come to no harm
         load(lanes, k, ZERO, 1.0, 1.0, sides[0], 0.0)
         put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
-        lanes[STAGE + k] = EMPTY
+        lanes[lane.STAGE + k] = lane.EMPTY
     two_sided = False  # whether any lane has had an unlike block
     fresh = True  # whether there may be cells to take
     busy = 0  # lanes that are not empty
@@ -144,9 +133,9 @@ def queued_nonlinear_lane_fates(
     while True:
         if waiting > 0:
             for k in range(LANES):
-                stage = lanes[STAGE + k]
-                if stage >= SLOW:
-                    cell = int(lanes[CELL + k])
+                stage = lanes[lane.STAGE + k]
+                if stage >= lane.SLOW:
+                    cell = int(lanes[lane.CELL + k])
                     half, stop = clock(phase[cell])
                     end_half = half + 2 * cycles
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
@@ -155,9 +144,9 @@ def queued_nonlinear_lane_fates(
                         put_lane(lanes, k, state, end_half)
                     else:
                         note(status, impacts, final, cell, code, state, most)
-                        lanes[STAGE + k] = EMPTY
+                        lanes[lane.STAGE + k] = lane.EMPTY
                         busy -= 1
-                while lanes[STAGE + k] == EMPTY and fresh:
+                while lanes[lane.STAGE + k] == lane.EMPTY and fresh:
                     cell = take(queue)
                     if cell < 0:
                         fresh = False
@@ -205,11 +194,11 @@ def queued_nonlinear_lane_fates(
                         sides[cell],
                         start_phase,
                     )
-                    two_sided = two_sided or lanes[APART + k] > 0.0
+                    two_sided = two_sided or lanes[lane.APART + k] > 0.0
                     put_lane(lanes, k, state, end_half)
-                    if lanes[STAGE + k] == FALLEN:
+                    if lanes[lane.STAGE + k] == lane.FALLEN:
                         note(status, impacts, final, cell, OVERTURNED, state, most)
-                        lanes[STAGE + k] = EMPTY
+                        lanes[lane.STAGE + k] = lane.EMPTY
                         continue
                     busy += 1
             if busy == 0:
@@ -239,16 +228,16 @@ def settled(
     most: int,
 ) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight (UNDECIDED)."""
-    stage = lanes[STAGE + k]
+    stage = lanes[lane.STAGE + k]
     state = taken(lanes, k, end_half)
-    if stage == FALLEN:
+    if stage == lane.FALLEN:
         return OVERTURNED, state
-    if stage == ENDED:
+    if stage == lane.ENDED:
         return ROCKING, at_the_end(lanes, k, end_half)
-    if stage == GIVEN_UP:
+    if stage == lane.GIVEN_UP:
         return UNDECIDED, state
-    flights = 1 if stage == LEAVE else 0
-    return onwards(segments, sides, state, end_half, stop, most, flights, stage == SLOW)
+    flights = 1 if stage == lane.LEAVE else 0
+    return onwards(segments, sides, state, end_half, stop, most, flights, stage == lane.SLOW)
 
 
 @allocating
