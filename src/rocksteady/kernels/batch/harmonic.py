@@ -21,6 +21,7 @@ from rocksteady.kernels.core.tables import (
     ROW_COLUMNS,
     SEGMENT_COLUMNS,
     SHARES,
+    UNDECIDED,
     March,
     is_nonlinear,
 )
@@ -261,3 +262,24 @@ def start_of(angle: float, velocity: float, phase: float) -> March:
     elif angle == 0.0 and velocity == 0.0:
         side = 0
     return March(side, angle, velocity, 0, half, start_phase, 0, 0)
+
+
+@compiled
+def note(
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+    cell: int,
+    code: int,
+    state: March,
+    most: int,
+) -> None:
+    """Write how a cell ended; one that is UNDECIDED has no end, but `most` impacts."""
+    status[cell] = code
+    impacts[cell] = state.impacts
+    final[cell, 0] = state.angle
+    final[cell, 1] = state.velocity
+    final[cell, 2] = state.phase
+    if code == UNDECIDED:
+        impacts[cell] = most
+        final[cell] = math.nan

@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.batch.harmonic import harmonic_segment, note, start_of
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import queue_of, take, together
 from rocksteady.kernels.core.returns import LEAPT
@@ -40,8 +39,6 @@ from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import linear_march
 from rocksteady.kernels.march.rest import STILL
-
-Integers = NDArray[np.int64]
 
 ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
 
@@ -142,41 +139,28 @@ def queued_lane_fates(
             for j in range(LANES):
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
                     cell = int(lanes[lane.CELL + j])
-                    prepare(segments, sides, amplitude, frequency_ratio, restitution, phase, cell)
+                    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
+                    sides[:, RESTITUTION] = restitution[cell]
                     end_half = clock(phase[cell])[0] + 2 * cycles
-                    given_up = exhausted(lanes, j, most)
-                    if given_up:
-                        code = UNDECIDED
-                        state = March(0, math.nan, math.nan, 0, end_half, math.nan, most, 0)
-                    else:
-                        code, state = settled(lanes, j, segments, sides, end_half)
-                    if code == UNDECIDED and not given_up:
+                    code, state = settled(lanes, j, segments, sides, end_half, most)
+                    if code == UNDECIDED and not exhausted(lanes, j, most):
                         put_lane(lanes, j, state, end_half)
                     else:
-                        note(status, impacts, final, cell, code, state)
+                        note(status, impacts, final, cell, code, state, most)
                         lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
                 while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
                     cell = take(queue)
-                    if cell < 0:
-                        fresh = False
+                    fresh = cell >= 0
+                    if not fresh:
                         break
-                    half, start_phase = clock(phase[cell])
-                    end_half = half + 2 * cycles
-                    side = 1
-                    if angle[cell] < 0.0 or (angle[cell] == 0.0 and velocity[cell] < 0.0):
-                        side = -1
-                    elif angle[cell] == 0.0 and velocity[cell] == 0.0:
-                        side = 0
-                    code = UNDECIDED
-                    state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
-                    if side == 0 or angle[cell] != 0.0:
-                        prepare(
-                            segments, sides, amplitude, frequency_ratio, restitution, phase, cell
-                        )
-                        code, state = launched(segments, sides, state, end_half, start_phase)
+                    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
+                    sides[:, RESTITUTION] = restitution[cell]
+                    start = start_of(angle[cell], velocity[cell], phase[cell])
+                    end_half, stop = start.half_cycles + 2 * cycles, start.phase
+                    code, state = launched(segments, sides, start, end_half, stop)
                     if code != UNDECIDED:
-                        note(status, impacts, final, cell, code, state)
+                        note(status, impacts, final, cell, code, state, most)
                         continue
                     load(
                         lanes,
@@ -185,7 +169,7 @@ def queued_lane_fates(
                         amplitude[cell],
                         frequency_ratio[cell],
                         restitution[cell],
-                        start_phase,
+                        stop,
                     )
                     put_lane(lanes, j, state, end_half)
                     busy += 1
@@ -209,21 +193,6 @@ def exhausted(lanes: Floats, j: int, most: int) -> bool:
     return bool(flies and lanes[lane.IMPACTS + j] > most)
 
 
-@compiled
-def prepare(
-    segments: Floats,
-    sides: Floats,
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    restitution: Floats,
-    phase: Floats,
-    cell: int,
-) -> None:
-    """Fill the tables of the march for a cell."""
-    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-    sides[:, RESTITUTION] = restitution[cell]
-
-
 @allocating
 def launched(
     segments: Floats, sides: Floats, start: March, end_half: int, end_phase: float
@@ -240,11 +209,13 @@ def launched(
 
 @allocating
 def settled(
-    lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int
+    lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int, most: int
 ) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight from the floor (UNDECIDED)."""
     stage = lanes[lane.STAGE + j]
     state = taken(lanes, j, end_half)
+    if exhausted(lanes, j, most):
+        return UNDECIDED, state
     if stage == lane.FALLEN:
         return OVERTURNED, state
     if stage == lane.ENDED:
@@ -260,15 +231,3 @@ def settled(
         # As the march has it, which would have come to this at the next flight.
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     return launched(segments, sides, state, end_half, stop)
-
-
-@compiled
-def note(
-    status: Integers, impacts: Integers, final: Floats, cell: int, code: int, state: March
-) -> None:
-    """Write how a cell ended."""
-    status[cell] = code
-    impacts[cell] = state.impacts
-    final[cell, 0] = state.angle
-    final[cell, 1] = state.velocity
-    final[cell, 2] = state.phase

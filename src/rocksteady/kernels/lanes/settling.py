@@ -164,8 +164,8 @@ def queued_lane_attractors(
                         busy -= 1
                 while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
                     cell = take(queue)
-                    if cell < 0:
-                        fresh = False
+                    fresh = cell >= 0
+                    if not fresh:
                         break
                     load(
                         lanes,

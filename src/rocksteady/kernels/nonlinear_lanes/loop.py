@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.batch.harmonic import harmonic_segment, note, start_of
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
 from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.tables import (
@@ -21,7 +20,7 @@ from rocksteady.kernels.core.tables import (
     March,
     free_side,
 )
-from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import nonlinear_march
@@ -36,8 +35,6 @@ from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
 from rocksteady.kernels.nonlinear_lanes._transfer import at_the_end, load, put_lane, taken
 from rocksteady.kernels.nonlinear_lanes._two_sides import change_sides
-
-Integers = NDArray[np.int64]
 
 FASTEST = 1e6
 """Frequency ratio up to which no Taylor coefficient can leave the range of numbers."""
@@ -148,18 +145,12 @@ def queued_nonlinear_lane_fates(
                         busy -= 1
                 while lanes[lane.STAGE + k] == lane.EMPTY and fresh:
                     cell = take(queue)
-                    if cell < 0:
-                        fresh = False
+                    fresh = cell >= 0
+                    if not fresh:
                         break
-                    half, start_phase = clock(phase[cell])
-                    end_half = half + 2 * cycles
-                    side = 1
-                    if angle[cell] < 0.0 or (angle[cell] == 0.0 and velocity[cell] < 0.0):
-                        side = -1
-                    elif angle[cell] == 0.0 and velocity[cell] == 0.0:
-                        side = 0
-                    code = UNDECIDED
-                    state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
+                    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
+                    start = start_of(angle[cell], velocity[cell], phase[cell])
+                    end_half, stop = start.half_cycles + 2 * cycles, start.phase
                     # On a still base energy proves an overturning, which only the march looks at.
                     slowest = min(sides[cell, 0, RATE], sides[cell, 1, RATE])
                     # A block against a wall keeps its side, which no lane does.
@@ -168,32 +159,14 @@ def queued_nonlinear_lane_fates(
                         or amplitude[cell] == 0.0
                         or free_side(sides[cell]) != 0
                     )
-                    if side == 0 or alone:
-                        harmonic_segment(
-                            segments, amplitude[cell], frequency_ratio[cell], phase[cell]
-                        )
-                        code, state = onwards(
-                            segments,
-                            sides[cell],
-                            state,
-                            end_half,
-                            start_phase,
-                            most,
-                            most if alone else ONE,
-                            False,
-                        )
+                    flights = most if alone else ZERO
+                    code, state = onwards(
+                        segments, sides[cell], start, end_half, stop, most, flights, FALSE
+                    )
                     if code != UNDECIDED or alone or state.impacts > most:
                         note(status, impacts, final, cell, code, state, most)
                         continue
-                    load(
-                        lanes,
-                        k,
-                        cell,
-                        amplitude[cell],
-                        frequency_ratio[cell],
-                        sides[cell],
-                        start_phase,
-                    )
+                    load(lanes, k, cell, amplitude[cell], frequency_ratio[cell], sides[cell], stop)
                     two_sided = two_sided or lanes[lane.APART + k] > 0.0
                     put_lane(lanes, k, state, end_half)
                     if lanes[lane.STAGE + k] == lane.FALLEN:
@@ -313,24 +286,3 @@ def comes_to_rest(
     return bounces_end(
         segments, ZERO, sides, side, 0.0, abs(state.velocity), here, there, span, math.inf
     )
-
-
-@compiled
-def note(
-    status: Integers,
-    impacts: Integers,
-    final: Floats,
-    cell: int,
-    code: int,
-    state: March,
-    most: int,
-) -> None:
-    """Write how a cell ended."""
-    status[cell] = code
-    impacts[cell] = state.impacts
-    final[cell, 0] = state.angle
-    final[cell, 1] = state.velocity
-    final[cell, 2] = state.phase
-    if code == UNDECIDED:
-        impacts[cell] = most
-        final[cell] = math.nan
