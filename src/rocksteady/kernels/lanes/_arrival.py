@@ -9,7 +9,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._exp_sincos import nearest_whole
 from rocksteady.kernels.lanes._fields import LANES
-from rocksteady.kernels.lanes._law import Law, after_return, law_of, put_law
+from rocksteady.kernels.lanes._law import after_return, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
@@ -60,35 +60,16 @@ def watch(lanes: Floats) -> None:
         turned -= TWO_PI * nearest_whole(turned * (1.0 / TWO_PI))
         faster = velocity - ref_velocity
         apart = max(abs(turned), abs(faster) / max(ref_velocity, SMALLEST_SPEED))
-        law = law_of(lanes, j)
         delta = lanes[lane.DELTA + j]
+        area = lanes[lane.AREA + j] * (delta * delta if landed else 1.0)
         law, attracted = after_return(
-            Law(
-                law.product,
-                law.square,
-                law.area * (delta * delta if landed else 1.0),
-                law.last_phase,
-                law.last_velocity,
-                law.before_phase,
-                law.before_velocity,
-            ),
+            law_of(lanes, j, area),
             back,
             turned if back else 0.0,
             faster if back else 0.0,
         )
-        put_law(
-            lanes,
-            j,
-            Law(
-                law.product,
-                law.square,
-                1.0 if back & (not attracted) else law.area,
-                law.last_phase,
-                law.last_velocity,
-                law.before_phase,
-                law.before_velocity,
-            ),
-        )
+        put_law(lanes, j, law)
+        lanes[lane.AREA + j] = 1.0 if back & (not attracted) else law.area
         lanes[KNOWN_LAW + j] = 1.0 if attracted else lanes[KNOWN_LAW + j]
         astray = back & (apart > LOST)
         over = landed & (lanes[lane.LAG + j] == 0.0) & (impacts > limit)

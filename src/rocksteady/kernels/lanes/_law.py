@@ -28,12 +28,12 @@ class Law(NamedTuple):
 
 
 @inlined
-def law_of(lanes: Floats, j: int) -> Law:
-    """Return the law of a lane."""
+def law_of(lanes: Floats, j: int, area: float) -> Law:
+    """Return the law of a lane, with what an area has shrunk to by now."""
     return Law(
         lanes[lane.PRODUCT + j],
         lanes[lane.LAST_SQUARE + j],
-        lanes[lane.AREA + j],
+        area,
         lanes[lane.LAST_PHASE + j],
         lanes[lane.LAST_VELOCITY + j],
         lanes[lane.BEFORE_PHASE + j],

@@ -40,21 +40,12 @@ def compare(lanes: Floats, most: int) -> int:
         compares = launched & (reference.lag >= 0.0) & (impacts <= most)
         then = compared(reference, compares, phase, velocity, left, impacts)
         back = compares & (reference.lag > 0.0) & (impacts - reference.impacts == reference.lag)
-        law = law_of(lanes, j)
         delta = lanes[lane.DELTA + j]
-        area = law.area * (delta * delta if stage == lane.LANDED else 1.0)
+        area = lanes[lane.AREA + j] * (delta * delta if stage == lane.LANDED else 1.0)
         # Of a flight by the march it is not counted.
         area = UNKNOWN if launched & (stage < lane.LANDED) else area
         law, attracted = after_return(
-            Law(
-                law.product,
-                law.square,
-                area,
-                law.last_phase,
-                law.last_velocity,
-                law.before_phase,
-                law.before_velocity,
-            ),
+            law_of(lanes, j, area),
             back,
             phase - reference.phase if back else 0.0,
             velocity - reference.velocity if back else 0.0,
