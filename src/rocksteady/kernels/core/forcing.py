@@ -14,15 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocksteady.kernels.core.tables import (
-    AMPLITUDE,
-    CONSTANT,
-    FREQUENCY,
-    LEAN,
-    RATE,
-    SLOPE,
-    Floats,
-)
+from rocksteady.kernels.core import tables
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import acos, atan2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
@@ -103,13 +96,13 @@ def make_forcing(constant: float, slope: float, amplitude: float, frequency: flo
 def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Forcing:
     """Return the forcing of a segment seen from one side, its slope counted from `elapsed`."""
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    constant = segments[index, CONSTANT] + segments[index, SLOPE] * elapsed
+    lean, rate = sides[row, tables.LEAN], sides[row, tables.RATE]
+    constant = segments[index, tables.CONSTANT] + segments[index, tables.SLOPE] * elapsed
     return make_forcing(
         side * constant / lean - 1.0,
-        side * segments[index, SLOPE] / (lean * rate),
-        segments[index, AMPLITUDE] / lean,
-        segments[index, FREQUENCY] / rate,
+        side * segments[index, tables.SLOPE] / (lean * rate),
+        segments[index, tables.AMPLITUDE] / lean,
+        segments[index, tables.FREQUENCY] / rate,
     )
 
 

@@ -12,15 +12,9 @@ sums of products.
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear import series
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.series import (
-    COSINE,
-    ROW,
-    SHAKING,
-    SINE,
-    TERMS,
-    TWICE_SHARED,
-)
+from rocksteady.kernels.nonlinear.series import TWICE_SHARED
 
 SHARE = 0.01
 """Of what may be left out of the motion: the derivatives have one term less and are larger."""
@@ -35,7 +29,7 @@ STIFFNESS_LATER = 4  # the same, shifted
 BY_PHASE = 5  # sums for the derivative by the phase, and behind them its coefficients
 BY_SPEED = 6  # for that by the velocity
 ROWS = 7
-COLUMNS = 2 * TERMS
+COLUMNS = 2 * series.TERMS
 
 
 @compiled
@@ -62,30 +56,30 @@ def advance(drive: Drive, work: Floats, degree: int, step: float, course: Floats
     """
     share = 1.0 / drive.frequency
     last = degree - 1  # the coefficients of the shaking are known up to one less than of y
-    for n in range(TERMS):
+    for n in range(series.TERMS):
         course[SINE_LATER, n] = course[COSINE_LATER, n] = course[STIFFNESS_LATER, n] = 0.0
-        course[SINE_LATER, TERMS + n] = work[SINE, n]
-        course[COSINE_LATER, TERMS + n] = work[COSINE, n]
-        course[STIFFNESS, n] = work[COSINE, n]
+        course[SINE_LATER, series.TERMS + n] = work[series.SINE, n]
+        course[COSINE_LATER, series.TERMS + n] = work[series.COSINE, n]
+        course[STIFFNESS, n] = work[series.COSINE, n]
         course[BY_PHASE, n] = course[BY_SPEED, n] = 0.0
     # Sums of products one factor at a time: each adds to all sums alike, side by side.
     for i in range(last - 1):
-        by_sine = drive.alpha * drive.alpha * work[SHAKING, i]
-        by_cosine = share * (i + 1) * work[SHAKING, i + 1]
-        shift = (TERMS - i) & ROW
-        for n in range(TERMS):
+        by_sine = drive.alpha * drive.alpha * work[series.SHAKING, i]
+        by_cosine = share * (i + 1) * work[series.SHAKING, i + 1]
+        shift = (series.TERMS - i) & series.ROW
+        for n in range(series.TERMS):
             course[STIFFNESS, n] += by_sine * course[SINE_LATER, shift + n]
             course[BY_PHASE, n] += by_cosine * course[COSINE_LATER, shift + n]
-    for n in range(TERMS):
-        course[STIFFNESS_LATER, TERMS + n] = course[STIFFNESS, n]
+    for n in range(series.TERMS):
+        course[STIFFNESS_LATER, series.TERMS + n] = course[STIFFNESS, n]
     for i in range(last + 1):
         phase, speed = course[STATE, i & 1], course[STATE, 2 + (i & 1)]
         if i > 1:
             phase = course[BY_PHASE, i - 2] * TWICE_SHARED[i]
             speed = course[BY_SPEED, i - 2] * TWICE_SHARED[i]
-        course[BY_PHASE, TERMS + i], course[BY_SPEED, TERMS + i] = phase, speed
-        shift = (TERMS - i) & ROW
-        for n in range(TERMS):
+        course[BY_PHASE, series.TERMS + i], course[BY_SPEED, series.TERMS + i] = phase, speed
+        shift = (series.TERMS - i) & series.ROW
+        for n in range(series.TERMS):
             course[BY_PHASE, n] += phase * course[STIFFNESS_LATER, shift + n]
             course[BY_SPEED, n] += speed * course[STIFFNESS_LATER, shift + n]
     course[STATE, 0], course[STATE, 1] = at(course, BY_PHASE, last, step)
@@ -95,8 +89,8 @@ def advance(drive: Drive, work: Floats, degree: int, step: float, course: Floats
 @inlined
 def at(course: Floats, row: int, degree: int, time: float) -> tuple[float, float]:
     """Return the polynomial of a row and its derivative."""
-    value, slope = course[row, TERMS + degree], 0.0
+    value, slope = course[row, series.TERMS + degree], 0.0
     for n in range(degree - 1, -1, -1):
         slope = slope * time + value
-        value = value * time + course[row, TERMS + n]
+        value = value * time + course[row, series.TERMS + n]
     return value, slope

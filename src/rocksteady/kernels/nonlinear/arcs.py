@@ -34,25 +34,8 @@ from rocksteady.kernels.elementary.circular import sin
 from rocksteady.kernels.linear.arcs import Arc, arc_flight
 from rocksteady.kernels.linear.flight import flight_state
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
-from rocksteady.kernels.nonlinear._pieces import (
-    ANGLE_THERE,
-    BY_A,
-    BY_W,
-    M11,
-    M12,
-    M21,
-    M22,
-    MISSED_ANGLE,
-    MISSED_SPEED,
-    PIECE_COLUMNS,
-    SHIFT,
-    SLANT,
-    SPARE_ROWS,
-    SPEED_THERE,
-    TIME,
-    fly_piece,
-    taylor_step,
-)
+from rocksteady.kernels.nonlinear import _pieces as piece
+from rocksteady.kernels.nonlinear._pieces import fly_piece, taylor_step
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, swing_at
 from rocksteady.kernels.nonlinear.series import (
     SHARES,
@@ -95,8 +78,12 @@ def seed(drive: Drive, duration: float, first: float, last: float, table: Floats
         angle, velocity = flight_state(
             flight, forcing, time, sin(phase), sin(phase + 0.5 * math.pi)
         )
-        table[k, TIME], table[k, ANGLE_THERE], table[k, SPEED_THERE] = time, angle, velocity
-    table[0, ANGLE_THERE] = table[pieces, ANGLE_THERE] = 0.0
+        table[k, piece.TIME], table[k, piece.ANGLE_THERE], table[k, piece.SPEED_THERE] = (
+            time,
+            angle,
+            velocity,
+        )
+    table[0, piece.ANGLE_THERE] = table[pieces, piece.ANGLE_THERE] = 0.0
 
 
 @compiled
@@ -122,13 +109,13 @@ def seed_series(
             forcing = make_forcing(0.0, 0.0, share, turn)
             flight = arc_flight(forcing, duration, begin, end)
             for k in range(pieces + 1):
-                phase = begin + turn * table[k, TIME]
+                phase = begin + turn * table[k, piece.TIME]
                 angle, velocity = flight_state(
-                    flight, forcing, table[k, TIME], sin(phase), sin(phase + 0.5 * math.pi)
+                    flight, forcing, table[k, piece.TIME], sin(phase), sin(phase + 0.5 * math.pi)
                 )
-                table[k, ANGLE_THERE] += angle
-                table[k, SPEED_THERE] += velocity
-    table[0, ANGLE_THERE] = table[pieces, ANGLE_THERE] = 0.0
+                table[k, piece.ANGLE_THERE] += angle
+                table[k, piece.SPEED_THERE] += velocity
+    table[0, piece.ANGLE_THERE] = table[pieces, piece.ANGLE_THERE] = 0.0
 
 
 @compiled
@@ -138,28 +125,30 @@ def corrected(table: Floats) -> float:
     slant = shift = 0.0
     for k in range(pieces):
         # What keeps the start on the floor is a straight line of states, at each later time too.
-        table[k, SLANT], table[k, SHIFT] = slant, shift
-        below = table[k, M21] * slant + table[k, M22]
-        above = table[k, M11] * slant + table[k, M12]
+        table[k, piece.SLANT], table[k, piece.SHIFT] = slant, shift
+        below = table[k, piece.M21] * slant + table[k, piece.M22]
+        above = table[k, piece.M11] * slant + table[k, piece.M12]
         slant_after = above / below
         shift = (
-            table[k, M11] * shift
-            + table[k, MISSED_ANGLE]
-            - slant_after * (table[k, M21] * shift + table[k, MISSED_SPEED])
+            table[k, piece.M11] * shift
+            + table[k, piece.MISSED_ANGLE]
+            - slant_after * (table[k, piece.M21] * shift + table[k, piece.MISSED_SPEED])
         )
         slant = slant_after
     move = -shift / slant  # of the speed at the end, whose angle stays 0
-    size, moved = abs(table[pieces, SPEED_THERE]), 0.0
-    table[pieces, SPEED_THERE] += move
+    size, moved = abs(table[pieces, piece.SPEED_THERE]), 0.0
+    table[pieces, piece.SPEED_THERE] += move
     moved = abs(move)
     for k in range(pieces - 1, -1, -1):
-        below = table[k, M21] * table[k, SLANT] + table[k, M22]
-        move = (move - table[k, M21] * table[k, SHIFT] - table[k, MISSED_SPEED]) / below
-        size = max(size, abs(table[k, SPEED_THERE]), abs(table[k, ANGLE_THERE]))
-        table[k, SPEED_THERE] += move
+        below = table[k, piece.M21] * table[k, piece.SLANT] + table[k, piece.M22]
+        move = (
+            move - table[k, piece.M21] * table[k, piece.SHIFT] - table[k, piece.MISSED_SPEED]
+        ) / below
+        size = max(size, abs(table[k, piece.SPEED_THERE]), abs(table[k, piece.ANGLE_THERE]))
+        table[k, piece.SPEED_THERE] += move
         if k > 0:
-            turn = table[k, SLANT] * move + table[k, SHIFT]
-            table[k, ANGLE_THERE] += turn
+            turn = table[k, piece.SLANT] * move + table[k, piece.SHIFT]
+            table[k, piece.ANGLE_THERE] += turn
             moved = max(moved, abs(turn))
         moved = max(moved, abs(move))
     return moved / size if size > 0.0 else moved
@@ -233,8 +222,8 @@ def nonlinear_arc(
     forwards = duration > 0.0
     sign = 1.0 if forwards else -1.0
     length = abs(duration)
-    table = np.empty((pieces_of(length) + 1, PIECE_COLUMNS))
-    work, spare = make_work(shares), np.empty((SPARE_ROWS, TERMS))
+    table = np.empty((pieces_of(length) + 1, piece.PIECE_COLUMNS))
+    work, spare = make_work(shares), np.empty((piece.SPARE_ROWS, TERMS))
     head, tail = first, last
     if not forwards:
         # Backwards in time the shaking is sin(pi - psi), or the series S(-psi).
@@ -245,8 +234,8 @@ def nonlinear_arc(
     if not solve(drive, length, head, tail, True, table, work, spare):
         return nothing_known()
     k11, k12, k22, a0, a1, w0, w1 = joined(table)
-    start = sign * table[0, SPEED_THERE]
-    landing = -sign * table[len(table) - 1, SPEED_THERE]
+    start = sign * table[0, piece.SPEED_THERE]
+    landing = -sign * table[len(table) - 1, piece.SPEED_THERE]
     k11, k12, k22 = sign * k11, sign * k12, sign * k22
     # At constant phases the duration changes with the frequency: so does the angle at its end.
     lag = -landing * duration / w
@@ -269,12 +258,12 @@ def joined(table: Floats) -> tuple[float, float, float, float, float, float, flo
     """Return k11, k12, k22 of a whole arc, and its speeds at both ends by A and by Omega."""
     k11 = k12 = k22 = a0 = a1 = w0 = w1 = 0.0
     for k in range(len(table) - 1):
-        inverse = 1.0 / table[k, M12]
-        n11, n12, n22 = table[k, M11] * inverse, inverse, table[k, M22] * inverse
-        b0 = -table[k, BY_A] * inverse
-        b1 = table[k, BY_A + 1] - table[k, M22] * table[k, BY_A] * inverse
-        c0 = -table[k, BY_W] * inverse
-        c1 = table[k, BY_W + 1] - table[k, M22] * table[k, BY_W] * inverse
+        inverse = 1.0 / table[k, piece.M12]
+        n11, n12, n22 = table[k, piece.M11] * inverse, inverse, table[k, piece.M22] * inverse
+        b0 = -table[k, piece.BY_A] * inverse
+        b1 = table[k, piece.BY_A + 1] - table[k, piece.M22] * table[k, piece.BY_A] * inverse
+        c0 = -table[k, piece.BY_W] * inverse
+        c1 = table[k, piece.BY_W + 1] - table[k, piece.M22] * table[k, piece.BY_W] * inverse
         if k == 0:
             k11, k12, k22, a0, a1, w0, w1 = n11, n12, n22, b0, b1, c0, c1
             continue
@@ -295,15 +284,15 @@ def nonlinear_extrema(
     """
     if not 0.0 < duration <= LONGEST:
         return math.nan, math.nan, math.nan
-    table = np.empty((pieces_of(duration) + 1, PIECE_COLUMNS))
-    work, spare = make_work(shares), np.empty((SPARE_ROWS, TERMS))
+    table = np.empty((pieces_of(duration) + 1, piece.PIECE_COLUMNS))
+    work, spare = make_work(shares), np.empty((piece.SPARE_ROWS, TERMS))
     if not solve(drive, duration, first, last, False, table, work, spare):
         return math.nan, math.nan, math.nan
     largest, lowest, when = -math.inf, math.inf, math.nan
     waiting = np.empty((DEPTH, 2))
     for k in range(len(table) - 1):
-        time, end = table[k, TIME], table[k + 1, TIME]
-        angle, velocity = table[k, ANGLE_THERE], table[k, SPEED_THERE]
+        time, end = table[k, piece.TIME], table[k + 1, piece.TIME]
+        angle, velocity = table[k, piece.ANGLE_THERE], table[k, piece.SPEED_THERE]
         while time < end:
             degree, step, after = taylor_step(drive, first, time, end, angle, velocity, work)
             third = third_bound(work, degree, step)

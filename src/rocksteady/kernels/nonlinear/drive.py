@@ -19,23 +19,10 @@ linear model, ``y'' = r + y``, which is the limit of small alpha.
 import math
 from typing import NamedTuple
 
+from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.core.harmonics import shape_at
-from rocksteady.kernels.core.tables import (
-    ALPHA,
-    AMPLITUDE,
-    CONSTANT,
-    DURATION,
-    FREQUENCY,
-    LEAN,
-    LIFT,
-    LIFT_SLOPE,
-    RATE,
-    SLOPE,
-    Floats,
-    is_series,
-    slenderness,
-)
+from rocksteady.kernels.core.tables import Floats, is_series, slenderness
 from rocksteady.kernels.elementary.circular import cos, sin, sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
@@ -63,15 +50,15 @@ class Drive(NamedTuple):
 def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Drive:
     """Return what drives a side on a segment, from the time `elapsed` since the segment's start."""
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    slope, lift_slope = segments[index, SLOPE], segments[index, LIFT_SLOPE]
+    lean, rate = sides[row, tables.LEAN], sides[row, tables.RATE]
+    slope, lift_slope = segments[index, tables.SLOPE], segments[index, tables.LIFT_SLOPE]
     return Drive(
         slenderness(sides, row),
-        side * (segments[index, CONSTANT] + slope * elapsed) / lean,
+        side * (segments[index, tables.CONSTANT] + slope * elapsed) / lean,
         side * slope / (lean * rate),
-        segments[index, AMPLITUDE] / lean,
-        segments[index, FREQUENCY] / rate,
-        segments[index, LIFT] + lift_slope * elapsed,
+        segments[index, tables.AMPLITUDE] / lean,
+        segments[index, tables.FREQUENCY] / rate,
+        segments[index, tables.LIFT] + lift_slope * elapsed,
         lift_slope / rate,
         float(side) if is_series(segments, index) else 0.0,
     )
@@ -130,17 +117,17 @@ def hardest_pull(drive: Drive, time: float, step: float) -> float:
 @compiled
 def loss_of_contact(segments: Floats, index: int) -> float:
     """Return the time since a segment's start at which the base falls away: 1 + l is 0; or inf."""
-    weight: float = 1.0 + segments[index, LIFT]
-    slope: float = segments[index, LIFT_SLOPE]
+    weight: float = 1.0 + segments[index, tables.LIFT]
+    slope: float = segments[index, tables.LIFT_SLOPE]
     if weight <= WEIGHTLESS:
         return 0.0
-    if slope >= 0.0 or weight + slope * segments[index, DURATION] > WEIGHTLESS:
+    if slope >= 0.0 or weight + slope * segments[index, tables.DURATION] > WEIGHTLESS:
         return math.inf
-    duration: float = segments[index, DURATION]
+    duration: float = segments[index, tables.DURATION]
     return min(-weight / slope, duration)
 
 
 @compiled
 def jump_share(sides: Floats2, side: int, angle: float) -> float:
     """Return the part of a horizontal impulse that turns the block: cos(alpha (1 - y))."""
-    return cos(sides[0 if side > 0 else 1, ALPHA] * (1.0 - angle))
+    return cos(sides[0 if side > 0 else 1, tables.ALPHA] * (1.0 - angle))

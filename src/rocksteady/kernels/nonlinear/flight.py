@@ -2,16 +2,9 @@
 
 import math
 
+from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.forcing import TWO_PI
-from rocksteady.kernels.core.tables import (
-    FOUND,
-    NO_RETURN,
-    PEAK_ANGLE,
-    PEAK_SPEED,
-    SPAN_END,
-    STALLED,
-    Floats,
-)
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
@@ -162,14 +155,14 @@ def fly(
         sine, cosine = sincos_near(phase)
     while True:
         if angle >= flat:
-            return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
+            return Zero(tables.NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
         if endless and is_lost(drive, lost_from, angle, velocity):
-            return Zero(NO_RETURN, math.inf, cycle, here, sine, cosine, angle, velocity)
+            return Zero(tables.NO_RETURN, math.inf, cycle, here, sine, cosine, angle, velocity)
         left = span - time
         if left <= 0.0:
-            return Zero(SPAN_END, span, cycle, here, sine, cosine, angle, velocity)
+            return Zero(tables.SPAN_END, span, cycle, here, sine, cosine, angle, velocity)
         if is_stuck(drive, steps, time):
-            return Zero(STALLED, time, cycle, here, sine, cosine, angle, velocity)
+            return Zero(tables.STALLED, time, cycle, here, sine, cosine, angle, velocity)
         steps += 1
         degree, step = expand(
             drive,
@@ -183,17 +176,17 @@ def fly(
             left_out,
             work,
         )
-        event = SPAN_END
+        event = tables.SPAN_END
         third, step = third_and_step(work, degree, step, FAR * flat)
         zero = first_zero(work, degree, step, third, hardest_pull(drive, time, step))
         ends = step if zero < 0.0 else zero
         if zero >= 0.0:
-            event = FOUND
+            event = tables.FOUND
         bend = 2.0 * abs(work[ANGLE, 2]) + third * step
         if angle + ends * (max(velocity, 0.0) + 0.5 * bend * ends) >= flat:
             fallen = first_rise(work, degree, ends, flat)
             if fallen >= 0.0:
-                event, ends = NO_RETURN, fallen
+                event, ends = tables.NO_RETURN, fallen
         angle, velocity = angle_at(work, degree, ends)
         if varied:
             advance(drive, work, degree, ends, course)
@@ -205,17 +198,17 @@ def fly(
                 third,
                 angle,
                 velocity,
-                peaks[PEAK_ANGLE],
-                peaks[PEAK_SPEED] / (lean * rate),
+                peaks[tables.PEAK_ANGLE],
+                peaks[tables.PEAK_SPEED] / (lean * rate),
             )
-            peaks[PEAK_ANGLE] = top_angle
-            peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
-        time = span if event == SPAN_END and step >= left else time + ends
+            peaks[tables.PEAK_ANGLE] = top_angle
+            peaks[tables.PEAK_SPEED] = max(peaks[tables.PEAK_SPEED], top_speed * lean * rate)
+        time = span if event == tables.SPAN_END and step >= left else time + ends
         if drive.frequency > 0.0:
             cycle, here = phase_at(drive, phase, time)
             sine, cosine = sincos_near(here)
-        if event == FOUND:
-            return Zero(FOUND, time, cycle, here, sine, cosine, 0.0, min(velocity, 0.0))
-        if event == NO_RETURN:
-            return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
+        if event == tables.FOUND:
+            return Zero(tables.FOUND, time, cycle, here, sine, cosine, 0.0, min(velocity, 0.0))
+        if event == tables.NO_RETURN:
+            return Zero(tables.NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
         angle = max(angle, 0.0)
