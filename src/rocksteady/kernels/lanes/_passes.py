@@ -12,6 +12,7 @@ from rocksteady.kernels.lanes._fields import (
     NODES_BITS,
     SHORTS_BITS,
     SPECIALS_BITS,
+    WAITING_BITS,
     weight,
 )
 from rocksteady.kernels.lanes._launching import begin_special, launch
@@ -44,10 +45,11 @@ def census(lanes: Floats) -> int:
 
 
 @compiled
-def in_flight(numbers: int) -> bool:
-    """Return whether any lane of a census goes on without help."""
+def in_need(numbers: int) -> bool:
+    """Return whether several lanes of a census wait for help, or none goes on without it."""
     nodes, shorts = (numbers >> NODES_BITS) & MANY, (numbers >> SHORTS_BITS) & MANY
-    return (numbers & MANY) + nodes + shorts > 0
+    waiting = (numbers >> WAITING_BITS) & MANY
+    return waiting >= WAITING or (numbers & MANY) + nodes + shorts == 0
 
 
 @compiled

@@ -22,18 +22,10 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes import _fields as lane
-from rocksteady.kernels.lanes._fields import FIELDS, LANES, MANY, WAITING_BITS
+from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
-from rocksteady.kernels.lanes._passes import (
-    WAITING,
-    at_nodes,
-    begin,
-    census,
-    fill_empty,
-    in_flight,
-    step,
-)
+from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.lanes._periods import compare, leap
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
@@ -125,7 +117,7 @@ def queued_lane_fates(
     rounds = 0
     numbers = together(census(lanes))
     while True:
-        waiting = (numbers >> WAITING_BITS) & MANY
+        help_wanted = in_need(numbers)
         rounds += 1
         if rounds % ROUNDS == 0:
             lost = 0
@@ -133,9 +125,8 @@ def queued_lane_fates(
                 if exhausted(lanes, j, most):
                     lanes[lane.STAGE + j] = lane.LEAVE
                     lost += 1
-            if together(lost) > 0:
-                waiting = WAITING
-        if waiting >= WAITING or not in_flight(numbers):
+            help_wanted = together(lost) > 0 or help_wanted
+        if help_wanted:
             for j in range(LANES):
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
                     cell = int(lanes[lane.CELL + j])

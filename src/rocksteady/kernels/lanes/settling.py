@@ -20,19 +20,11 @@ from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, Marc
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import FAR, KNOWN_LAW, LOOK, NEXT, remember, watch
-from rocksteady.kernels.lanes._fields import FIELDS, LANES, MANY, WAITING_BITS
+from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._law import draw_near
 from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
-from rocksteady.kernels.lanes._passes import (
-    WAITING,
-    at_nodes,
-    begin,
-    census,
-    fill_empty,
-    in_flight,
-    step,
-)
+from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.lanes._recurrence import RETURN_COLUMNS, computed, returning
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import (
@@ -152,8 +144,7 @@ def queued_lane_attractors(
     delays = ZERO  # ... and at special flights
     numbers = together(census(lanes))
     while True:
-        waiting = (numbers >> WAITING_BITS) & MANY
-        if waiting >= WAITING or not in_flight(numbers):
+        if in_need(numbers):
             for j in range(LANES):
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
                     start = half_cycles[int(lanes[lane.CELL + j])]
