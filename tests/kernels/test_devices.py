@@ -123,6 +123,12 @@ def test_without_a_device_and_without_cells_the_host_runs_kernels() -> None:
     assert device.ran == []
 
 
+def test_a_call_without_cells_has_no_form_though_its_results_are_a_tuple() -> None:
+    *others, status, impacts, final = of_lanes()
+    assert form_of(lane_fates, (*others, (status, impacts, final))) is FORMS["lane_fates"]
+    assert form_of(lane_fates, (*others, (status[:0], impacts[:0], final[:0]))) is None
+
+
 def test_a_kernel_without_a_form_runs_on_the_host() -> None:
     a, w, sides, *rest = of_fates(nonlinear=False)
     device = Workers()

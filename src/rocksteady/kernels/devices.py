@@ -44,6 +44,7 @@ from rocksteady.kernels.lanes.settling import (
     queued_lane_attractors,
 )
 from rocksteady.kernels.machine_code.device import current_device
+from rocksteady.kernels.machine_code.types import leaves_of
 from rocksteady.kernels.nonlinear_lanes.loop import (
     nonlinear_lane_fates,
     queued_nonlinear_lane_fates,
@@ -106,7 +107,8 @@ def run_cells(kernel: Any, *arguments: Any) -> None:
 def form_of(kernel: Any, arguments: tuple[Any, ...]) -> Form | None:
     """Return the form of a host kernel for a call of it; None where there is none, or no cell."""
     name = kernel.__name__
-    if len(arguments[-1]) == 0:
+    *_, results = leaves_of(*arguments)
+    if len(results) == 0:
         return None
     if name in _SIDES and is_nonlinear(arguments[_SIDES[name]][0]):
         name = f"nonlinear_{name}"

@@ -13,7 +13,14 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core import queue as kernels_queue
-from rocksteady.kernels.machine_code._launch import ALIGNED, STEPS, Launch, longest_first, queue_of
+from rocksteady.kernels.machine_code._launch import (
+    ALIGNED,
+    STEPS,
+    Launch,
+    cells_in,
+    longest_first,
+    queue_of,
+)
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from tests.every import every
 
@@ -147,6 +154,16 @@ def test_what_is_no_array_of_the_kernel_is_refused(place: int, wrong: Any) -> No
     arguments[place] = wrong
     with pytest.raises(TypeError, match="it must be a writable, C-contiguous array of"):
         Launch(queued_mixed, MIXED, tuple(arguments), workers=64)
+
+
+def test_results_in_a_tuple_count_one_by_one() -> None:
+    """The length of the tuple itself would be that of no array."""
+    *others, status, final = mixed_arguments()
+    arguments = (*others, (status, (final,)))
+    form = Form(queued=queued_mixed, results=2)
+    assert cells_in(form, arguments) == CELLS
+    assert queue_of(form, arguments).tolist() == [0, 0, 0, 1, 2]
+    assert cells_in(form, (*others, (status[:0], (final[:0],)))) == 0
 
 
 def test_without_expected_lengths_cells_are_taken_in_order() -> None:

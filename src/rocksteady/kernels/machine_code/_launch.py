@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.machine_code.device import Form
 from rocksteady.kernels.machine_code.library import DTYPES, cells_of, refuse_array
-from rocksteady.kernels.machine_code.types import Leaf, parts, signature_of
+from rocksteady.kernels.machine_code.types import Leaf, leaves_of, parts, signature_of
 
 ALIGNED = 256
 """Bytes of which the place of every array is a multiple."""
@@ -123,13 +123,18 @@ def queue_of(form: Form, arguments: tuple[Any, ...]) -> NDArray[np.int64]:
 
     The order changes no result, only how long workers without cells wait for the last one.
     """
-    cells = len(arguments[-form.results])
+    cells = cells_in(form, arguments)
     queue = np.zeros(BEGUN + cells, dtype=np.int64)
     if form.length is None:
         queue[BEGUN:] = np.arange(cells)
     else:
         queue[BEGUN:] = longest_first(np.asarray(form.length(*arguments), dtype=np.float64))
     return queue
+
+
+def cells_in(form: Form, arguments: tuple[Any, ...]) -> int:
+    """Return the number of cells of a call: the length of the first of its results."""
+    return len(list(leaves_of(*arguments))[-form.results])
 
 
 def longest_first(lengths: NDArray[np.float64]) -> NDArray[np.int64]:
