@@ -20,6 +20,7 @@ from bench.sampling_march import SAMPLES, sampled_fates
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
+from rocksteady.kernels.core.tuples import Fates, Kept, Starts, SymmetricCells, Tables, Until
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from rocksteady.model.motions.record import Record
@@ -77,18 +78,12 @@ def run_kernel(unit: Cells) -> None:
 
 def run_lanes(unit: Cells, leaping: bool) -> None:
     lane_fates(
-        unit.amplitude,
-        unit.frequency_ratio,
-        unit.restitution,
-        unit.zeros,
-        unit.velocity,
-        unit.zeros,
+        SymmetricCells(unit.amplitude, unit.frequency_ratio, unit.restitution),
+        Starts(unit.zeros, unit.velocity, unit.zeros),
         CYCLES,
         leaping,
         NO_LIMIT,
-        unit.status,
-        unit.impacts,
-        np.empty((unit.amplitude.size, 3)),
+        Fates(unit.status, unit.impacts, np.empty((unit.amplitude.size, 3))),
     )
 
 
@@ -195,7 +190,9 @@ def test_samples(benchmark: Any, name: str, way: str) -> None:
     peaks = np.zeros(2 if "peaks" in way else 0)
     stop = 0.0 if name in {"flight", "rest"} else math.inf
     none = np.zeros((0, ROW_COLUMNS))
-    arguments = (*case, 0, stop, 1e-8, 10**9, none, peaks)
+    segments, sides, start = case
+    until = Until(0, stop, 1e-8, 10**9)
+    arguments = (Tables(segments, sides), start, until, Kept(none, peaks))
     _, end = march(*arguments)
     benchmark.pedantic(march, args=arguments, rounds=50, iterations=4, warmup_rounds=1)
     benchmark.extra_info["samples"] = len(case.segments)

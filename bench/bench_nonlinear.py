@@ -17,7 +17,9 @@ from bench.bench_march import CYCLES, RESTITUTION, THINNED, UNITS, Cells, cells,
 from rocksteady import Block, Record, Run, State, Status, map_fates
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
+from rocksteady.kernels.core.tuples import Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Nonlinear
@@ -34,35 +36,31 @@ blocks = pytest.mark.parametrize("block", [BLOCK, UNLIKE], ids=["symmetric", "un
 def run(unit: Cells, block: Block = BLOCK) -> None:
     count = unit.amplitude.size
     fates_of_sides(
-        unit.amplitude,
-        unit.frequency_ratio,
-        np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
-        unit.zeros,
-        unit.velocity,
-        unit.zeros,
+        tuples.Cells(
+            unit.amplitude,
+            unit.frequency_ratio,
+            np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
+        ),
+        Starts(unit.zeros, unit.velocity, unit.zeros),
         CYCLES,
         NO_LIMIT,
-        unit.status,
-        unit.impacts,
-        np.empty((count, 3)),
+        Fates(unit.status, unit.impacts, np.empty((count, 3))),
     )
 
 
 def run_lanes(unit: Cells, block: Block) -> None:
     count = unit.amplitude.size
     nonlinear_lane_fates(
-        unit.amplitude,
-        unit.frequency_ratio,
-        np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
-        unit.zeros,
-        unit.velocity,
-        unit.zeros,
+        tuples.Cells(
+            unit.amplitude,
+            unit.frequency_ratio,
+            np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
+        ),
+        Starts(unit.zeros, unit.velocity, unit.zeros),
         CYCLES,
         True,
         NO_LIMIT,
-        unit.status,
-        unit.impacts,
-        np.empty((count, 3)),
+        Fates(unit.status, unit.impacts, np.empty((count, 3))),
     )
 
 
@@ -174,9 +172,10 @@ def test_record(benchmark: Any, name: str, way: str) -> None:
     segments = nonlinear_segment_table(record, block)
     none = np.zeros((0, ROW_COLUMNS))
     sides = sides_of(block, Nonlinear())
-    arguments = (segments, sides, start, 0, stop, 1e-8, 10**9, none)
     peaks = np.zeros(2 if way == "with peaks" else 0)
-    _, end = march(*arguments, peaks)
-    benchmark.pedantic(march, args=(*arguments, peaks), rounds=20, warmup_rounds=1)
+    until = Until(0, stop, 1e-8, 10**9)
+    arguments = (Tables(segments, sides), start, until, Kept(none, peaks))
+    _, end = march(*arguments)
+    benchmark.pedantic(march, args=arguments, rounds=20, warmup_rounds=1)
     benchmark.extra_info["samples"] = len(segments)
     benchmark.extra_info["impacts"] = end.impacts

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady.kernels.orbits.closed_form import fill_steady
+from rocksteady.kernels.orbits.closed_form import Points, Steady, fill_steady
 
 SIDE = 1000
 RESTITUTION = 0.8
@@ -22,20 +22,13 @@ def test_steady(benchmark: Any, shapes: bool) -> None:
     count = amplitude.size
     region = np.zeros(count, np.int64)
     admissible = np.zeros((2, count), np.bool_)
+    ratios, orders = np.full(count, RESTITUTION), np.ones(count, np.int64)
+    filled = [np.empty((2, count)) for _ in range(4)]
+    extrema = np.zeros((2, count), np.int64)
     arguments = (
-        amplitude.ravel(),
-        frequency_ratio.ravel(),
-        np.full(count, RESTITUTION),
-        np.ones(count, np.int64),
+        Points(amplitude.ravel(), frequency_ratio.ravel(), ratios, orders),
         shapes,
-        region,
-        np.empty((3, count)),
-        np.empty((2, count)),
-        np.empty((2, count)),
-        np.empty((2, count)),
-        np.empty((2, count)),
-        np.zeros((2, count), np.int64),
-        admissible,
+        Steady(region, np.empty((3, count)), *filled, extrema, admissible),
     )
     benchmark.pedantic(fill_steady, args=arguments, rounds=3 if shapes else 7, warmup_rounds=1)
     benchmark.extra_info["points"] = count

@@ -12,7 +12,8 @@ from typing import Any, Protocol
 
 from rocksteady.kernels.devices import Form
 from rocksteady.kernels.machine_code._cuda import Driver, DriverError, loaded_driver
-from rocksteady.kernels.machine_code._launch import Launch, cells_in
+from rocksteady.kernels.machine_code._launch import Launch
+from rocksteady.kernels.machine_code.device import cells_in
 from rocksteady.kernels.machine_code.gpu import BLOCK, Gpu, Memory
 from rocksteady.kernels.machine_code.programs import program
 
@@ -172,7 +173,7 @@ class OnGpu:
         if not loaded.resident:
             raise DriverError("CUDA_ERROR_LAUNCH_OUT_OF_RESOURCES", f"{block} threads a block")
         began = time.perf_counter()
-        cells = cells_in(form, arguments)
+        cells = cells_in(arguments)
         blocks = min(loaded.resident // block, -(-cells // block))
         kernel = inspect.unwrap(form.queued)
         launch = Launch(kernel, form, arguments, workers=blocks * block)

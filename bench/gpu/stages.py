@@ -101,7 +101,7 @@ def called(device: Bench, name: str, form: Form, count: int, **options: int) -> 
         "cells_per_s": count / timing.kernel,
         "impacts": impacts,
         "impacts_per_s": None if impacts is None else impacts / timing.kernel,
-        "left_over": int(np.count_nonzero(classes(arguments, form.results) == -1)),
+        "left_over": int(np.count_nonzero(classes(arguments) == -1)),
         **options,
     }
 
@@ -140,7 +140,7 @@ def orders(device: Bench, budget: Budget, say: Say, cells: int) -> list[dict[str
         form = FORMS[name]
         arguments = work(name, count)
         device.launch(form, arguments)
-        impacts = arguments[-2].astype(np.float64)
+        impacts = arguments[-1].impacts.astype(np.float64)
         chosen: dict[str, Callable[..., Any] | None] = {
             "expected length": form.length,
             "natural": None,
@@ -193,13 +193,13 @@ def compare(
     form = FORMS[name]
     arguments = work(name, count, seed)
     device.launch(form, arguments)
-    wanted = on_host(name, arguments, form.results, workers)
-    here, there = classes(arguments, form.results), classes(wanted, form.results)
+    wanted = on_host(name, arguments, workers)
+    here, there = classes(arguments), classes(wanted)
     # What either leaves over the scalar code computes; the rest of its row means nothing.
     left = here == -1
     done = ~left & (there != -1)
     other = np.zeros(count, dtype=np.bool_)
-    for got, right in zip(arguments[-form.results :], wanted[-form.results :], strict=True):
+    for got, right in zip(arguments[-1], wanted[-1], strict=True):
         differs = got.view(np.int64) != right.view(np.int64)
         other |= differs.reshape(count, -1).any(axis=1)
     other &= done
@@ -207,25 +207,23 @@ def compare(
     row["left_over"] += int(left.sum())
     row["classes"] += int((done & (here != there)).sum())
     row["bits"] += int(other.sum())
-    row["first"] += list(listed(name, arguments, wanted, form.results, other))
+    row["first"] += list(listed(name, arguments, wanted, other))
     del row["first"][LISTED:]
 
 
-def listed(
-    name: str, arguments: Any, wanted: Any, results: int, other: Any
-) -> Iterator[dict[str, Any]]:
+def listed(name: str, arguments: Any, wanted: Any, other: Any) -> Iterator[dict[str, Any]]:
     """Yield the first cells with other bits: what they are given, and both results."""
     for cell in np.flatnonzero(other)[:LISTED].tolist():
         given = (
             {}
             if name.endswith("record_fates")
             else {
-                "amplitude": arguments[0][cell].hex(),
-                "frequency_ratio": arguments[1][cell].hex(),
+                "amplitude": arguments[0].amplitude[cell].hex(),
+                "frequency_ratio": arguments[0].frequency_ratio[cell].hex(),
             }
         )
         yield given | {
             "cell": cell,
-            "device": [np.asarray(each[cell]).tolist() for each in arguments[-results:]],
-            "processor": [np.asarray(each[cell]).tolist() for each in wanted[-results:]],
+            "device": [np.asarray(each[cell]).tolist() for each in arguments[-1]],
+            "processor": [np.asarray(each[cell]).tolist() for each in wanted[-1]],
         }

@@ -13,6 +13,16 @@ from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import LEAN, RATE
+from rocksteady.kernels.core.tuples import (
+    Blocks,
+    Cells,
+    Fates,
+    Outcomes,
+    PeakFates,
+    Starts,
+    States,
+    SymmetricCells,
+)
 from rocksteady.kernels.entries import ENTRIES
 from tests.records import synthetic
 
@@ -62,19 +72,21 @@ def work(name: str, count: int, seed: int = 0) -> Arguments:
     model = Nonlinear() if nonlinear else Linear()
     sides = np.broadcast_to(sides_of(BLOCK, model), (count, 2, columns)).copy()
     ratio = np.full(count, RESTITUTION)
-    fates = np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 3))
-    begin = zeros, np.full(count, VELOCITY), zeros.copy()
+    fates = Fates(np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 3)))
+    begin = Starts(zeros, np.full(count, VELOCITY), zeros.copy())
+    blocks = Cells(amplitude, frequency, sides)
+    alike = SymmetricCells(amplitude, frequency, ratio)
     if name == "lane_fates":
-        return (amplitude, frequency, ratio, *begin, CYCLES, True, MOST, *fates)
+        return alike, begin, CYCLES, True, MOST, fates
     if name == "nonlinear_lane_fates":
-        return (amplitude, frequency, sides, *begin, CYCLES, True, MOST, *fates)
+        return blocks, begin, CYCLES, True, MOST, fates
     if name.endswith("fates_of_sides"):
-        return (amplitude, frequency, sides, *begin, CYCLES, MOST, *fates)
-    block = ratio if name == "lane_attractors" else sides
+        return blocks, begin, CYCLES, MOST, fates
     side, half = np.ones(count, np.int64), np.zeros(count, np.int64)
-    state = side, *begin[:2], half, begin[2]
-    table = np.empty((count, WHOLE_COLUMNS), np.int64), np.empty((count, REAL_COLUMNS))
-    return (amplitude, frequency, block, *state, CYCLES, *table)
+    states = States(side, begin.angle, begin.velocity, half, begin.phase)
+    table = np.empty((count, WHOLE_COLUMNS), np.int64)
+    outcomes = Outcomes(table, np.empty((count, REAL_COLUMNS)))
+    return alike if name == "lane_attractors" else blocks, states, CYCLES, outcomes
 
 
 def _map(count: int, seed: int) -> tuple[Floats, Floats]:
@@ -103,43 +115,42 @@ def _records(count: int, *, nonlinear: bool) -> Arguments:
     sides[:, :, LEAN] = uplift.ravel()[:count, np.newaxis]
     sides[:, :, RATE] = rate.ravel()[:count, np.newaxis]
     segments = nonlinear_segment_table(record, block) if nonlinear else record_table(record)
-    results = np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 2))
-    return (segments, sides, np.full(count, 1e15), 10**7, *results)
+    fates = PeakFates(np.empty(count, np.int64), np.empty(count, np.int64), np.empty((count, 2)))
+    return segments, Blocks(sides, np.full(count, 1e15)), 10**7, fates
 
 
 def impacts_of(name: str, arguments: Arguments) -> int | None:
     """Return the impacts of all cells; None where a kernel does not count them."""
     if name.endswith(("lane_attractors", "settle_cells")):
         return None
-    counts: NDArray[np.int64] = arguments[-2]
-    return int(counts[arguments[-3] >= 0].sum())
+    fates: Fates | PeakFates = arguments[-1]
+    return int(fates.impacts[fates.status >= 0].sum())
 
 
-def classes(arguments: Arguments, results: int) -> NDArray[np.int64]:
+def classes(arguments: Arguments) -> NDArray[np.int64]:
     """Return the class of each cell: the status code, or the outcome of an attractor."""
-    first: NDArray[np.int64] = arguments[-results]
+    first: NDArray[np.int64] = arguments[-1][0]
     return first if first.ndim == 1 else first[:, 0]
 
 
-def on_host(name: str, arguments: Arguments, results: int, workers: int) -> Arguments:
+def _cut(argument: Any, begin: int, end: int) -> Any:
+    """Return the cells of a tuple of arrays; the segments of a record are in none, and whole."""
+    if not isinstance(argument, tuple):
+        return argument
+    return type(argument)(*(array[begin:end] for array in argument))
+
+
+def on_host(name: str, arguments: Arguments, workers: int) -> Arguments:
     """Return the arguments with the results of the host kernel, computed in threads."""
-    count = len(arguments[-results])
-    outputs = tuple(np.empty_like(each) for each in arguments[-results:])
-    given = (*arguments[: len(arguments) - results], *outputs)
-    # Of the arguments those with a value a cell are cut; the segments of a record are not.
-    whole = {0} if name.endswith("record_fates") else set[int]()
+    *taken, results = arguments
+    given = (*taken, type(results)(*(np.empty_like(each) for each in results)))
     kernel = host_kernel(name)
 
     def part(begin: int, end: int) -> None:
-        kernel(
-            *(
-                each[begin:end] if isinstance(each, np.ndarray) and place not in whole else each
-                for place, each in enumerate(given)
-            )
-        )
+        kernel(*(_cut(each, begin, end) for each in given))
 
-    parts = np.linspace(0, count, min(16 * workers, count) + 1).astype(int).tolist()
+    parts = np.linspace(0, len(results[0]), min(16 * workers, len(results[0])) + 1)
     with ThreadPoolExecutor(workers) as threads:
-        for done in [threads.submit(part, *ends) for ends in pairwise(parts)]:
+        for done in [threads.submit(part, *ends) for ends in pairwise(parts.astype(int).tolist())]:
             done.result()
     return given

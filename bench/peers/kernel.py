@@ -33,6 +33,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.core.tables import RESTITUTION as SIDE_RESTITUTION
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from tests.kernels.fates import NO_LIMIT, harmonic_fates
@@ -128,12 +129,13 @@ def record(cells: Cells) -> Record:
     sides[:, LEAN] = sides[:, RATE] = 1.0
     sides[:, SIDE_RESTITUTION] = RESTITUTION
     start = March(1, 0.0, START_VELOCITY, 0, 0, 0.0, 0, 0)
-    until = (2 * CYCLES, 0.0, math.inf, NO_LIMIT)
+    tables, until = Tables(segments, sides), Until(2 * CYCLES, 0.0, math.inf, NO_LIMIT)
+    nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     for i in range(count):
         harmonic_segment(segments, cells.amplitude[i], cells.frequency_ratio[i], 0.0)
-        _, end = march(segments, sides, start, *until, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+        _, end = march(tables, start, until, Kept(*nothing))
         rows = np.zeros((end.flights, ROW_COLUMNS))
-        march(segments, sides, start, *until, rows, np.zeros(0))
+        march(tables, start, until, Kept(rows, nothing[1]))
         rested[i] = bool((rows[:, ROW_SIDE] == 0).any())
         # An impact stands at the start of the row after the one that it ended.
         after = np.flatnonzero(rows[:-1, ROW_EVENT] == ENDED_BY_IMPACT) + 1

@@ -5,6 +5,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS, Floats
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 
 NO_LIMIT = 2**62
 """Flights: no motion is given up."""
@@ -26,15 +27,9 @@ def harmonic_fates(
     sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
     sides[:, :, RESTITUTION] = restitution[:, np.newaxis]
     fates_of_sides(
-        amplitude,
-        frequency_ratio,
-        sides,
-        angle,
-        velocity,
-        phase,
+        Cells(amplitude, frequency_ratio, sides),
+        Starts(angle, velocity, phase),
         cycles,
         NO_LIMIT,
-        status,
-        impacts,
-        final,
+        Fates(status, impacts, final),
     )

@@ -19,10 +19,20 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     SIDE_COLUMNS,
 )
+from rocksteady.kernels.core.tuples import (
+    Blocks,
+    Cells,
+    Fates,
+    Outcomes,
+    PeakFates,
+    Starts,
+    States,
+    SymmetricCells,
+)
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.lanes.settling import lane_attractors
-from rocksteady.kernels.machine_code.device import Form
+from rocksteady.kernels.machine_code.device import Form, cells_in
 from rocksteady.kernels.machine_code.width import side_by_side
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from tests.kernels.tables import sampled
@@ -53,37 +63,38 @@ def sides(*, nonlinear: bool) -> NDArray[np.float64]:
     return blocks
 
 
-def ends() -> tuple[Any, ...]:
-    return np.zeros(CELLS, np.int64), np.zeros(CELLS, np.int64), np.zeros((CELLS, 3))
+def ends() -> Fates:
+    return Fates(np.zeros(CELLS, np.int64), np.zeros(CELLS, np.int64), np.zeros((CELLS, 3)))
 
 
 def of_fates(*, nonlinear: bool) -> tuple[Any, ...]:
-    return (*FORCED, sides(nonlinear=nonlinear), *START, CYCLES, MOST, *ends())
+    return Cells(*FORCED, sides(nonlinear=nonlinear)), Starts(*START), CYCLES, MOST, ends()
 
 
 def of_lanes() -> tuple[Any, ...]:
     ratios = np.linspace(0.6, 0.9, CELLS)
-    return (*FORCED, ratios, *START, CYCLES, True, MOST, *ends())
+    return SymmetricCells(*FORCED, ratios), Starts(*START), CYCLES, True, MOST, ends()
 
 
 def of_nonlinear_lanes() -> tuple[Any, ...]:
-    return (*FORCED, sides(nonlinear=True), *START, CYCLES, True, MOST, *ends())
+    return Cells(*FORCED, sides(nonlinear=True)), Starts(*START), CYCLES, True, MOST, ends()
 
 
-def settling(blocks: NDArray[np.float64], cycles: int) -> tuple[Any, ...]:
+def settling(cells: Cells | SymmetricCells, cycles: int) -> tuple[Any, ...]:
     angle, velocity, phase = START
     half = np.floor(phase / np.pi).astype(np.int64)
     side = np.sign(np.where(angle != 0.0, angle, velocity)).astype(np.int64)
-    table = np.zeros((CELLS, WHOLE_COLUMNS), np.int64), np.zeros((CELLS, REAL_COLUMNS))
-    return (*FORCED, blocks, side, angle, velocity, half, phase - half * np.pi, cycles, *table)
+    states = States(side, angle, velocity, half, phase - half * np.pi)
+    whole = np.zeros((CELLS, WHOLE_COLUMNS), np.int64)
+    return cells, states, cycles, Outcomes(whole, np.zeros((CELLS, REAL_COLUMNS)))
 
 
 def of_settle(*, nonlinear: bool) -> tuple[Any, ...]:
-    return settling(sides(nonlinear=nonlinear), 8 if nonlinear else 40)
+    return settling(Cells(*FORCED, sides(nonlinear=nonlinear)), 8 if nonlinear else 40)
 
 
 def of_lane_attractors() -> tuple[Any, ...]:
-    return settling(np.linspace(0.6, 0.9, CELLS), 40)
+    return settling(SymmetricCells(*FORCED, np.linspace(0.6, 0.9, CELLS)), 40)
 
 
 def of_records(*, nonlinear: bool) -> tuple[Any, ...]:
@@ -99,8 +110,9 @@ def of_records(*, nonlinear: bool) -> tuple[Any, ...]:
     table = sampled(synthetic(np.random.default_rng(9), 150, 0.02, 6.0), 0.02)
     if nonlinear:
         table = np.hstack([table, np.zeros((len(table), 3))])
-    results = np.zeros(CELLS, np.int64), np.zeros(CELLS, np.int64), np.zeros((CELLS, 2))
-    return (table, blocks, np.full(CELLS, 20.0), MOST, *results)
+    status, impacts = np.zeros((2, CELLS), np.int64)
+    fates = PeakFates(status, impacts, np.zeros((CELLS, 2)))
+    return table, Blocks(blocks, np.full(CELLS, 20.0)), MOST, fates
 
 
 CASES: dict[str, tuple[Any, Callable[[], tuple[Any, ...]]]] = {
@@ -134,7 +146,7 @@ class Workers:
         """Run a form over cells, in descending order of their expected length."""
         (name,) = (name for name, each in FORMS.items() if each.queued is form.queued)
         self.ran.append(name)
-        cells = len(arguments[-1])
+        cells = cells_in(arguments)
         length = np.zeros(cells) if form.length is None else form.length(*arguments)
         order = np.argsort(-length, kind="stable")
         shared = () if form.shared is None else form.shared(*arguments)
@@ -155,6 +167,6 @@ def room_of(form: Form) -> tuple[NDArray[np.float64], ...]:
     return tuple(np.full((1, *shape), np.nan) for shape in shapes)
 
 
-def bits(form: Form, arguments: tuple[Any, ...]) -> list[bytes]:
+def bits(arguments: tuple[Any, ...]) -> list[bytes]:
     """Return the results of a call, as bytes."""
-    return [np.asarray(array).tobytes() for array in arguments[-form.results :]]
+    return [np.asarray(array).tobytes() for array in arguments[-1]]

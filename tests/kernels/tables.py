@@ -30,6 +30,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from tests.oracles import ExactSegment, mp
 
@@ -216,11 +217,17 @@ def run(
         stop_phase = until - float(segments[:-1, DURATION].sum())
     none = np.zeros((0, ROW_COLUMNS))
     status, end = march(
-        segments, sides, start, stop_half, stop_phase, rest_velocity, limit, none, NONE
+        Tables(segments, sides),
+        start,
+        Until(stop_half, stop_phase, rest_velocity, limit),
+        Kept(none, NONE),
     )
     rows = np.zeros((end.flights, ROW_COLUMNS))
     again, same = march(
-        segments, sides, start, stop_half, stop_phase, rest_velocity, limit, rows, NONE
+        Tables(segments, sides),
+        start,
+        Until(stop_half, stop_phase, rest_velocity, limit),
+        Kept(rows, NONE),
     )
     assert (again, same) == (status, end), "recording changes nothing"
     return Run(segments, status, end, rows)
@@ -232,7 +239,9 @@ def march_to(segments: Floats, sides: Floats, impacts: int, velocity: float) -> 
     side = 1 if velocity > 0.0 else -1
     start = March(side, 0.0, velocity, 0, half, phase, 0, 0)
     none = np.zeros((0, ROW_COLUMNS))
-    _, end = march(segments, sides, start, 2**60, 0.0, 0.0, impacts, none, NONE)
+    _, end = march(
+        Tables(segments, sides), start, Until(2**60, 0.0, 0.0, impacts), Kept(none, NONE)
+    )
     return end
 
 

@@ -16,6 +16,7 @@ from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.queue import HEAD, LEFT_OVER, queue_of
 from rocksteady.kernels.core.tables import OVERTURNED
+from rocksteady.kernels.core.tuples import SeriesCells
 from rocksteady.kernels.devices import COLD, FORMS, form_of, run_cells
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.machine_code.device import on_device
@@ -41,7 +42,7 @@ def test_there_is_a_case_for_each_form() -> None:
 @every("name", FORMS)
 def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) -> None:
     kernel, make = CASES[name]
-    form, device = FORMS[name], Workers(workers)
+    device = Workers(workers)
     wanted, found = make(), make()
     kernel(*wanted)
     with on_device(device):
@@ -49,10 +50,10 @@ def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) 
     assert device.ran == [name]
     left = np.zeros(CELLS, np.bool_)
     if "record_fates" in name:  # peaks of some of those that fall take the host
-        left = found[-form.results] == LEFT_OVER
+        left = found[-1].status == LEFT_OVER
         np.testing.assert_array_equal(np.flatnonzero(left), [3])
-        assert wanted[-form.results][3] == OVERTURNED
-    for one, other in zip(wanted[-form.results :], found[-form.results :], strict=True):
+        assert wanted[-1].status[3] == OVERTURNED
+    for one, other in zip(wanted[-1], found[-1], strict=True):
         assert one[~left].tobytes() == other[~left].tobytes()
 
 
@@ -60,10 +61,10 @@ def test_workers_of_a_device_give_the_bits_of_the_host(name: str, workers: int) 
 def test_cells_that_are_not_in_the_queue_are_left_as_they_are(name: str) -> None:
     _, make = CASES[name]
     form, arguments = FORMS[name], make()
-    before = bits(form, arguments)
+    before = bits(arguments)
     shared = () if form.shared is None else form.shared(*arguments)
     form.queued(queue_of(0), *room_of(form), *shared, *arguments)
-    assert bits(form, arguments) == before
+    assert bits(arguments) == before
 
 
 @every("name", FORMS)
@@ -114,29 +115,28 @@ def test_without_a_device_and_without_cells_the_host_runs_kernels() -> None:
     wanted, found = of_lanes(), of_lanes()
     lane_fates(*wanted)
     run_cells(lane_fates, *found)
-    assert bits(FORMS["lane_fates"], found) == bits(FORMS["lane_fates"], wanted)
-    device, nothing = Workers(), np.zeros(0)
-    none = np.zeros(0, np.int64)
+    assert bits(found) == bits(wanted)
+    device, cells = Workers(), of_fates(nonlinear=False)
     with on_device(device):
-        ends = (none, none, np.zeros((0, 3)))
-        run_cells(fates_of_sides, *[nothing] * 2, np.zeros((0, 2, 3)), *[nothing] * 3, 5, 5, *ends)
+        run_cells(fates_of_sides, *(without_cells(each) for each in cells))
     assert device.ran == []
 
 
-def test_a_call_without_cells_has_no_form_though_its_results_are_a_tuple() -> None:
-    *others, status, impacts, final = of_lanes()
-    assert form_of(lane_fates, (*others, (status, impacts, final))) is FORMS["lane_fates"]
-    assert form_of(lane_fates, (*others, (status[:0], impacts[:0], final[:0]))) is None
+def without_cells(argument: Any) -> Any:
+    """Return a tuple of arrays without their cells, and any number as it is."""
+    if not isinstance(argument, tuple):
+        return argument
+    return type(argument)(*(each[:0] for each in argument))
 
 
 def test_a_kernel_without_a_form_runs_on_the_host() -> None:
-    a, w, sides, *rest = of_fates(nonlinear=False)
-    device = Workers()
+    (a, w, sides), *rest = of_fates(nonlinear=False)
+    device, cells = Workers(), SeriesCells(a, w, np.array([0.7, 0.3]), sides)
     with on_device(device):
-        run_cells(series_fates, a, w, np.array([0.7, 0.3]), sides, *rest)
+        run_cells(series_fates, cells, *rest)
     assert device.ran == []
-    assert (rest[-2] > 0).any()
-    assert form_of(series_fates, (a, w, sides, *rest)) is None
+    assert (rest[-1].impacts > 0).any()
+    assert form_of(series_fates, (cells, *rest)) is None
 
 
 @pytest.mark.parametrize("nonlinear", [False, True])
@@ -161,15 +161,15 @@ def test_an_orbit_that_the_table_does_not_hold_is_left_over() -> None:
     wanted, found = make(), make()
     kernel(*wanted)
     # The second cell rests in each period, after more passages than two.
-    assert wanted[-2][1, OUTCOME] == PERIODIC
-    assert wanted[-2][1, 2] > 2
+    assert wanted[-1].whole[1, OUTCOME] == PERIODIC
+    assert wanted[-1].whole[1, 2] > 2
     form = FORMS["settle_cells"]
     queue = queue_of(1)
     queue[HEAD] = 1
     small = dataclasses.replace(form, room=(form.room[0], (2, form.room[1][1])))
     form.queued(queue, *room_of(small), *found)
-    assert found[-2][1, OUTCOME] == LEFT_OVER
-    assert np.isnan(found[-1][1]).all()
+    assert found[-1].whole[1, OUTCOME] == LEFT_OVER
+    assert np.isnan(found[-1].real[1]).all()
     assert devices.LONGEST_ORBIT >= MEMORY
 
 
@@ -181,10 +181,10 @@ def test_a_block_whose_whole_motion_is_to_be_seen_again_is_left_over() -> None:
     form = FORMS["record_fates"]
     assert form.shared is not None
     form.queued(queue_of(CELLS), *form.shared(*arguments), *arguments)
-    np.testing.assert_array_equal(np.flatnonzero(arguments[-3] == LEFT_OVER), [3])
-    assert wanted[-3][3] == OVERTURNED
+    np.testing.assert_array_equal(np.flatnonzero(arguments[-1].status == LEFT_OVER), [3])
+    assert wanted[-1].status[3] == OVERTURNED
     # Without peaks there is nothing to see again.
-    bare = (*arguments[:-1], np.zeros((CELLS, 0)))
+    bare = (*arguments[:-1], arguments[-1]._replace(peaks=np.zeros((CELLS, 0))))
     form.queued(queue_of(CELLS), *form.shared(*bare), *bare)
-    np.testing.assert_array_equal(bare[-3], wanted[-3])
-    np.testing.assert_array_equal(bare[-2], wanted[-2])
+    np.testing.assert_array_equal(bare[-1].status, wanted[-1].status)
+    np.testing.assert_array_equal(bare[-1].impacts, wanted[-1].impacts)

@@ -178,13 +178,12 @@ def test_an_interruption_writes_what_there_is(
 
 @pytest.mark.parametrize("name", list(FORMS))
 def test_work_is_what_the_host_kernel_takes(name: str) -> None:
-    form = FORMS[name]
     given = work.work(name, 20)
-    done = work.on_host(name, given, form.results, workers=2)
-    assert len(work.classes(done, form.results)) == 20
-    alone = work.on_host(name, work.work(name, 20), form.results, workers=1)
-    for one, two in zip(done[-form.results :], alone[-form.results :], strict=True):
-        left = work.classes(done, form.results) == -1
+    done = work.on_host(name, given, workers=2)
+    assert len(work.classes(done)) == 20
+    alone = work.on_host(name, work.work(name, 20), workers=1)
+    for one, two in zip(done[-1], alone[-1], strict=True):
+        left = work.classes(done) == -1
         np.testing.assert_array_equal(one[~left], two[~left])
 
 
@@ -194,11 +193,12 @@ def test_cells_with_other_bits_are_counted_and_listed() -> None:
 
         def launch(self, form: object, arguments: work.Arguments) -> None:
             assert form is FORMS["lane_fates"]
-            right = work.on_host("lane_fates", arguments, 3, workers=1)
-            for mine, other in zip(arguments[-3:], right[-3:], strict=True):
+            right = work.on_host("lane_fates", arguments, workers=1)
+            for mine, other in zip(arguments[-1], right[-1], strict=True):
                 mine[...] = other
-            arguments[-1][2, 0] = np.nextafter(arguments[-1][2, 0], np.inf)
-            arguments[-3][4] += 1
+            fates = arguments[-1]
+            fates.final[2, 0] = np.nextafter(fates.final[2, 0], np.inf)
+            fates.status[4] += 1
 
     row = {"kernel": "lane_fates", "cells": 0, "classes": 0, "bits": 0, "left_over": 0, "first": []}
     stages.compare(Wrong(), "lane_fates", 16, 1, 1, row)  # type: ignore[arg-type]

@@ -37,14 +37,14 @@ from rocksteady.kernels.core.tables import (
     RATE,
     is_nonlinear,
 )
+from rocksteady.kernels.core.tuples import Blocks, Cells, Starts, States, SymmetricCells
 from rocksteady.kernels.lanes.driver import lane_fates, queued_lane_fates
 from rocksteady.kernels.lanes.settling import (
     STATE_COLUMNS,
     lane_attractors,
     queued_lane_attractors,
 )
-from rocksteady.kernels.machine_code.device import current_device
-from rocksteady.kernels.machine_code.types import leaves_of
+from rocksteady.kernels.machine_code.device import cells_in, current_device
 from rocksteady.kernels.nonlinear_lanes.loop import (
     nonlinear_lane_fates,
     queued_nonlinear_lane_fates,
@@ -75,8 +75,6 @@ class Form:
     ----------
     queued
         The queued kernel: what each worker calls once.
-    results
-        How many of the last arguments receive results.
     room
         Shapes of the scratch arrays of one worker; the kernel takes an array of shape
         (workers, ...) for each.
@@ -88,7 +86,6 @@ class Form:
     """
 
     queued: Any
-    results: int
     room: tuple[tuple[int, ...], ...] = ()
     shared: Callable[..., tuple[Floats, ...]] | None = None
     length: Callable[..., Floats] | None = None
@@ -107,12 +104,12 @@ def run_cells(kernel: Any, *arguments: Any) -> None:
 def form_of(kernel: Any, arguments: tuple[Any, ...]) -> Form | None:
     """Return the form of a host kernel for a call of it; None where there is none, or no cell."""
     name = kernel.__name__
-    *_, results = leaves_of(*arguments)
-    if len(results) == 0:
+    if name not in FORMS or cells_in(arguments) == 0:
         return None
-    if name in _SIDES and is_nonlinear(arguments[_SIDES[name]][0]):
-        name = f"nonlinear_{name}"
-    return FORMS.get(name)
+    if name in _BOTH:
+        (blocks,) = (each for each in arguments if isinstance(each, Cells | Blocks))
+        name = f"nonlinear_{name}" if is_nonlinear(blocks.sides[0]) else name
+    return FORMS[name]
 
 
 def _shaken(amplitude: Floats, frequency_ratio: Floats, angle: Floats, velocity: Floats) -> Floats:
@@ -129,38 +126,19 @@ def _shaken(amplitude: Floats, frequency_ratio: Floats, angle: Floats, velocity:
     return np.where((amplitude <= 1.0) & (angle == 0.0) & (velocity == 0.0), 0.0, length)
 
 
-def _fates_length(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    _sides: Floats,
-    angle: Floats,
-    velocity: Floats,
-    *_others: Any,
-) -> Floats:
-    """Return the estimate for the arguments of `lane_fates` and of those like it."""
-    return _shaken(amplitude, frequency_ratio, angle, velocity)
+def _shaken_length(cells: Cells | SymmetricCells, begin: Starts | States, *_others: Any) -> Floats:
+    """Return the estimate for the arguments of kernels of cells under harmonic shaking."""
+    return _shaken(cells.amplitude, cells.frequency_ratio, begin.angle, begin.velocity)
 
 
-def _attractors_length(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    _sides: Floats,
-    _side: Any,
-    angle: Floats,
-    velocity: Floats,
-    *_others: Any,
-) -> Floats:
-    """Return the estimate for the arguments of `lane_attractors` and `settle_cells`."""
-    return _shaken(amplitude, frequency_ratio, angle, velocity)
-
-
-def _record_length(segments: Floats, sides: Floats, *_others: Any) -> Floats:
+def _record_length(segments: Floats, blocks: Blocks, *_others: Any) -> Floats:
     """Return an estimate for the arguments of `record_fates`.
 
     It is p times the time from the first acceleration of the base that lifts the block to the end
     of the motion: how many impacts there is time for.  Weight that changes with a vertical motion
     is not looked at, nor are falls foreseen.
     """
+    sides = blocks.sides
     strongest = np.maximum.accumulate(
         np.abs(segments[:-1, CONSTANT]) + np.abs(segments[:-1, AMPLITUDE])
     )
@@ -170,8 +148,9 @@ def _record_length(segments: Floats, sides: Floats, *_others: Any) -> Floats:
     return np.where(first < len(strongest), left * sides[:, 0, RATE], 0.0)
 
 
-def _hardest(segments: Floats, sides: Floats, *_others: Any) -> tuple[Floats, ...]:
+def _hardest(segments: Floats, blocks: Blocks, *_others: Any) -> tuple[Floats, ...]:
     """Return what the workers of `record_fates` share."""
+    sides = blocks.sides
     hardest = np.empty(len(segments) - 1)
     if len(sides) > FEW:  # of fewer it is not read
         fill_hardest(segments, is_nonlinear(sides[0]), hardest)
@@ -181,30 +160,27 @@ def _hardest(segments: Floats, sides: Floats, *_others: Any) -> tuple[Floats, ..
 _SETTLE_ROOM = ((MEMORY, GROWN + 1), (LONGEST_ORBIT, ORBIT_COLUMNS))
 
 FORMS: dict[str, Form] = {
-    lane_fates.__name__: Form(queued_lane_fates, 3, length=_fates_length),
-    nonlinear_lane_fates.__name__: Form(queued_nonlinear_lane_fates, 3, length=_fates_length),
-    fates_of_sides.__name__: Form(queued_fates_of_sides, 3, length=_fates_length),
+    lane_fates.__name__: Form(queued_lane_fates, length=_shaken_length),
+    nonlinear_lane_fates.__name__: Form(queued_nonlinear_lane_fates, length=_shaken_length),
+    fates_of_sides.__name__: Form(queued_fates_of_sides, length=_shaken_length),
     f"nonlinear_{fates_of_sides.__name__}": Form(
-        queued_nonlinear_fates_of_sides, 3, length=_fates_length
+        queued_nonlinear_fates_of_sides, length=_shaken_length
     ),
     lane_attractors.__name__: Form(
         queued_lane_attractors,
-        2,
         room=((1, MEMORY, STATE_COLUMNS), (MEMORY, ORBIT_COLUMNS)),
-        length=_attractors_length,
+        length=_shaken_length,
     ),
-    settle_cells.__name__: Form(
-        queued_settle_cells, 2, room=_SETTLE_ROOM, length=_attractors_length
-    ),
+    settle_cells.__name__: Form(queued_settle_cells, room=_SETTLE_ROOM, length=_shaken_length),
     f"nonlinear_{settle_cells.__name__}": Form(
-        queued_nonlinear_settle_cells, 2, room=_SETTLE_ROOM, length=_attractors_length
+        queued_nonlinear_settle_cells, room=_SETTLE_ROOM, length=_shaken_length
     ),
-    record_fates.__name__: Form(queued_record_fates, 3, shared=_hardest, length=_record_length),
+    record_fates.__name__: Form(queued_record_fates, shared=_hardest, length=_record_length),
     f"nonlinear_{record_fates.__name__}": Form(
-        queued_nonlinear_record_fates, 3, shared=_hardest, length=_record_length
+        queued_nonlinear_record_fates, shared=_hardest, length=_record_length
     ),
 }
 """By the name of the host kernel; where its sides are nonlinear, by that after `nonlinear_`."""
 
-_SIDES = {fates_of_sides.__name__: 2, settle_cells.__name__: 2, record_fates.__name__: 1}
-"""Place of the sides among the arguments of host kernels with a form for each model."""
+_BOTH = {fates_of_sides.__name__, settle_cells.__name__, record_fates.__name__}
+"""Names of host kernels with a form for each model."""

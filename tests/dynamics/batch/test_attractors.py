@@ -5,7 +5,6 @@ rounding on the way.
 """
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,15 +22,16 @@ from rocksteady import (
 from rocksteady.dynamics.batch.attractors import (
     KIND_FLAGS,
     Attractors,
-    InitialStates,
     batch_size,
     outputs_of_orbits,
     settled_cells,
+    starting,
 )
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.kernels.batch.attractors import OUTCOME
 from rocksteady.kernels.core.queue import LEFT_OVER
+from rocksteady.kernels.core.tuples import States
 from rocksteady.kernels.machine_code.device import Form, on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import Cells, random_cells
@@ -41,7 +41,7 @@ COUNT = 60
 models = pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 
 
-def beginnings_of(cells: Cells) -> InitialStates:
+def beginnings_of(cells: Cells) -> States:
     return at_phases(cells.angle, cells.velocity, cells.phase)
 
 
@@ -96,7 +96,7 @@ class Without:
 
     def run(self, form: Form, arguments: tuple[Any, ...]) -> None:
         self.ran.append(form.queued.__name__)
-        arguments[-2][:, OUTCOME] = LEFT_OVER
+        arguments[-1].whole[:, OUTCOME] = LEFT_OVER
 
 
 @models
@@ -119,8 +119,7 @@ def test_mirrored_motions_settle_to_the_mirror_image(model: Model) -> None:
     one = settled(cells)
     begin = beginnings_of(cells)
     # Half a period later the base moves the other way.
-    turned = replace(
-        begin,
+    turned = begin._replace(
         side=-begin.side,
         angle=-begin.angle,
         velocity=-begin.velocity,
@@ -161,7 +160,7 @@ def test_what_a_grid_stores_holds_every_number() -> None:
 def test_a_motion_leans_to_its_angle_or_goes_where_its_velocity_does() -> None:
     angle = np.array([0.2, -0.2, 0.0, 0.0, 0.0, -0.0])
     velocity = np.array([-1.0, 1.0, 0.3, -0.3, 0.0, -0.0])
-    begin = InitialStates.of(angle, velocity, 3, 0.5)
+    begin = starting(angle, velocity, 3, 0.5)
     assert begin.side.tolist() == [1, -1, 1, -1, 0, 0]
     assert begin.half_cycles.tolist() == [3] * 6
     assert begin.phase.tolist() == [0.5] * 6

@@ -22,6 +22,7 @@ from rocksteady import (
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Model, Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
@@ -147,7 +148,7 @@ def brute_force(block: Block, model: Model, pulse: Pulse) -> Callable[[float, fl
         own[:, RATE] /= ratio
         start, rest = March(0, 0.0, 0.0, 0, half, phase, 0, 0), 1e-3 / amplitude / ratio
         rows, peaks = np.zeros((0, 8)), np.zeros(0)
-        code, _ = march(table, own, start, 0, 1e15, rest, 10**5, rows, peaks)
+        code, _ = march(Tables(table, own), start, Until(0, 1e15, rest, 10**5), Kept(rows, peaks))
         return code == OVERTURNED
 
     return falls

@@ -25,8 +25,9 @@ from rocksteady.kernels.batch.attractors import (
 )
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.kernels.core.tuples import Cells, Outcomes, States
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, state_at
-from rocksteady.kernels.orbits.return_map import Section
+from rocksteady.kernels.orbits.return_map import AnyState, Section
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, settle
 from rocksteady.kernels.orbits.systems import make_system
 from tests.kernels.tables import both_sides
@@ -56,12 +57,13 @@ def drawn() -> tuple[Floats, Integers]:
 
 def settled(real: Floats, whole: Integers) -> tuple[Integers, Floats]:
     count = real.shape[1]
-    found = np.empty((count, WHOLE_COLUMNS), dtype=np.int64), np.empty((count, REAL_COLUMNS))
+    whole_rows = np.empty((count, WHOLE_COLUMNS), dtype=np.int64)
+    found = Outcomes(whole_rows, np.empty((count, REAL_COLUMNS)))
     a, w, r, angle, velocity, phase = np.ascontiguousarray(real)
     side, half = np.ascontiguousarray(whole)
     sides = np.ones((count, 2, 3))
     sides[:, :, RESTITUTION] = r[:, np.newaxis]
-    settle_cells(a, w, sides, side, angle, velocity, half, phase, CYCLES, *found)
+    settle_cells(Cells(a, w, sides), States(side, angle, velocity, half, phase), CYCLES, found)
     return found
 
 
@@ -74,7 +76,7 @@ def test_each_cell_is_a_motion_alone() -> None:
         a, w, r, angle, velocity, phase = real[:, i].tolist()
         side, half = whole[:, i].tolist()
         system = make_system(a, w, both_sides(r))
-        alone = settle(system, side, half, phase, angle, velocity, CYCLES, memory, table)
+        alone = settle(system, AnyState(side, half, phase, angle, velocity), CYCLES, memory, table)
         outcomes.add(alone.outcome)
         assert numbers[i, OUTCOME] == alone.outcome
         assert numbers[i, AFTER] == alone.after

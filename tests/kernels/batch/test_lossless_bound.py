@@ -22,6 +22,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.every import every
@@ -73,9 +74,13 @@ def test_a_march_that_goes_on_stays_below_the_bound(name: str, model: Model, rat
         segments, sides = case(name, model, 1.0 + part, ratio)
         half, phase = segment_start(segments, 0)
         start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
-        last, final = march(segments, sides, start, 0, 0.0, 0.0, 10**6, rows, peaks)
+        last, final = march(
+            Tables(segments, sides), start, Until(0, 0.0, 0.0, 10**6), Kept(rows, peaks)
+        )
         for flights in (20, 60, 200):
-            code, end = march(segments, sides, start, 0, 0.0, 0.0, flights, rows, peaks)
+            code, end = march(
+                Tables(segments, sides), start, Until(0, 0.0, 0.0, flights), Kept(rows, peaks)
+            )
             if code != UNDECIDED:
                 break
             bound = largest_margin(segments, sides, end)

@@ -21,6 +21,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, PulseFates, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Nonlinear
 from tests.every import every
@@ -52,17 +53,12 @@ def fates(
     status, impacts, side, during = (np.zeros(count, dtype=np.int64) for _ in range(4))
     margin = np.zeros(count)
     pulse_fates(
-        segments,
-        sides,
+        Tables(segments, sides),
         amplitude,
         ratio,
         math.inf,
         limit,
-        status,
-        impacts,
-        side,
-        during,
-        margin,
+        PulseFates(status, impacts, side, during, margin),
     )
     return status, impacts, side, during, margin
 
@@ -93,7 +89,9 @@ def test_it_is_the_fate_of_a_march_that_goes_on(name: str, lean: float, rate: fl
         own[:, LEAN] /= amplitude[i]
         own[:, RATE] /= ratio[i]
         start, rows = March(0, 0.0, 0.0, 0, half, phase, 0, 0), np.zeros((0, 8))
-        code, end = march(whole, own, start, 0, 1e15, 0.0, 10**6, rows, np.zeros(0))
+        code, end = march(
+            Tables(whole, own), start, Until(0, 1e15, 0.0, 10**6), Kept(rows, np.zeros(0))
+        )
         assert (status[i] == OVERTURNED) == (code == OVERTURNED) == (margin[i] > 0.0)
         seen.add(int(status[i]))
         if code == OVERTURNED:
@@ -124,7 +122,9 @@ def test_it_is_the_fate_of_a_nonlinear_march_that_goes_on(name: str, negative: f
         own[:, LEAN] /= 1.1 * amplitude[i]
         own[:, RATE] /= ratio[i]
         start, rows = March(0, 0.0, 0.0, 0, half, phase, 0, 0), np.zeros((0, 8))
-        code, end = march(whole, own, start, 0, 1e15, 0.0, 10**6, rows, np.zeros(0))
+        code, end = march(
+            Tables(whole, own), start, Until(0, 1e15, 0.0, 10**6), Kept(rows, np.zeros(0))
+        )
         assert (status[i] == OVERTURNED) == (code == OVERTURNED) == (margin[i] > 0.0)
         if code == OVERTURNED:
             assert side[i] == end.side

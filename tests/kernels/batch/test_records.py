@@ -28,6 +28,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Blocks, Kept, PeakFates, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 from tests.every import every
@@ -84,7 +85,9 @@ def fates(
     count = len(sides)
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
     peaks = np.zeros((count, 2))
-    record_fates(segments, sides, np.full(count, after), limit, status, impacts, peaks)
+    record_fates(
+        segments, Blocks(sides, np.full(count, after)), limit, PeakFates(status, impacts, peaks)
+    )
     return status, impacts, peaks
 
 
@@ -106,13 +109,13 @@ def test_each_block_fares_as_in_a_march_in_its_own_units(nonlinear: bool, alike:
         own[:, RATE] /= rate
         segments = table(values / lean, STEP * rate, nonlinear=nonlinear)
         start, top = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), np.zeros(2)
-        tables = (segments, own, start, 0, AFTERWARDS, COUNTED, PLENTY)
-        code, end = march(*tables, np.zeros((0, 8)), top)
+        tables, until = Tables(segments, own), Until(0, AFTERWARDS, COUNTED, PLENTY)
+        code, end = march(tables, start, until, Kept(np.zeros((0, 8)), top))
         assert status[i] == code
         assert impacts[i] == end.impacts
         if code == OVERTURNED:
             rows = np.zeros((end.flights, 8))
-            march(*tables, rows, np.zeros(0))
+            march(tables, start, until, Kept(rows, np.zeros(0)))
             *angles, top[1] = peaks_until_overturning(segments, own, rows)
             top[0] = max(angles)
         np.testing.assert_allclose(peaks[i], top, rtol=1e-8, atol=1e-9)
@@ -129,7 +132,12 @@ def test_without_room_for_peaks_status_and_impacts_are_the_same(nonlinear: bool)
     status, impacts, _ = fates(segments, sides)
     bare, fewer = np.zeros_like(status), np.full_like(impacts, -1)
     afterwards = np.full(len(sides), AFTERWARDS)
-    record_fates(segments, sides, afterwards, PLENTY, bare, fewer, np.zeros((len(sides), 0)))
+    record_fates(
+        segments,
+        Blocks(sides, afterwards),
+        PLENTY,
+        PeakFates(bare, fewer, np.zeros((len(sides), 0))),
+    )
     np.testing.assert_array_equal(bare, status)
     np.testing.assert_array_equal(fewer, impacts)
 
@@ -256,11 +264,11 @@ def test_the_peaks_of_a_fall_are_those_of_all_its_flights_up_to_the_last_passage
     status, _, peaks = fates(segments, sides)
     falls = turned = 0
     for i in np.flatnonzero(status == OVERTURNED):
-        tables = (segments, sides[i], March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), 0)
-        stop = AFTERWARDS / sides[i, 0, RATE]
-        _, end = march(*tables, stop, math.inf, PLENTY, np.zeros((0, 8)), np.zeros(0))
+        tables, start = Tables(segments, sides[i]), March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
+        until = Until(0, AFTERWARDS / sides[i, 0, RATE], math.inf, PLENTY)
+        _, end = march(tables, start, until, Kept(np.zeros((0, 8)), np.zeros(0)))
         rows = np.zeros((end.flights, 8))
-        march(*tables, stop, math.inf, PLENTY, rows, np.zeros(0))
+        march(tables, start, until, Kept(rows, np.zeros(0)))
         *angles, speed = peaks_until_overturning(segments, sides[i], rows)
         unit = sides[i, 0, LEAN] * sides[i, 0, RATE]
         np.testing.assert_allclose(peaks[i], [max(angles), speed / unit], rtol=1e-13)

@@ -25,6 +25,7 @@ from rocksteady.kernels.core.tables import (
     SEGMENT_COLUMNS,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Linear, Nonlinear
 from tests.every import every
@@ -67,7 +68,9 @@ def test_it_is_what_a_march_finds(name: str, model: str) -> None:
         start = March(side, side * angle * lean, side * velocity * lean * rate, 0, 0, 0.0, 0, 0)
         rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
         # Without loss a block that stands rocks on for ever.
-        code, end = march(still(model), sides, start, 0, 200.0, math.inf, 10**5, rows, peaks)
+        code, end = march(
+            Tables(still(model), sides), start, Until(0, 200.0, math.inf, 10**5), Kept(rows, peaks)
+        )
         assert (fate.margin > 0.0) == (code == OVERTURNED), (side, angle, velocity)
         if code == OVERTURNED:
             assert (fate.side, fate.impacts) == (end.side, end.impacts)

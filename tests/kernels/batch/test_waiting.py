@@ -25,6 +25,7 @@ from rocksteady.kernels.core.tables import (
     SEGMENT_COLUMNS,
     SIDE_COLUMNS,
 )
+from rocksteady.kernels.core.tuples import Blocks, PeakFates
 from tests.every import every
 from tests.kernels.tables import sampled
 from tests.records import synthetic
@@ -125,5 +126,7 @@ def fates(segments: Floats, sides: Floats, limit: int) -> tuple[Integers, Intege
     count = len(sides)
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
     peaks = np.zeros((count, 2))
-    record_fates(segments, sides, np.full(count, 50.0), limit, status, impacts, peaks)
+    record_fates(
+        segments, Blocks(sides, np.full(count, 50.0)), limit, PeakFates(status, impacts, peaks)
+    )
     return status, impacts, peaks

@@ -31,6 +31,17 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import (
+    Blocks,
+    Cells,
+    Fates,
+    Kept,
+    PeakFates,
+    PulseFates,
+    Starts,
+    Tables,
+    Until,
+)
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
@@ -81,16 +92,14 @@ def test_cells_against_a_wall_and_on_two_sides_do_not_disturb_each_other(alpha: 
     _, sides = tabled(harmonic(1.0, 1.0), blocks, alpha)
     zeros = np.zeros(count)
 
-    def fates(
-        kernel: Callable[..., None], cells: NDArray[np.int64]
-    ) -> tuple[Integers, Integers, Floats]:
-        status, impacts = np.zeros(len(cells), np.int64), np.zeros(len(cells), np.int64)
-        final = np.empty((len(cells), 3))
-        a, w = amplitude[cells], frequency[cells]
-        still, fast = zeros[cells], velocity[cells]
+    def fates(kernel: Callable[..., None], cells: NDArray[np.int64]) -> Fates:
+        status, impacts = np.zeros((2, len(cells)), np.int64)
+        found = Fates(status, impacts, np.empty((len(cells), 3)))
+        shaken = Cells(amplitude[cells], frequency[cells], sides[cells])
+        starts = Starts(zeros[cells], velocity[cells], zeros[cells])
         ends = (cycles, True, ENOUGH) if kernel is nonlinear_lane_fates else (cycles, ENOUGH)
-        kernel(a, w, sides[cells], still, fast, still, *ends, status, impacts, final)
-        return status, impacts, final
+        kernel(shaken, starts, *ends, found)
+        return found
 
     every = np.arange(count)
     alone = np.array([sides[i, 0, 0] <= 0.0 for i in every])
@@ -100,7 +109,10 @@ def test_cells_against_a_wall_and_on_two_sides_do_not_disturb_each_other(alpha: 
         side = 1 if velocity[i] > 0.0 else 0
         begin = March(side, 0.0, velocity[i], 0, 0, 0.0, 0, 0)
         code, end = march(
-            segments, sides[i], begin, 2 * cycles, 0.0, math.inf, ENOUGH, NOBODY, NONE
+            Tables(segments, sides[i]),
+            begin,
+            Until(2 * cycles, 0.0, math.inf, ENOUGH),
+            Kept(NOBODY, NONE),
         )
         assert (code, end.impacts, end.angle) == (status[i], impacts[i], final[i, 0])
     assert np.all(final[alone, 0] >= 0.0)
@@ -144,7 +156,9 @@ def test_under_a_record_peaks_are_those_of_the_rows_and_of_the_mirror_image(alph
         sides[:, :, RATE] = 1.2
         status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
         peaks = np.zeros((count, 2))
-        record_fates(wide, sides, np.full(count, 60.0), ENOUGH, status, impacts, peaks)
+        record_fates(
+            wide, Blocks(sides, np.full(count, 60.0)), ENOUGH, PeakFates(status, impacts, peaks)
+        )
         reached.append((status, impacts, peaks))
         if free < 0:
             break
@@ -193,7 +207,9 @@ def test_restitution_that_scatters_is_drawn_for_each_impact_on_the_wall(
         fixed = sides.copy()
         fixed[0, 0] = -drawn[impacts]
         begin = March(int(row[3]), row[4], row[5], int(row[0]), int(row[1]), row[2], impacts, 0)
-        _, state = march(segments, fixed, begin, 2**60, math.inf, 0.0, 1, NOBODY, NONE)
+        _, state = march(
+            Tables(segments, fixed), begin, Until(2**60, math.inf, 0.0, 1), Kept(NOBODY, NONE)
+        )
     assert state is not None
     assert state.impacts == ran.end.impacts
     certain = run(segments, scattered(sides, 0.0, key), rest_velocity=0.0, limit=limit)
@@ -219,7 +235,9 @@ def test_on_a_still_base_the_fate_is_that_of_a_march(e: float, alpha: float) -> 
             continue
         fate = fate_on_still_base(sides, 1, angle, velocity)
         start = March(1, angle * lean, velocity * lean * rate, 0, 0, 0.0, 0, 0)
-        code, end = march(segments, sides, start, 0, 150.0, math.inf, 10**4, NOBODY, NONE)
+        code, end = march(
+            Tables(segments, sides), start, Until(0, 150.0, math.inf, 10**4), Kept(NOBODY, NONE)
+        )
         assert (fate.margin > 0.0) == (code == OVERTURNED), (angle, velocity)
         assert fate.side == 1
         if code == OVERTURNED:
@@ -249,17 +267,12 @@ def test_fates_of_pulses_are_those_of_marches_that_go_on(e: float, alpha: float,
     status, impacts, side, during = (np.zeros(count, np.int64) for _ in range(4))
     margin = np.zeros(count)
     pulse_fates(
-        whole[:-1],
-        sides,
+        Tables(whole[:-1], sides),
         amplitude,
         ratio,
         math.inf,
         10**5,
-        status,
-        impacts,
-        side,
-        during,
-        margin,
+        PulseFates(status, impacts, side, during, margin),
     )
     half, phase = segment_start(whole, 0)
     start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
@@ -267,7 +280,12 @@ def test_fates_of_pulses_are_those_of_marches_that_go_on(e: float, alpha: float,
         own = sides.copy()
         own[:, LEAN] /= amplitude[i]
         own[:, RATE] /= ratio[i]
-        code, _ = march(whole, own, start, 0, 100.0 * ratio[i], math.inf, 10**5, NOBODY, NONE)
+        code, _ = march(
+            Tables(whole, own),
+            start,
+            Until(0, 100.0 * ratio[i], math.inf, 10**5),
+            Kept(NOBODY, NONE),
+        )
         if code == UNDECIDED:  # of a block that loses nothing bounces may have no end
             assert e == 1.0
             assert margin[i] < 0.0
@@ -289,9 +307,13 @@ def test_without_loss_a_march_that_goes_on_stays_below_the_bound(alpha: float, f
             sides[:, LEAN] /= (1.0 + part) * (math.tan(alpha) / alpha if alpha else 1.0)
             sides[:, RATE] /= ratio
             start = March(0, 0.0, 0.0, 0, *segment_start(segments, 0), 0, 0)
-            last, final = march(segments, sides, start, 0, 0.0, 0.0, 10**5, NOBODY, NONE)
+            last, final = march(
+                Tables(segments, sides), start, Until(0, 0.0, 0.0, 10**5), Kept(NOBODY, NONE)
+            )
             for flights in (6, 20, 100):
-                code, end = march(segments, sides, start, 0, 0.0, 0.0, flights, NOBODY, NONE)
+                code, end = march(
+                    Tables(segments, sides), start, Until(0, 0.0, 0.0, flights), Kept(NOBODY, NONE)
+                )
                 if code != UNDECIDED or last == UNDECIDED:
                     break
                 bound = largest_margin(segments, sides, end)

@@ -1,7 +1,7 @@
 """Trajectories side by side: the fates of the scalar march, whichever lanes they share."""
 
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 import mpmath
 import numba
@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROCKING, UNDECIDED
+from rocksteady.kernels.core.tuples import Fates, Starts, SymmetricCells
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._newton import shake
 from rocksteady.kernels.lanes.driver import lane_fates
@@ -20,12 +21,6 @@ from tests.strategies import PLAIN, sample_size
 Floats = NDArray[np.float64]
 
 
-class Fates(NamedTuple):
-    status: NDArray[np.int64]
-    impacts: NDArray[np.int64]
-    final: Floats
-
-
 def empty(count: int) -> Fates:
     return Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
 
@@ -33,10 +28,9 @@ def empty(count: int) -> Fates:
 def by_lanes(columns: Floats, cycles: int, leaping: bool = True) -> Fates:
     """Run cells given as rows of amplitude, frequency, restitution, angle, velocity, phase."""
     found = empty(len(columns))
-    amplitude, frequency, restitution, angle, velocity, phase = columns.T.copy()
-    lane_fates(
-        amplitude, frequency, restitution, angle, velocity, phase, cycles, leaping, NO_LIMIT, *found
-    )
+    *shaken, angle, velocity, phase = columns.T.copy()
+    starts = Starts(angle, velocity, phase)
+    lane_fates(SymmetricCells(*shaken), starts, cycles, leaping, NO_LIMIT, found)
     return found
 
 
@@ -270,9 +264,9 @@ def test_bounces_without_end_are_given_up(leaping: bool) -> None:
     ends = []
     for columns in (endless, together):
         found = empty(len(columns))
-        amplitude, frequency, restitution, angle, velocity, phase = columns.T.copy()
-        start = (angle, velocity, phase)
-        lane_fates(amplitude, frequency, restitution, *start, 200, leaping, most, *found)
+        *shaken, angle, velocity, phase = columns.T.copy()
+        starts = Starts(angle, velocity, phase)
+        lane_fates(SymmetricCells(*shaken), starts, 200, leaping, most, found)
         ends.append(found)
     for found in (Fates(*(part[len(others)] for part in ends[1])), Fates(*(p[0] for p in ends[0]))):
         assert found.status == UNDECIDED
@@ -327,7 +321,7 @@ def test_the_loops_become_vector_instructions() -> None:
 def test_bounces_that_no_clock_resolves_come_to_rest(velocity: float) -> None:
     # At the peak of shaking that just does not lift, nothing pulls the block down.
     one = np.ones(1)
-    cell = (one, 4.0 * one, 0.5 * one, 0.0 * one, velocity * one, 0.5 * np.pi * one)
-    status, impacts, final = np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3))
-    lane_fates(*cell, 30, True, NO_LIMIT, status, impacts, final)
-    assert status[0] == AT_REST
+    cell, found = SymmetricCells(one, 4.0 * one, 0.5 * one), empty(1)
+    starts = Starts(0.0 * one, velocity * one, 0.5 * np.pi * one)
+    lane_fates(cell, starts, 30, True, NO_LIMIT, found)
+    assert found.status[0] == AT_REST

@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core.tables import OVERTURNED, ROCKING, UNDECIDED
+from rocksteady.kernels.core.tuples import Fates, Starts, SymmetricCells
 from rocksteady.kernels.lanes._fields import (
     AREA,
     BEFORE_PHASE,
@@ -70,11 +71,9 @@ def filled(
 
 def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers, Floats]:
     count = columns.shape[1]
-    found = np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3))
-    amplitude, frequency, restitution, angle, velocity, phase = columns
-    lane_fates(
-        amplitude, frequency, restitution, angle, velocity, phase, cycles, leaping, NO_LIMIT, *found
-    )
+    found = Fates(np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)))
+    cells, starts = SymmetricCells(*columns[:3]), Starts(*columns[3:])
+    lane_fates(cells, starts, cycles, leaping, NO_LIMIT, found)
     return found
 
 
@@ -141,9 +140,9 @@ def test_a_motion_is_leapt_long_before_it_repeats() -> None:
     impacts_per_digit = -math.log(10.0) / math.log(largest)
     cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
     for most, ending in ((9 * impacts_per_digit, ROCKING), (4 * impacts_per_digit, UNDECIDED)):
-        found = np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3))
-        a, w, r, angle, velocity, phase = cells
-        lane_fates(a, w, r, angle, velocity, phase, 10**6, True, int(most), *found)
+        found = Fates(np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3)))
+        shaken, starts = SymmetricCells(*cells[:3]), Starts(*cells[3:])
+        lane_fates(shaken, starts, 10**6, True, int(most), found)
         assert found[0][0] == ending
 
 

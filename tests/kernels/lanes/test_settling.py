@@ -26,11 +26,14 @@ from rocksteady.kernels.batch.attractors import (
     fill_clocks,
     settle_cells,
 )
+from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.kernels.core.tuples import Outcomes, States, SymmetricCells
 from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
+from rocksteady.kernels.orbits.return_map import AnyState
 from rocksteady.kernels.orbits.settle import (
     FALLS,
     LONGEST_ORBIT,
@@ -77,27 +80,22 @@ class Cells(NamedTuple):
         )
 
 
-class Rows(NamedTuple):
-    whole: Integers
-    real: Floats
+def empty(count: int) -> Outcomes:
+    return Outcomes(np.zeros((count, WHOLE_COLUMNS), np.int64), np.zeros((count, REAL_COLUMNS)))
 
 
-def empty(count: int) -> Rows:
-    return Rows(np.zeros((count, WHOLE_COLUMNS), np.int64), np.zeros((count, REAL_COLUMNS)))
-
-
-def by_lanes(cells: Cells, cycles: int) -> Rows:
+def by_lanes(cells: Cells, cycles: int) -> Outcomes:
     found = empty(len(cells.amplitude))
-    lane_attractors(*cells, cycles, *found)
+    lane_attractors(SymmetricCells(*cells[:3]), States(*cells[3:]), cycles, found)
     return found
 
 
-def one_by_one(cells: Cells, cycles: int) -> Rows:
+def one_by_one(cells: Cells, cycles: int) -> Outcomes:
     found = empty(len(cells.amplitude))
     sides = np.ones((len(cells.amplitude), 2, 3))
     sides[:, :, RESTITUTION] = cells.restitution[:, np.newaxis]
-    a, w, _, side, angle, velocity, half, phase = cells
-    settle_cells(a, w, sides, side, angle, velocity, half, phase, cycles, *found)
+    shaken = tuples.Cells(cells.amplitude, cells.frequency, sides)
+    settle_cells(shaken, States(*cells[3:]), cycles, found)
     return found
 
 
@@ -134,7 +132,9 @@ def growth(cells: Cells, cell: int, cycles: int) -> float:
     memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((LONGEST_ORBIT, ORBIT_COLUMNS))
     a, w, r, side, angle, velocity, half, phase = (column[cell].item() for column in cells)
     system = make_system(a, w, both_sides(r))
-    return settle(system, side, half, phase, angle, velocity, cycles, memory, table).growth
+    return settle(
+        system, AnyState(side, half, phase, angle, velocity), cycles, memory, table
+    ).growth
 
 
 def check_against_scalar(cells: Cells, cycles: int) -> tuple[int, int]:
@@ -242,8 +242,8 @@ def test_neighbours_change_nothing() -> None:
     order = np.random.default_rng(0).permutation(len(cells.amplitude))
     kept = whole.whole[:, OUTCOME] != LEFT_OVER
 
-    def same(found: Rows, chosen: Integers) -> bool:
-        rows = Rows(whole.whole[chosen], whole.real[chosen])
+    def same(found: Outcomes, chosen: Integers) -> bool:
+        rows = Outcomes(whole.whole[chosen], whole.real[chosen])
         assert np.array_equal(found.whole[:, OUTCOME], rows.whole[:, OUTCOME])
         on = kept[chosen]
         assert np.array_equal(found.whole[on], rows.whole[on])

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -23,20 +23,22 @@ from tests.kernels.machine_code.in_memory.driver import (
 from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 
 
-def queued_squares(
-    queue: Integers1, room: Floats2, values: Floats1, status: Integers1, squares: Floats2
-) -> None:
+class Squares(NamedTuple):
+    status: Integers1
+    squares: Floats2
+
+
+def queued_squares(queue: Integers1, room: Floats2, values: Floats1, found: Squares) -> None:
     """Square values, through a row of the room."""
     for cell in queue[2:]:
         room[cell % len(room), :] = values[cell]
-        squares[cell] = room[cell % len(room), 0] * values[cell]
-        status[cell] = len(room)
+        found.squares[cell] = room[cell % len(room), 0] * values[cell]
+        found.status[cell] = len(room)
 
 
 @dataclass(frozen=True)
 class Form:
     queued: Any = queued_squares
-    results: int = 2
     room: tuple[tuple[int, ...], ...] = ((5,),)
     shared: Any = None
     length: Any = None
@@ -48,7 +50,7 @@ FORM = Form()
 def squares(stream: Stream, cells: int) -> tuple[Any, Any]:
     values, status = np.linspace(0.0, 3.0, cells), np.zeros(cells, dtype=np.int64)
     result = np.full((cells, 2), 9.0)
-    stream.run(FORM, (values, status, result))
+    stream.run(FORM, (values, Squares(status, result)))
     assert np.array_equal(result, np.stack([values * values] * 2, axis=1))
     return status, result
 
@@ -192,14 +194,14 @@ def test_a_gpu_that_is_too_old_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("memory")
 def test_a_kernel_without_a_program_is_named() -> None:
-    def queued_cubes(queue: Integers1, status: Integers1) -> None:
+    def queued_cubes(queue: Integers1, found: Squares) -> None:
         raise NotImplementedError
 
     with (
         gpu().stream() as stream,
         pytest.raises(InputError, match="the GPU program of queued_cubes is not in this"),
     ):
-        stream.run(Form(queued_cubes, 1, ()), (np.zeros(3, dtype=np.int64),))
+        stream.run(Form(queued_cubes, ()), (np.zeros((1, 3), dtype=np.int64),))
 
 
 def test_a_stream_is_closed_when_the_call_of_another_thread_has_ended(tmp_path: Path) -> None:

@@ -17,7 +17,6 @@ from rocksteady.kernels.machine_code._launch import (
     ALIGNED,
     STEPS,
     Launch,
-    cells_in,
     longest_first,
     queue_of,
 )
@@ -34,10 +33,14 @@ class Pair(NamedTuple):
     number: int
 
 
+class Results(NamedTuple):
+    status: Integers1
+    final: Floats2
+
+
 @dataclass(frozen=True)
 class Form:
     queued: Any
-    results: int
     room: tuple[tuple[int, ...], ...] = ()
     shared: Any = None
     length: Any = None
@@ -52,15 +55,13 @@ def queued_mixed(
     flag: bool,
     scale: float,
     root: complex,
-    status: Integers1,
-    final: Floats2,
+    results: Results,
 ) -> None:
     raise NotImplementedError
 
 
 MIXED = Form(
     queued=queued_mixed,
-    results=2,
     room=((4,), (3, 5)),
     shared=lambda pair, *_: (pair.values * 2.0,),
     length=lambda pair, *_: pair.values,
@@ -69,7 +70,8 @@ MIXED = Form(
 
 def mixed_arguments() -> tuple[Any, ...]:
     values = np.array([1.0, 3.0, 2.0])
-    return Pair(values, 11), True, 0.25, 3.0 - 4.0j, np.full(CELLS, 7), np.full((CELLS, 2), 0.5)
+    results = Results(np.full(CELLS, 7), np.full((CELLS, 2), 0.5))
+    return Pair(values, 11), True, 0.25, 3.0 - 4.0j, results
 
 
 class Memory:
@@ -121,17 +123,17 @@ def test_results_alone_are_read_back() -> None:
     everything[: launch.results[0] // 8] = -1
     launch.read(memory.address)
     assert arguments[0].values.tolist() == [1.0, 3.0, 2.0]
-    assert arguments[4].tolist() == [5, 6, 7]
-    assert arguments[5].view(np.int64).ravel().tolist() == [*range(37, 43)]
+    assert arguments[4].status.tolist() == [5, 6, 7]
+    assert arguments[4].final.view(np.int64).ravel().tolist() == [*range(37, 43)]
 
 
 def test_arrays_without_elements_have_an_address_and_take_no_memory() -> None:
-    def queued(queue: Integers1, status: Integers1, peaks: Floats2) -> None:
+    def queued(queue: Integers1, results: Results) -> None:
         raise NotImplementedError
 
-    form = Form(queued=queued, results=2)
+    form = Form(queued=queued)
     status, peaks = np.zeros(2, dtype=np.int64), np.empty((2, 0))
-    launch = Launch(queued, form, (status, peaks), workers=64)
+    launch = Launch(queued, form, (Results(status, peaks),), workers=64)
     memory = Memory(launch.size)
     launch.write(memory.address, DEVICE, ROOM)
     launch.read(memory.address)
@@ -143,31 +145,21 @@ def test_arrays_without_elements_have_an_address_and_take_no_memory() -> None:
 @every(
     ("place", "wrong"),
     [
-        (4, np.zeros(CELLS, dtype=np.int32)),
-        (4, np.zeros((CELLS, 1), dtype=np.int64)),
-        (5, np.zeros((2, CELLS)).T),
-        (5, [[0.0, 0.0]] * CELLS),
+        ("status", np.zeros(CELLS, dtype=np.int32)),
+        ("status", np.zeros((CELLS, 1), dtype=np.int64)),
+        ("final", np.zeros((2, CELLS)).T),
+        ("final", [[0.0, 0.0]] * CELLS),
     ],
 )
-def test_what_is_no_array_of_the_kernel_is_refused(place: int, wrong: Any) -> None:
-    arguments = list(mixed_arguments())
-    arguments[place] = wrong
+def test_what_is_no_array_of_the_kernel_is_refused(place: str, wrong: Any) -> None:
+    *others, results = mixed_arguments()
+    arguments = (*others, results._replace(**{place: wrong}))
     with pytest.raises(TypeError, match="it must be a writable, C-contiguous array of"):
-        Launch(queued_mixed, MIXED, tuple(arguments), workers=64)
-
-
-def test_results_in_a_tuple_count_one_by_one() -> None:
-    """The length of the tuple itself would be that of no array."""
-    *others, status, final = mixed_arguments()
-    arguments = (*others, (status, (final,)))
-    form = Form(queued=queued_mixed, results=2)
-    assert cells_in(form, arguments) == CELLS
-    assert queue_of(form, arguments).tolist() == [0, 0, 0, 1, 2]
-    assert cells_in(form, (*others, (status[:0], (final[:0],)))) == 0
+        Launch(queued_mixed, MIXED, arguments, workers=64)
 
 
 def test_without_expected_lengths_cells_are_taken_in_order() -> None:
-    form = Form(queued=queued_mixed, results=2)
+    form = Form(queued=queued_mixed)
     assert queue_of(form, mixed_arguments()).tolist() == [0, 0, 0, 1, 2]
 
 
@@ -188,7 +180,7 @@ def test_cells_of_one_length_stay_in_order() -> None:
 
 
 def test_a_queue_is_laid_out_as_kernels_read_it() -> None:
-    plain = Form(queued=queued_mixed, results=1)
-    made = queue_of(plain, (np.zeros(CELLS),))
+    plain = Form(queued=queued_mixed)
+    made = queue_of(plain, ((np.zeros(CELLS),),))
     assert np.array_equal(made, kernels_queue.queue_of(CELLS))
     assert len(made) == kernels_queue.HEAD + CELLS

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.lanes._fields import LANES
 from rocksteady.kernels.machine_code import width
 from rocksteady.kernels.nonlinear_lanes import _layout
@@ -48,7 +47,7 @@ def test_one_lane_gives_the_bits_of_many() -> None:
         kernel, make = CASES[name]
         arguments = make()
         kernel(*arguments)
-        assert found[name] == [each.hex() for each in bits(FORMS[name], arguments)], name
+        assert found[name] == [each.hex() for each in bits(arguments)], name
 
 
 def print_bits() -> None:
@@ -59,5 +58,5 @@ def print_bits() -> None:
         arguments = make()
         with np.errstate(all="ignore"):
             kernel(*arguments)
-        found[name] = [each.hex() for each in bits(FORMS[name], arguments)]
+        found[name] = [each.hex() for each in bits(arguments)]
     json.dump(found, sys.stdout)

@@ -24,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit, symmetry_breaking
 from tests.every import every
@@ -74,9 +75,16 @@ def test_the_mirrored_march_is_the_same_to_the_last_bit(
             )
             stop = 200 if mirror > 0 else 201
             none = np.zeros((0, 8))
-            status, end = march(segments, sides, start, stop, phase, math.inf, 5000, none, NONE)
+            status, end = march(
+                Tables(segments, sides), start, Until(stop, phase, math.inf, 5000), Kept(none, NONE)
+            )
             record = np.zeros((end.flights, 8))
-            march(segments, sides, start, stop, phase, math.inf, 5000, record, NONE)
+            march(
+                Tables(segments, sides),
+                start,
+                Until(stop, phase, math.inf, 5000),
+                Kept(record, NONE),
+            )
             rows.append(record)
             assert status in {ROCKING, AT_REST, OVERTURNED}
         one, other = rows
@@ -111,11 +119,12 @@ def test_a_march_goes_on_where_another_has_stopped(nonlinear: bool) -> None:
         sides = np.hstack([sides, np.full((2, 1), 0.3), np.full((2, 1), 1e-15)])
     none, stop = np.zeros((0, 8)), (12, 0.5)
     start = March(1, 0.6, 0.0, 0, 0, 0.0, 0, 0)
-    whole, last = march(segments, sides, start, *stop, 1e-8, 10_000, none, NONE)
+    tables, kept = Tables(segments, sides), Kept(none, NONE)
+    whole, last = march(tables, start, Until(*stop, 1e-8, 10_000), kept)
     here, status, stops = start, UNDECIDED, 0
     while status == UNDECIDED:
         limit = here.flights + 1
-        status, here = march(segments, sides, here, *stop, 1e-8, limit, none, NONE)
+        status, here = march(tables, here, Until(*stop, 1e-8, limit), kept)
         stops += 1
     assert stops > 10
     assert whole == ROCKING

@@ -25,6 +25,7 @@ from rocksteady.kernels.core.tables import (
     SIDE_COLUMNS,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from tests.every import every
 from tests.kernels.scattering import draws, scattered
@@ -66,7 +67,9 @@ def one_at_a_time(segments: Floats, sides: Floats, deviation: float, key: int, r
         fixed = sides.copy()
         fixed[:, RESTITUTION] = drawn[:, state.impacts]
         start = March(int(row[ROW_SIDE]), row[4], row[5], *place(row), state.impacts, 0)
-        _, state = march(segments, fixed, start, 2**60, math.inf, 0.0, 1, none, NONE)
+        _, state = march(
+            Tables(segments, fixed), start, Until(2**60, math.inf, 0.0, 1), Kept(none, NONE)
+        )
     return state.impacts
 
 

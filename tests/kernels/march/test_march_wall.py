@@ -37,6 +37,7 @@ from rocksteady.kernels.core.tables import (
     March,
     free_side,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from tests.every import every
 from tests.kernels.scattering import draws, scattered
@@ -305,13 +306,13 @@ def test_an_impulse_at_the_instant_of_lift_off_strikes_the_wall(
         alpha,
     )
     start, rows = March(free, 0.0, 0.2 * free, 0, 0, 1.0, 0, 0), np.zeros((2, ROW_COLUMNS))
-    _, end = march(segments, sides, start, 0, 9.0, math.inf, 2, rows, NONE)
+    _, end = march(Tables(segments, sides), start, Until(0, 9.0, math.inf, 2), Kept(rows, NONE))
     struck = 0.7 * math.cos(alpha) - 0.2
     assert end.impacts >= 1
     assert rows[1, ROW_SIDE] == (free if restitution else 0)
     assert rows[1, ROW_VELOCITY] == pytest.approx(free * restitution * struck, rel=1e-15)
     wide = scattered(sides, 0.1, 5)
-    _, again = march(segments, wide, start, 0, 9.0, math.inf, 2, rows, NONE)
+    _, again = march(Tables(segments, wide), start, Until(0, 9.0, math.inf, 2), Kept(rows, NONE))
     drawn = float(draws(restitution, 0.1, 5, 1))
     assert rows[1, ROW_VELOCITY] == pytest.approx(free * drawn * struck, rel=1e-12)
     assert again.impacts >= 1
@@ -325,7 +326,9 @@ def test_where_the_base_falls_away_contact_is_lost_as_without_a_wall(angle: floa
         segments[0, LIFT], segments[0, LIFT_SLOPE], segments[0, LIFT_CEILING] = 0.0, -1.25, 1.25
         start = March(1 if angle else 0, angle, 0.4 if angle else 0.0, 0, 0, 0.0, 0, 0)
         none = np.zeros((0, ROW_COLUMNS))
-        ends.append(march(segments, own, start, 0, 9.0, math.inf, 100, none, NONE))
+        ends.append(
+            march(Tables(segments, own), start, Until(0, 9.0, math.inf, 100), Kept(none, NONE))
+        )
     assert ends[0] == ends[1]
     code, state = ends[0]
     assert code == LOST_CONTACT
@@ -439,11 +442,11 @@ def test_a_wall_on_the_other_side_gives_the_mirror_image_to_the_last_bit(
             own = in_model(flat, sides, alpha)
             start = March(side, 0.0, side * 0.2, 0, half, 0.0, 0, 0)
             stop = (half + 30, 0.0) if segments is swing else (0, 30.0)
-            limits = (*own, start, *stop, 1e-8, 2000)
+            limits = Tables(*own), start, Until(*stop, 1e-8, 2000)
             peaks = np.zeros(PASSAGE_COLUMNS)
-            _, end = march(*limits, np.zeros((0, ROW_COLUMNS)), NONE)
+            _, end = march(*limits, Kept(np.zeros((0, ROW_COLUMNS)), NONE))
             rows = np.zeros((end.flights, ROW_COLUMNS))
-            status, end = march(*limits, rows, peaks)
+            status, end = march(*limits, Kept(rows, peaks))
             outcomes.append((status, end, rows, peaks))
         one, other = outcomes
         expected = one[2].copy()
@@ -468,11 +471,17 @@ def test_a_march_interrupted_within_a_flight_goes_on_as_if_it_had_not_been(
 ) -> None:
     segments, sides = in_model(harmonic(2.0, 4.0), against_wall(0.5), alpha)
     none, start = np.zeros((0, ROW_COLUMNS)), March(1, 0.0, 0.3, 0, 0, 0.4, 0, 0)
-    code, whole = march(segments, sides, start, 14, 0.0, math.inf, 5000, none, NONE)
-    _, halfway = march(segments, sides, start, 3, phase, math.inf, 5000, none, NONE)
+    code, whole = march(
+        Tables(segments, sides), start, Until(14, 0.0, math.inf, 5000), Kept(none, NONE)
+    )
+    _, halfway = march(
+        Tables(segments, sides), start, Until(3, phase, math.inf, 5000), Kept(none, NONE)
+    )
     assert halfway.angle > 1e-3
     assert halfway.impacts > 0
-    again, end = march(segments, sides, halfway, 14, 0.0, math.inf, 5000, none, NONE)
+    again, end = march(
+        Tables(segments, sides), halfway, Until(14, 0.0, math.inf, 5000), Kept(none, NONE)
+    )
     assert (again, end.side, end.impacts) == (code, whole.side, whole.impacts)
     assert end.impacts > halfway.impacts
     np.testing.assert_allclose(end[1:3], whole[1:3], rtol=1e-9)

@@ -28,6 +28,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march._samples import LONGEST, fly_through, make_stride
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import fill_states, recorded_peaks
@@ -342,7 +343,9 @@ def test_samples_at_uplift_to_the_last_bit_do_not_lift() -> None:
 def peaks_of(segments: Floats, sides: Floats, limit: int = PLENTY) -> tuple[int, March, Floats]:
     start, peaks = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), np.zeros(2)
     none = np.zeros((0, 8))
-    status, end = march(segments, sides, start, 0, math.inf, math.inf, limit, none, peaks)
+    status, end = march(
+        Tables(segments, sides), start, Until(0, math.inf, math.inf, limit), Kept(none, peaks)
+    )
     return status, end, peaks
 
 
@@ -396,7 +399,9 @@ def test_peaks_within_samples_are_found_wherever_they_lie() -> None:
         before = np.array([angle / lean + abs(rng.normal(0.0, 0.2)), abs(rng.normal(0.0, 3.0))])
         before[rng.integers(2)] *= rng.choice([1.0, 100.0])
         peaks, none = before.copy(), np.zeros((0, 8))
-        passed, *_ = fly_through(segments, sides, 1, angle, velocity, 0, 0, PLENTY, none, peaks)
+        begin = March(1, angle, velocity, 0, 0, 0.0, 0, 0)
+        tables, kept = Tables(segments, sides), Kept(none, peaks)
+        passed, *_ = fly_through(tables, begin, PLENTY, kept)
         assert passed >= 3
         y, v, tops = angle / lean, velocity / (lean * rate), before / [1.0, lean * rate]
         for piece in sampled_pieces(values, step)[:passed]:

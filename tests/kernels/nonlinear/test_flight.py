@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, OVERTURNED, ROCKING, STALLED
+from rocksteady.kernels.core.tuples import Cells, Fates, Starts
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import fly
@@ -27,7 +28,11 @@ def test_a_run_that_ends_beyond_the_point_of_no_return_has_overturned() -> None:
     status, impacts = np.zeros(cells, dtype=np.int64), np.zeros(cells, dtype=np.int64)
     final = np.empty((cells, 3))
     fates_of_sides(
-        amplitude, ratio, sides, still, velocity, still, 2, 10**6, status, impacts, final
+        Cells(amplitude, ratio, sides),
+        Starts(still, velocity, still),
+        2,
+        10**6,
+        Fates(status, impacts, final),
     )
     lost_from = 1.0 + np.arctan(ALPHA * amplitude) / ALPHA
     onwards = final[:, 0] * final[:, 1] >= 0.0

@@ -31,6 +31,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from tests.every import every
@@ -94,7 +95,9 @@ def impact_times(ran: Run) -> Floats:
 def peaks_of(segments: Floats, sides: Floats, limit: int = PLENTY) -> tuple[int, March, Floats]:
     start, peaks = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), np.zeros(2)
     none = np.zeros((0, 8))
-    status, end = march(segments, sides, start, 0, math.inf, math.inf, limit, none, peaks)
+    status, end = march(
+        Tables(segments, sides), start, Until(0, math.inf, math.inf, limit), Kept(none, peaks)
+    )
     return status, end, peaks
 
 

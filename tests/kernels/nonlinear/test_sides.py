@@ -29,6 +29,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.landing import lost_under_shaking
@@ -81,11 +82,11 @@ def marched(
     segments: Floats, sides: Floats, start: March, half: int, phase: float
 ) -> tuple[int, Floats, Floats]:
     """Return status, rows and peaks of a march."""
-    tables = (segments, sides, start, half, phase, 1e-8, 500)
+    given = Tables(segments, sides), start, Until(half, phase, 1e-8, 500)
     peaks = np.zeros(PEAK_COLUMNS)
-    _, end = march(*tables, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    _, end = march(*given, Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    status, _ = march(*tables, rows, peaks)
+    status, _ = march(*given, Kept(rows, peaks))
     return status, rows, peaks
 
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rocksteady import Block
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core import tuples
 from rocksteady.kernels.core.tables import (
     ALPHA,
     AT_REST,
@@ -23,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     ROCKING,
     UNDECIDED,
 )
+from rocksteady.kernels.core.tuples import Fates, Starts
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
@@ -37,12 +39,6 @@ TOLERANCE = 1e-10
 MOST = 20_000
 
 
-class Fates(NamedTuple):
-    status: NDArray[np.int64]
-    impacts: NDArray[np.int64]
-    final: Floats
-
-
 class Cells(NamedTuple):
     amplitude: Floats
     frequency: Floats
@@ -50,6 +46,14 @@ class Cells(NamedTuple):
     angle: Floats
     velocity: Floats
     phase: Floats
+
+    @property
+    def shaken(self) -> tuples.Cells:
+        return tuples.Cells(*self[:3])
+
+    @property
+    def starts(self) -> Starts:
+        return Starts(*self[3:])
 
     def at(self, index: object) -> "Cells":
         return Cells(*(np.ascontiguousarray(part[index]) for part in self))  # type: ignore[call-overload]
@@ -61,13 +65,13 @@ def empty(count: int) -> Fates:
 
 def by_lanes(cells: Cells, cycles: int, leaping: bool = True, most: int = MOST) -> Fates:
     found = empty(len(cells.amplitude))
-    nonlinear_lane_fates(*cells, cycles, leaping, most, *found)
+    nonlinear_lane_fates(cells.shaken, cells.starts, cycles, leaping, most, found)
     return found
 
 
 def one_by_one(cells: Cells, cycles: int) -> Fates:
     found = empty(len(cells.amplitude))
-    fates_of_sides(*cells, cycles, MOST, *found)
+    fates_of_sides(cells.shaken, cells.starts, cycles, MOST, found)
     return found
 
 

@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from rocksteady.kernels.orbits.closed_form import (
+    Points,
+    Steady,
     fill_steady,
     half_cycle_shape,
     symmetric_orbit,
@@ -23,17 +25,6 @@ from tests.strategies import frequency_ratios, restitutions, sample_size
 
 Floats = NDArray[np.float64]
 Long = np.longdouble
-
-
-class Steady(NamedTuple):
-    region: NDArray[np.int64]
-    boundaries: Floats
-    phase: Floats
-    velocity: Floats
-    trace: Floats
-    peak: Floats
-    extrema: NDArray[np.int64]
-    admissible: NDArray[np.bool_]
 
 
 def steady(
@@ -60,7 +51,7 @@ def steady(
         np.zeros((2, points), dtype=np.int64),
         np.zeros((2, points), dtype=np.bool_),
     )
-    fill_steady(a, w, r, n, shapes, *found)
+    fill_steady(Points(a, w, r, n), shapes, found)
     return found
 
 

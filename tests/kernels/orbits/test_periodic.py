@@ -17,6 +17,8 @@ from rocksteady.kernels.orbits.periodic import (
     SPEED,
     TIME,
     Fixed,
+    Orbits,
+    Sought,
     closed_after,
     distance,
     fill_peaks,
@@ -35,6 +37,7 @@ from rocksteady.kernels.orbits.return_map import (
     FALL,
     IMPACT,
     UPLIFT,
+    AnyState,
     Jacobian,
     Section,
     first_passage,
@@ -218,7 +221,7 @@ def test_an_orbit_with_rest_is_found_from_each_of_its_states_and_forgets_everyth
     amplitude: float, frequency: float, restitution: float
 ) -> None:
     system = even_system(amplitude, frequency, restitution)
-    start = first_passage(system, 0, 0, 0.0, 0.0, 0.0).state
+    start = first_passage(system, AnyState(0, 0, 0.0, 0.0, 0.0)).state
     states = [start]
     while True:
         step = next_passage(system, states[-1], -1.0)
@@ -351,14 +354,11 @@ def searched(
     found, shape = np.zeros((256, 2)), np.zeros((256, 2), dtype=np.int64)
     count = search(
         system,
-        steps * (TWO_PI / seeds),
-        (steps + 0.5) * (fastest / seeds),
-        passages,
-        periods,
-        mirrors,
+        Sought(
+            steps * (TWO_PI / seeds), (steps + 0.5) * (fastest / seeds), passages, periods, mirrors
+        ),
         room(passages),
-        found,
-        shape,
+        Orbits(found, shape),
         0,
     )
     return found[:count], shape[:count]
@@ -408,7 +408,7 @@ def test_a_search_stops_when_there_is_no_more_room() -> None:
     system = even_system(1.0, 2.0, 0.8)
     found, shape = np.zeros((1, 2)), np.zeros((1, 2), dtype=np.int64)
     phases, speeds = np.linspace(0.0, 6.0, 8), np.linspace(0.1, 1.2, 8)
-    assert search(system, phases, speeds, 2, 1, True, room(2), found, shape, 0) == 1
+    assert search(system, Sought(phases, speeds, 2, 1, True), room(2), Orbits(found, shape), 0) == 1
 
 
 def test_a_lopsided_block_has_orbits_too() -> None:

@@ -23,6 +23,7 @@ from rocksteady.kernels.core.tables import (
     ROW_VELOCITY,
     March,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.return_map import (
     FALL,
@@ -31,6 +32,7 @@ from rocksteady.kernels.orbits.return_map import (
     STAY,
     STUCK,
     UPLIFT,
+    AnyState,
     Jacobian,
     Passage,
     Section,
@@ -66,7 +68,7 @@ def one_impact_of_the_march(case: Case) -> tuple[March, Floats]:
         state.side, 0.0, state.side * state.speed, 0, state.half_cycles, state.phase, 0, 0
     )
     rows = np.zeros((1, ROW_COLUMNS))
-    _, end = march(segments, case.sides, start, 2**60, 0.0, 0.0, 1, rows, NONE)
+    _, end = march(Tables(segments, case.sides), start, Until(2**60, 0.0, 0.0, 1), Kept(rows, NONE))
     return end, rows[0]
 
 
@@ -142,7 +144,7 @@ def test_the_map_meets_every_impact_rest_and_uplift_of_a_long_march(
         at, phase = int(row[ROW_HALF_CYCLES]), float(row[ROW_PHASE])
         assert row[ROW_ANGLE] == 0.0
         step = (
-            first_passage(system, 0, at, phase, 0.0, 0.0)
+            first_passage(system, AnyState(0, at, phase, 0.0, 0.0))
             if side == 0
             else next_passage(system, Section(side, at, phase, abs(row[ROW_VELOCITY])), -1.0)
         )
@@ -179,19 +181,14 @@ def test_the_first_passage_from_any_state_is_the_first_impact_of_the_march() -> 
         case = random_case(rng, lopsided=bool(rng.random() < 0.4))
         angle, velocity = rng.uniform(-1.2, 1.2), rng.normal()
         half, phase, side = case.state.half_cycles, case.state.phase, int(math.copysign(1, angle))
-        step = first_passage(case.system, side, half, phase, angle, velocity)
+        step = first_passage(case.system, AnyState(side, half, phase, angle, velocity))
         start = March(side, angle, velocity, 0, half, phase, 0, 0)
         rows = np.zeros((1, ROW_COLUMNS))
         _, end = march(
-            harmonic(case.amplitude, case.frequency),
-            case.sides,
+            Tables(harmonic(case.amplitude, case.frequency), case.sides),
             start,
-            2**60,
-            0.0,
-            0.0,
-            1,
-            rows,
-            NONE,
+            Until(2**60, 0.0, 0.0, 1),
+            Kept(rows, NONE),
         )
         if step.kind == FALL:
             assert end.impacts == 0
@@ -366,7 +363,7 @@ def test_without_uplift_chatter_ends_in_rest_for_ever(amplitude: float) -> None:
     state = state_at_phase(1, 0.4, 1e-5)
     step = next_passage(system, state, -1.0)
     assert (step.kind, step.time) == (STAY, math.inf)
-    assert first_passage(system, 0, 0, 0.0, 0.0, 0.0).kind == STAY
+    assert first_passage(system, AnyState(0, 0, 0.0, 0.0, 0.0)).kind == STAY
 
 
 @every("speed", [1e-12, 5e-10, 1.2e-9, 1e-8])
@@ -380,7 +377,7 @@ def test_a_bounce_off_a_base_that_lifts_the_other_side_grazes_below_a_speed(spee
 
 
 def test_an_upright_block_on_a_still_base_is_the_only_search_without_an_end() -> None:
-    step = first_passage(even_system(0.0, 1.0, 0.8), 1, 0, 0.0, 1.0, 0.0)
+    step = first_passage(even_system(0.0, 1.0, 0.8), AnyState(1, 0, 0.0, 1.0, 0.0))
     assert step.kind == STUCK
 
 

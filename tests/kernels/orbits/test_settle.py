@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import March
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import existence_amplitude, symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, mirror, state_at
@@ -15,6 +16,7 @@ from rocksteady.kernels.orbits.return_map import (
     GRAZE,
     IMPACT,
     UPLIFT,
+    AnyState,
     Section,
     next_passage,
     phase_between,
@@ -51,7 +53,7 @@ def settled_from(
 ) -> tuple[Settled, Floats]:
     half, rest = clock(phase)
     memory, table = (np.zeros((MEMORY, ORBIT_COLUMNS)) for _ in range(2))
-    found = settle(system, side, half, rest, angle, velocity, periods, memory, table)
+    found = settle(system, AnyState(side, half, rest, angle, velocity), periods, memory, table)
     return found, table[: found.passages]
 
 
@@ -117,7 +119,12 @@ def test_a_lopsided_block_settles_where_a_long_march_ends(
     start = March(1, 0.0, 0.2, 0, *clock(0.4), 0, 0)
     none = np.zeros((0, 8))
     count = 800
-    _, end = march(harmonic(amplitude, frequency), sides, start, 2**60, 0.0, 0.0, count, none, NONE)
+    _, end = march(
+        Tables(harmonic(amplitude, frequency), sides),
+        start,
+        Until(2**60, 0.0, 0.0, count),
+        Kept(none, NONE),
+    )
     last = Section(end.side, end.half_cycles, end.phase, abs(end.velocity))
     assert min(distance(last, state_at(table, k)) for k in range(found.passages)) < 1e-9
 

@@ -35,6 +35,7 @@ from rocksteady.kernels.batch.attractors import (
 )
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import ALPHA, March
+from rocksteady.kernels.core.tuples import Cells, Kept, Outcomes, States, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits import chains
 from rocksteady.kernels.orbits.periodic import (
@@ -43,6 +44,8 @@ from rocksteady.kernels.orbits.periodic import (
     OTHER_PEAK,
     PEAK,
     Fixed,
+    Orbits,
+    Sought,
     distance,
     fill_peaks,
     is_symmetric,
@@ -57,6 +60,7 @@ from rocksteady.kernels.orbits.return_map import (
     IMPACT,
     STAY,
     UPLIFT,
+    AnyState,
     Section,
     highest_after,
     next_passage,
@@ -122,7 +126,7 @@ def settled_from(
     half, rest = clock(phase)
     memory, table = (np.zeros((MEMORY, ORBIT_COLUMNS)) for _ in range(2))
     side = 0 if velocity == 0.0 else system.free
-    found = settle(system, side, half, rest, 0.0, velocity, periods, memory, table)
+    found = settle(system, AnyState(side, half, rest, 0.0, velocity), periods, memory, table)
     return found, table[: found.passages]
 
 
@@ -153,7 +157,7 @@ def test_a_passage_is_an_impact_of_the_march_bit_for_bit(free: int) -> None:
             continue
         begin = March(free, 0.0, free * start.speed, 0, start.half_cycles, start.phase, 0, 0)
         segments, rows = harmonic(amplitude, frequency), np.zeros((1, 8))
-        _, end = march(segments, sides, begin, 2**60, 0.0, 0.0, 1, rows, NONE)
+        _, end = march(Tables(segments, sides), begin, Until(2**60, 0.0, 0.0, 1), Kept(rows, NONE))
         assert step.state.side == end.side == free
         assert (step.state.half_cycles, step.state.phase) == (end.half_cycles, end.phase)
         assert step.state.speed == free * end.velocity
@@ -356,7 +360,7 @@ def test_a_search_finds_both_of_them_once(free: int) -> None:
     phases, speeds = np.linspace(0.0, 6.0, count), np.linspace(0.02, 0.4, count)
     found, shape = np.zeros((40, 2)), np.zeros((40, 2), dtype=np.int64)
     table = np.zeros((3, ORBIT_COLUMNS))
-    most = search(system, phases, speeds, 3, 1, False, table, found, shape, 0)
+    most = search(system, Sought(phases, speeds, 3, 1, False), table, Orbits(found, shape), 0)
     states = [state_at_phase(free, *row) for row in found[:most].tolist()]
     for branch in (1, 2):
         orbit = simple_orbit(amplitude, frequency, e, 1, branch)
@@ -423,7 +427,10 @@ def test_cells_settle_as_each_does_alone_and_to_mirror_images(alpha: float) -> N
         half = np.full(count, 0 if free > 0 else 1, dtype=np.int64)
         whole, real = np.empty((count, WHOLE_COLUMNS), np.int64), np.empty((count, REAL_COLUMNS))
         settle_cells(
-            a, w, sides, side, np.zeros(count), free * speed, half, phase, cycles, whole, real
+            Cells(a, w, sides),
+            States(side, np.zeros(count), free * speed, half, phase),
+            cycles,
+            Outcomes(whole, real),
         )
         outcomes.append((whole, real, sides))
     (whole, real, sides), (mirrored, image, _) = outcomes

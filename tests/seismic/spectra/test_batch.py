@@ -141,8 +141,8 @@ class Every:
     def run(self, form: Form, arguments: tuple[Any, ...]) -> None:
         self.ran.append(form.queued.__name__)
         record_fates(*arguments)
-        arguments[-3][::2] = LEFT_OVER
-        arguments[-1][::2] = np.nan
+        arguments[-1].status[::2] = LEFT_OVER
+        arguments[-1].peaks[::2] = np.nan
 
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])

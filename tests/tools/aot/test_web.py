@@ -60,9 +60,10 @@ def test_every_kernel_has_its_signature_and_its_types() -> None:
     for name in ENTRIES:
         assert f"\n  {name}: {{ takes: [" in signatures()
         assert re.search(rf"^  {name}\(.*\): .*;$", types(), re.MULTILINE), name
-    march = "march(segments: Floats, sides: Floats, start: March, stop_half_cycles: number, "
+    march = "march(tables: Tables, start: March, until: Until, kept: Kept): [number, March];"
     assert march in types()
-    assert "march: { takes: ['f2', 'f2', March, 'i', 'f', 'f', 'i', 'f2', 'f1']" in signatures()
+    assert "march: { takes: [Tables, March, Until, Kept], gives: ['i', March] }" in signatures()
+    assert "const Kept = { rows: 'f2', peaks: 'f1' };" in signatures()
     assert "multipliers(jacobian: Jacobian, determinant: number): [[number, number]," in types()
 
 

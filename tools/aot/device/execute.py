@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.installation._recorded import flat
 from rocksteady.kernels.devices import Form
 from rocksteady.kernels.machine_code._launch import queue_of
 from rocksteady.kernels.machine_code.library import caller
@@ -45,7 +46,7 @@ class Executed:
         if self._checked:
             signature = signature_of(function)
             leaves = (*signature.leaves, *signature.returned)
-            arrays = [each for each in given if isinstance(each, np.ndarray)]
+            arrays = [each for each in flat(tuple(given)) if isinstance(each, np.ndarray)]
             program.watch(arrays, sum(leaf.cells for leaf in leaves))
         call: Callable[..., object] = caller(function, program.warp(LANES))
         call(*given)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.basins.labels import BasinAttractor
-from rocksteady.dynamics.batch.attractors import Attractors, InitialStates, settled_cells
+from rocksteady.dynamics.batch.attractors import Attractors, settled_cells, starting
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
@@ -65,7 +65,7 @@ def settled_states(
         np.full(count, motion.amplitude),
         np.full(count, motion.frequency_ratio),
         sides,
-        InitialStates.of(angle, velocity, half_cycles, phase),
+        starting(angle, velocity, half_cycles, phase),
         cycles,
         harmonics_of(motion),
     )

@@ -13,6 +13,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.core.tuples import Cells, Outcomes, SeriesCells, States, SymmetricCells
 from rocksteady.kernels.devices import run_cells
 from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.model.checks.arguments import checked_result
@@ -120,7 +121,7 @@ def settled_cells(
     amplitude: Floats,
     frequency_ratio: Floats,
     sides: Floats,
-    begin: "InitialStates",
+    begin: States,
     cycles: int,
     harmonics: Harmonics = (),
 ) -> Attractors:
@@ -160,26 +161,19 @@ def settled_cells(
         if not len(left) and (cells or step == "on the host"):
             continue
         shaken, blocks = (amplitude[left], frequency_ratio[left]), tables[left]
-        start = begin.taken(left)
-        parts = whole[left], real[left]
-        run: tuple[Any, ...] = (
-            start.side,
-            start.angle,
-            start.velocity,
-            start.half_cycles,
-            start.phase,
-            cycles,
-            *parts,
-        )
+        parts = Outcomes(whole[left], real[left])
+        run = States._make(each[left] for each in begin), cycles, parts
         if harmonics:
             total, shares = shares_of(harmonics)
-            column.settle_series_cells(total * shaken[0], shaken[1], shares, blocks, *run)
+            series = SeriesCells(total * shaken[0], shaken[1], shares, blocks)
+            column.settle_series_cells(series, *run)
         elif step == "in lanes":
-            run_cells(lane_attractors, *shaken, blocks[:, 0, RESTITUTION].copy(), *run)
+            ratio = blocks[:, 0, RESTITUTION].copy()
+            run_cells(lane_attractors, SymmetricCells(*shaken, ratio), *run)
         elif step == "one by one":
-            run_cells(column.settle_cells, *shaken, blocks, *run)
+            run_cells(column.settle_cells, Cells(*shaken, blocks), *run)
         else:  # what a device has no room for
-            column.settle_cells(*shaken, blocks, *run)
+            column.settle_cells(Cells(*shaken, blocks), *run)
         whole[left], real[left] = parts
     kind = kind_codes(
         whole[:, column.OUTCOME],
@@ -205,56 +199,27 @@ def settled_cells(
 
 def load_kernel() -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
-    nothing, whole = np.empty(0), np.empty(0, dtype=np.int64)
-    begin = InitialStates(
-        side=whole, angle=nothing, velocity=nothing, half_cycles=whole, phase=nothing
-    )
+    nothing = np.empty(0)
+    begin = starting(nothing, nothing, 0, 0.0)
     settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class InitialStates:
-    """States at the start, as the kernels see them, arrays of shape (cells,).
+def starting(
+    angle: Floats, velocity: Floats, half_cycles: int | Integers, phase: float | Floats
+) -> States:
+    """Return states of any angles and velocities, at one moment of the shaking or each its own.
 
-    Attributes
+    Parameters
     ----------
-    side
-        +1 or -1; 0 at rest.
     angle, velocity
-        theta/alpha, and its derivative by pivot time.
+        theta/alpha, and its derivative by pivot time, shape (cells,).
     half_cycles, phase
         Time of the shaking: whole half periods, and the rest in [0, pi).
     """
-
-    side: Integers
-    angle: Floats
-    velocity: Floats
-    half_cycles: Integers
-    phase: Floats
-
-    def taken(self, cells: Integers) -> "InitialStates":
-        """Return the states of some cells, by their numbers."""
-        return InitialStates(
-            side=self.side[cells],
-            angle=self.angle[cells],
-            velocity=self.velocity[cells],
-            half_cycles=self.half_cycles[cells],
-            phase=self.phase[cells],
-        )
-
-    @classmethod
-    def of(
-        cls, angle: Floats, velocity: Floats, half_cycles: int | Integers, phase: float | Floats
-    ) -> "InitialStates":
-        """Return the states of any angles and velocities, at one moment of the shaking or each."""
-        leaning = np.where(angle != 0.0, angle, velocity)
-        return cls(
-            side=np.sign(leaning).astype(np.int64),
-            angle=angle,
-            velocity=velocity,
-            half_cycles=np.full(len(angle), half_cycles, dtype=np.int64),
-            phase=np.full(len(angle), phase),
-        )
+    leaning = np.where(angle != 0.0, angle, velocity)
+    half_periods = np.full(len(angle), half_cycles, dtype=np.int64)
+    side = np.sign(leaning).astype(np.int64)
+    return States(side, angle, velocity, half_periods, np.full(len(angle), phase))
 
 
 def batch_size(cycles: int) -> int:

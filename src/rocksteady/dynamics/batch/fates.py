@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.core.tuples import Cells, Fates, SeriesCells, Starts, SymmetricCells
 from rocksteady.kernels.devices import run_cells
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
@@ -66,60 +67,39 @@ def ends_of(
         Codes of `ENDS`.
     """
     count = len(amplitude)
-    status, met = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    # Kernels take no views.
+    starts, blocks = Starts(angle.copy(), velocity.copy(), phase.copy()), sides.copy()
+    fates, limits = _room(count), (cycles, True, MOST_IMPACTS)
     if harmonics:
         total, shares = shares_of(harmonics)
-        series_fates(
-            total * amplitude,
-            frequency_ratio.copy(),
-            shares,
-            sides.copy(),
-            angle.copy(),
-            velocity.copy(),
-            phase.copy(),
-            cycles,
-            MOST_IMPACTS,
-            status,
-            met,
-            np.empty((count, 3)),
-        )
-        return status
+        shaken = SeriesCells(total * amplitude, frequency_ratio.copy(), shares, blocks)
+        series_fates(shaken, starts, cycles, MOST_IMPACTS, fates)
+        return fates.status
     if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
-        run_cells(
-            nonlinear_lane_fates,
-            # Kernels take no views.
-            amplitude.copy(),
-            frequency_ratio.copy(),
-            sides.copy(),
-            angle.copy(),
-            velocity.copy(),
-            phase.copy(),
-            cycles,
-            True,
-            MOST_IMPACTS,
-            status,
-            met,
-            np.empty((count, 3)),
-        )
-        return status
+        given = Cells(amplitude.copy(), frequency_ratio.copy(), blocks)
+        run_cells(nonlinear_lane_fates, given, starts, *limits, fates)
+        return fates.status
     same = alike(sides)
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
             continue
-        codes = np.empty((2, np.count_nonzero(cells)), dtype=np.int64)
-        final = np.empty((codes.shape[1], 3))
-        shaken = amplitude[cells], frequency_ratio[cells]
-        begin = angle[cells], velocity[cells], phase[cells]
-        ends, met = codes
+        ends = _room(int(np.count_nonzero(cells)))
+        begin = Starts(*(each[cells] for each in starts))
         if in_lanes:
             ratio = sides[cells, 0, RESTITUTION]
-            options = cycles, True, MOST_IMPACTS
-            run_cells(lane_fates, *shaken, ratio, *begin, *options, ends, met, final)
+            alike_cells = SymmetricCells(amplitude[cells], frequency_ratio[cells], ratio)
+            run_cells(lane_fates, alike_cells, begin, *limits, ends)
         else:
-            limits = cycles, MOST_IMPACTS
-            run_cells(fates_of_sides, *shaken, sides[cells], *begin, *limits, ends, met, final)
-        status[cells] = ends
-    return status
+            given = Cells(amplitude[cells], frequency_ratio[cells], sides[cells])
+            run_cells(fates_of_sides, given, begin, cycles, MOST_IMPACTS, ends)
+        fates.status[cells] = ends.status
+    return fates.status
+
+
+def _room(count: int) -> Fates:
+    """Return what a kernel fills of so many motions."""
+    status, impacts = np.empty((2, count), dtype=np.int64)
+    return Fates(status, impacts, np.empty((count, 3)))
 
 
 def batch_size(cycles: int) -> int:

@@ -19,6 +19,7 @@ from rocksteady.dynamics.history.simulate import (
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, sincos
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
@@ -80,10 +81,10 @@ def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> F
     start = columns.March(side, angle, later, 0, half, phase, 0, 0)
     elastic = bool((np.abs(sides[:, columns.RESTITUTION]) == 1.0).all())
     most = ELASTIC_TIME if elastic else LONGEST_REST
-    how = (0, most, columns.COUNTED)
+    tables = Tables(segments, sides)
     peaks = np.zeros(columns.PASSAGE_COLUMNS)
-    rows = np.zeros((0, columns.ROW_COLUMNS))
-    status, end = march(segments, sides, start, *how, FLIGHT_LIMIT, rows, peaks)
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), peaks)
+    status, end = march(tables, start, Until(0, most, columns.COUNTED, FLIGHT_LIMIT), kept)
     if status != columns.OVERTURNED:
         return Fate(int(status), 0, end.impacts, float(peaks[columns.PEAK_ANGLE]))
     # Its peak counts until it passes its slenderness for good: in the last flight that rose above
@@ -93,7 +94,7 @@ def fate_of(segments: Floats, sides: Floats, angle: float, velocity: float) -> F
     if passed and not segments[:, columns.JUMP].any():
         again, flights, before = _kept(peaks), 1, peaks[columns.BEFORE_ANGLE]
     rows = np.zeros((flights, columns.ROW_COLUMNS))
-    march(segments, sides, again, *how, flights, rows, np.zeros(0))
+    march(tables, again, Until(0, most, columns.COUNTED, flights), Kept(rows, np.zeros(0)))
     positive, negative, _ = peaks_until_overturning(segments, sides, rows)
     return Fate(int(status), end.side, end.impacts, float(max(before, positive, negative)))
 

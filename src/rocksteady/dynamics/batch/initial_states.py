@@ -3,19 +3,20 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.batch.attractors import InitialStates
+from rocksteady.dynamics.batch.attractors import starting
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.start import Steady
 from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch.attractors import fill_clocks
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.core.tuples import States
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 
-def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> InitialStates:
+def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> States:
     """Return any angles and velocities, each at a phase of its own.
 
     Parameters
@@ -36,7 +37,7 @@ def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> InitialStates:
     half_cycles, rest = np.empty(len(phase), dtype=np.int64), np.empty(len(phase))
     fill_clocks(phase, half_cycles, rest)
     # The motions' own jump at the start is added to the velocity, 0 here: it leaves no -0.0.
-    return InitialStates.of(angle, velocity + 0.0, half_cycles, rest)
+    return starting(angle, velocity + 0.0, half_cycles, rest)
 
 
 def on_orbits(

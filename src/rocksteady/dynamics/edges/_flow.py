@@ -19,6 +19,7 @@ from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import fill_states, last_crossing
 from rocksteady.model.blocks.block import Block
@@ -177,17 +178,9 @@ class Flow:
         limit: int,
         rows: Floats,
     ) -> tuple[int, columns.March]:
-        result: tuple[int, columns.March] = march(
-            self.segments,
-            self.sides,
-            begin,
-            stop_half,
-            stop_phase,
-            columns.COUNTED,
-            limit,
-            rows,
-            NO_PEAKS,
-        )
+        tables = Tables(self.segments, self.sides)
+        until = Until(stop_half, stop_phase, columns.COUNTED, limit)
+        result: tuple[int, columns.March] = march(tables, begin, until, Kept(rows, NO_PEAKS))
         return result
 
     def _falling(

@@ -16,6 +16,7 @@ from rocksteady.dynamics.history.start import HasStart, Start, initial_march, st
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import FREQUENCY, ROW_COLUMNS
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -148,10 +149,10 @@ def simulate(
     else:
         stop_half = 0
         stop_phase = ELASTIC_TIME if bare.lossless else LONGEST_REST
-    arguments = (segments, sides, begin, stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
-    _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    tables, until = Tables(segments, sides), Until(stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
+    _, end = march(tables, begin, until, Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    status, _ = march(*arguments, rows, np.zeros(0))
+    status, _ = march(tables, begin, until, Kept(rows, np.zeros(0)))
     run = Trajectory(
         block=block,
         motion=shaken,

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit
-from rocksteady.dynamics.batch.attractors import InitialStates
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import (
@@ -28,6 +27,7 @@ from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
+from rocksteady.kernels.core.tuples import States
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Restitution, form_text
@@ -69,7 +69,7 @@ class Cells:
     there: NDArray[np.bool_]
 
     @property
-    def begin(self) -> InitialStates:
+    def begin(self) -> States:
         """The states at the start, their phases split into whole half cycles and a rest."""
         return at_phases(self.angle, self.velocity, self.phase)
 

@@ -41,6 +41,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
+from rocksteady.kernels.orbits.return_map import AnyState
 from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -381,17 +382,8 @@ def find_attractor(
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
     )
     system = make_system(block, shaken, equations)
-    settled = for_system(kernel.settle, system)(
-        system,
-        begin.side,
-        begin.half_cycles,
-        begin.phase,
-        begin.angle,
-        begin.velocity,
-        periods,
-        memory,
-        table,
-    )
+    state = AnyState(begin.side, begin.half_cycles, begin.phase, begin.angle, begin.velocity)
+    settled = for_system(kernel.settle, system)(system, state, periods, memory, table)
     orbit = None
     if settled.outcome == kernel.PERIODIC:
         orbit = orbit_from(

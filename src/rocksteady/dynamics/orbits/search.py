@@ -366,14 +366,14 @@ def _searched_orbits(
     phases: Floats = steps * (2.0 * math.pi / seeds)
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
     states, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
+    orbits = periodic.Orbits(states, shape)
     table = np.zeros((most, periodic.ORBIT_COLUMNS))
     count = 0
     for column in range(seeds):
         for row in range(seeds):  # one state at a time, so that an interruption is heard
             phase, speed = phases[column : column + 1], speeds[row : row + 1]
-            count = for_system(periodic.search, system)(
-                system, phase, speed, most, longest, mirrors, table, states, shape, count
-            )
+            sought = periodic.Sought(phase, speed, most, longest, mirrors)
+            count = for_system(periodic.search, system)(system, sought, table, orbits, count)
     for (turn, rate), (passages, periods) in zip(
         states[:count].tolist(), shape[:count].tolist(), strict=True
     ):

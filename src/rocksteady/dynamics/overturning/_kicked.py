@@ -11,6 +11,7 @@ from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 
 Floats = NDArray[np.float64]
@@ -67,6 +68,7 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
     motion, still = kicked.table[:-1], kicked.table[-1:]
     begin = columns.March(0, kicked.angle, kicked.velocity, 0, 0, 0.0, 0, 0)
     impulse, during = kicked.direction * size, 0
+    nothing = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     for table in (motion, still) if len(motion) else (still,):
         # A march leaves the impulse at its start to what begins it.
         side, velocity = set_going(
@@ -75,17 +77,8 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
         half, phase = segment_start(table, 0)
         begin = columns.March(side, begin.angle, velocity, 0, half, phase, begin.impacts, 0)
         impulse, during = 0.0, 3 * begin.impacts + 1 + side
-        status, begin = march(
-            table,
-            sides,
-            begin,
-            0,
-            afterwards,
-            columns.COUNTED,
-            len(table) + FLIGHT_LIMIT,
-            np.zeros((0, columns.ROW_COLUMNS)),
-            np.zeros(0),
-        )
+        until = Until(0, afterwards, columns.COUNTED, len(table) + FLIGHT_LIMIT)
+        status, begin = march(Tables(table, sides), begin, until, nothing)
         if status == columns.OVERTURNED:
             return True, True, begin.impacts, begin.side, during, 1.0
         if status not in (columns.AT_REST, columns.ROCKING):

@@ -16,6 +16,7 @@ from rocksteady.kernels.core.tables import (
     NONLINEAR_SEGMENT_COLUMNS,
     is_nonlinear,
 )
+from rocksteady.kernels.core.tuples import PulseFates, Tables
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
@@ -132,34 +133,25 @@ def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.
     """
     # The kernel divides by the amplitude, which must not be 0.
     size = np.maximum(amplitude, SMALLEST)
-    status, impacts, side, during = (np.empty(len(size), dtype=np.int64) for _ in range(4))
-    margin = np.empty(len(size))
+    status, impacts, side, during = np.empty((4, len(size)), dtype=np.int64)
+    fates = PulseFates(status, impacts, side, during, np.empty(len(size)))
     lifted = has_vertical(table)
     scaled = table.copy() if lifted else table
     # One motion does for all amplitudes, except for its vertical component, which counts in g.
     for part in (slice(k, k + 1) for k in range(len(size))) if lifted else (slice(None),):
         if lifted:
             np.multiply(table[:, LIFT:], size[part], out=scaled[:, LIFT:])
-        pulse_fates(
-            scaled,
-            sides,
-            size[part],
-            np.full(len(size[part]), ratio),
-            COUNTED,
-            FLIGHT_LIMIT,
-            status[part],
-            impacts[part],
-            side[part],
-            during[part],
-            margin[part],
-        )
+        ratios = np.full(len(size[part]), ratio)
+        ends = PulseFates._make(each[part] for each in fates)
+        pulse_fates(Tables(scaled, sides), size[part], ratios, COUNTED, FLIGHT_LIMIT, ends)
     return Fates(
         status == Status.OVERTURNED,
         np.isin(status, (Status.OVERTURNED, Status.AT_REST, Status.ROCKING)),
         impacts,
         side,
         during,
-        np.nan_to_num(np.minimum(margin, 1e200), nan=-1.0),  # differences and slopes stay finite
+        # Differences and slopes stay finite.
+        np.nan_to_num(np.minimum(fates.margin, 1e200), nan=-1.0),
     )
 
 

@@ -21,7 +21,13 @@ from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.dynamics.steady.verdicts import half_cycle_pairs, squared_pairs
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import sin
-from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
+from rocksteady.kernels.orbits.closed_form import (
+    Points,
+    Steady,
+    fill_half_cycle,
+    fill_steady,
+    symmetric_orbit,
+)
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -310,26 +316,16 @@ def find_steady_states(
     )
     shape = amplitudes.shape
     size = amplitudes.size
-    region = np.empty(size, dtype=np.int64)
     boundaries = np.empty((3, size))
-    phase, velocity, trace = (np.empty((2, size)) for _ in range(3))
+    phase, velocity, trace = np.empty((3, 2, size))
     peak = np.empty((2, size if shapes else 0))
     extrema = np.zeros(peak.shape, dtype=np.int64)
     admissible = np.zeros(peak.shape, dtype=np.bool_)
+    region = np.empty(size, dtype=np.int64)
     fill_steady(
-        amplitudes.ravel(),
-        ratios.ravel(),
-        restitutions.ravel(),
-        orders.ravel(),
+        Points(amplitudes.ravel(), ratios.ravel(), restitutions.ravel(), orders.ravel()),
         shapes,
-        region,
-        boundaries,
-        phase,
-        velocity,
-        trace,
-        peak,
-        extrema,
-        admissible,
+        Steady(region, boundaries, phase, velocity, trace, peak, extrema, admissible),
     )
     grid = (2, *shape)
     return SteadyStates(

@@ -7,9 +7,10 @@ import numpy as np
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import enter, queue_of, take
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, SIDE_COLUMNS, is_nonlinear
+from rocksteady.kernels.core.tuples import Cells, Outcomes, SeriesCells, States
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -20,6 +21,7 @@ from rocksteady.kernels.orbits.periodic import (
     measured,
     state_at,
 )
+from rocksteady.kernels.orbits.return_map import AnyState
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, Settled, settle
 from rocksteady.kernels.orbits.systems import EitherSystem, System, make_series_system, make_system
 
@@ -51,72 +53,23 @@ def fill_clocks(phase: Floats1, half_cycles: Integers1, rest: Floats1) -> None:
 
 
 @allocating
-def settle_cells(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
-    cycles: int,
-    whole: Integers2,
-    real: Floats2,
-) -> None:
+def settle_cells(cells: Cells, states: States, cycles: int, outcomes: Outcomes) -> None:
     """Follow motions until it is known what they settle to.
 
     Parameters
     ----------
-    amplitude, frequency_ratio
-        One value a cell, shape (cells,).
-    sides
-        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
-        in `rocksteady.kernels.core.tables`.
-    side, angle, velocity, half_cycles, phase
-        The state at the start, as in `rocksteady.kernels.core.tables.March`; `side` 0 at rest.
+    cells, states, outcomes
+        The blocks, where they start, and what receives the columns above: `kernels.core.tuples`.
     cycles
         Forcing periods after which a motion counts as unsettled.
-    whole, real
-        Receive the columns above, shape (cells, WHOLE_COLUMNS) and (cells, REAL_COLUMNS).
     """
-    queue = queue_of(len(amplitude))
+    queue = queue_of(len(cells.amplitude))
     memories = np.empty((1, MEMORY, ORBIT_COLUMNS))
     tables = np.empty((1, LONGEST_ORBIT, ORBIT_COLUMNS))
-    if len(sides) > 0 and is_nonlinear(sides[0]):
-        queued_nonlinear_settle_cells(
-            queue,
-            memories,
-            tables,
-            amplitude,
-            frequency_ratio,
-            sides,
-            side,
-            angle,
-            velocity,
-            half_cycles,
-            phase,
-            cycles,
-            whole,
-            real,
-        )
+    if len(cells.sides) > 0 and is_nonlinear(cells.sides[0]):
+        queued_nonlinear_settle_cells(queue, memories, tables, cells, states, cycles, outcomes)
     else:
-        queued_settle_cells(
-            queue,
-            memories,
-            tables,
-            amplitude,
-            frequency_ratio,
-            sides,
-            side,
-            angle,
-            velocity,
-            half_cycles,
-            phase,
-            cycles,
-            whole,
-            real,
-        )
+        queued_settle_cells(queue, memories, tables, cells, states, cycles, outcomes)
 
 
 @allocating
@@ -124,17 +77,10 @@ def queued_settle_cells(
     queue: Integers1,
     memories: Floats3,
     tables: Floats3,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
+    cells: Cells,
+    states: States,
     cycles: int,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
 ) -> None:
     """Do what `settle_cells` does in the linear model, for the cells taken from a queue.
 
@@ -142,23 +88,8 @@ def queued_settle_cells(
     5 or more) and (workers, MEMORY or more, ORBIT_COLUMNS).  A cell whose orbit may have more
     passages than the table has rows is LEFT_OVER.
     """
-    _settle_cells(
-        queue,
-        memories,
-        tables,
-        amplitude,
-        frequency_ratio,
-        sides,
-        side,
-        angle,
-        velocity,
-        half_cycles,
-        phase,
-        cycles,
-        whole,
-        real,
-        np.empty((2, SIDE_COLUMNS)),
-    )
+    block = np.empty((2, SIDE_COLUMNS))
+    _settle_cells(queue, memories, tables, cells, states, cycles, outcomes, block)
 
 
 @allocating
@@ -166,36 +97,14 @@ def queued_nonlinear_settle_cells(
     queue: Integers1,
     memories: Floats3,
     tables: Floats3,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
+    cells: Cells,
+    states: States,
     cycles: int,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
 ) -> None:
     """Do what `queued_settle_cells` does in the nonlinear model."""
-    _settle_cells(
-        queue,
-        memories,
-        tables,
-        amplitude,
-        frequency_ratio,
-        sides,
-        side,
-        angle,
-        velocity,
-        half_cycles,
-        phase,
-        cycles,
-        whole,
-        real,
-        np.empty((2, NONLINEAR_SIDE_COLUMNS)),
-    )
+    block = np.empty((2, NONLINEAR_SIDE_COLUMNS))
+    _settle_cells(queue, memories, tables, cells, states, cycles, outcomes, block)
 
 
 @inlined
@@ -203,17 +112,10 @@ def _settle_cells(
     queue: Integers1,
     memories: Floats3,
     tables: Floats3,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
+    cells: Cells,
+    states: States,
     cycles: int,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
     block: Floats2,
 ) -> None:
     """Settle the cells of a queue; inlined once for each model: `block` has its columns."""
@@ -225,89 +127,67 @@ def _settle_cells(
             return
         for row in range(block.shape[0]):
             for column in range(block.shape[1]):
-                block[row, column] = sides[i, row, column]
-        system = make_system(amplitude[i], frequency_ratio[i], block)
-        found = settle(
-            system,
-            side[i],
-            half_cycles[i],
-            phase[i],
-            angle[i],
-            velocity[i],
-            cycles,
-            memory,
-            table,
-        )
-        note_settled(system, found, table, whole, real, i)
+                block[row, column] = cells.sides[i, row, column]
+        system = make_system(cells.amplitude[i], cells.frequency_ratio[i], block)
+        end = settle(system, state_of(states, i), cycles, memory, table)
+        note_settled(system, end, table, outcomes, i)
 
 
 @allocating
 def settle_series_cells(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    shares: Floats1,
-    sides: Floats3,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
-    cycles: int,
-    whole: Integers2,
-    real: Floats2,
+    cells: SeriesCells, states: States, cycles: int, outcomes: Outcomes
 ) -> None:
-    """Do what `settle_cells` does under a Fourier series, whose shares are those of all cells."""
+    """Do what `settle_cells` does under a Fourier series."""
     memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
+    shares = cells.shares
     lifts = np.empty((2, len(shares) // 2))
-    for i in range(len(amplitude)):
+    for i in range(len(cells.amplitude)):
         system: EitherSystem = make_series_system(
-            amplitude[i], frequency_ratio[i], sides[i], shares, lifts
+            cells.amplitude[i], cells.frequency_ratio[i], cells.sides[i], shares, lifts
         )
-        found = settle(
-            system,
-            side[i],
-            half_cycles[i],
-            phase[i],
-            angle[i],
-            velocity[i],
-            cycles,
-            memory,
-            table,
-        )
-        note_settled(system, found, table, whole, real, i)
+        end = settle(system, state_of(states, i), cycles, memory, table)
+        note_settled(system, end, table, outcomes, i)
+
+
+@compiled
+def state_of(states: States, cell: int) -> AnyState:
+    """Return where the motion of a cell starts."""
+    return AnyState(
+        states.side[cell],
+        states.half_cycles[cell],
+        states.phase[cell],
+        states.angle[cell],
+        states.velocity[cell],
+    )
 
 
 @compiled
 def note_settled(
-    system: EitherSystem,
-    found: Settled,
-    table: Floats2,
-    whole: Integers2,
-    real: Floats2,
-    cell: int,
+    system: EitherSystem, end: Settled, table: Floats2, outcomes: Outcomes, cell: int
 ) -> None:
     """Write what a cell settles to, and find the peaks of its orbit."""
-    if found.outcome == PERIODIC:
+    if end.outcome == PERIODIC:
         # As for one orbit alone: its times are where the peaks are searched from.
-        measured(system, found.passages, found.periods, table)
-        fill_peaks(system, found.passages, table)
-    note_attractor(system, found, table, whole, real, cell)
+        measured(system, end.passages, end.periods, table)
+        fill_peaks(system, end.passages, table)
+    note_attractor(system, end, table, outcomes, cell)
 
 
 @compiled
 def note_attractor(
-    system: System, found: Settled, table: Floats2, whole: Integers2, real: Floats2, cell: int
+    system: System, end: Settled, table: Floats2, outcomes: Outcomes, cell: int
 ) -> None:
     """Write what a cell settles to, whose orbit, if it has one, is in a table with its peaks."""
+    whole, real = outcomes
     whole[cell, :] = 0
     real[cell, :] = math.nan
-    whole[cell, OUTCOME] = found.outcome
-    whole[cell, AFTER] = found.after
-    real[cell, LYAPUNOV] = found.lyapunov
-    real[cell, LEAST] = found.least
-    if found.outcome != PERIODIC:
+    whole[cell, OUTCOME] = end.outcome
+    whole[cell, AFTER] = end.after
+    real[cell, LYAPUNOV] = end.lyapunov
+    real[cell, LEAST] = end.least
+    if end.outcome != PERIODIC:
         return
-    passages, periods = found.passages, found.periods
+    passages, periods = end.passages, end.periods
     highest = lowest = 0.0
     for k in range(passages):
         here, there = table[k, PEAK], table[k, OTHER_PEAK]
@@ -318,7 +198,7 @@ def note_attractor(
     whole[cell, ORBIT_SIDE] = state.side
     whole[cell, PASSAGES] = passages
     whole[cell, PERIODS] = periods
-    whole[cell, RESTS] = found.rests
+    whole[cell, RESTS] = end.rests
     whole[cell, SYMMETRIC] = 1 if is_symmetric(system, table, passages, periods) else 0
     real[cell, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
     real[cell, ORBIT_SPEED] = state.speed

@@ -25,13 +25,22 @@ from rocksteady.kernels.core.tables import (
     March,
     is_nonlinear,
 )
+from rocksteady.kernels.core.tuples import (
+    Cells,
+    Fates,
+    Kept,
+    SeriesCells,
+    Starts,
+    Tables,
+    Until,
+)
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.machine_code.compilation import (
     allocating,
     compiled,
     inlined_allocating,
 )
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
+from rocksteady.kernels.machine_code.types import Floats2, Integers1
 from rocksteady.kernels.march.march import linear_march, march, nonlinear_march
 
 
@@ -47,209 +56,107 @@ def harmonic_segment(segments: Floats2, amplitude: float, frequency: float, phas
 
 
 @allocating
-def fates_of_sides(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
-) -> None:
+def fates_of_sides(cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates) -> None:
     """March blocks under harmonic shaking and note how each ends.
 
     Parameters
     ----------
-    amplitude, frequency_ratio, angle, velocity, phase
-        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
-    sides
-        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
-        in `rocksteady.kernels.core.tables`.
+    cells, starts, fates
+        The blocks, where they start, and what receives how they end: `kernels.core.tuples`.
     cycles
         Forcing periods to run.
     most
         Flights after which a motion is given up as UNDECIDED.
-    status, impacts, final
-        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
-        velocity and phase.
     """
-    queue = queue_of(len(amplitude))
-    if len(sides) > 0 and is_nonlinear(sides[0]):
-        queued_nonlinear_fates_of_sides(
-            queue,
-            amplitude,
-            frequency_ratio,
-            sides,
-            angle,
-            velocity,
-            phase,
-            cycles,
-            most,
-            status,
-            impacts,
-            final,
-        )
+    queue = queue_of(len(cells.amplitude))
+    if len(cells.sides) > 0 and is_nonlinear(cells.sides[0]):
+        queued_nonlinear_fates_of_sides(queue, cells, starts, cycles, most, fates)
     else:
-        queued_fates_of_sides(
-            queue,
-            amplitude,
-            frequency_ratio,
-            sides,
-            angle,
-            velocity,
-            phase,
-            cycles,
-            most,
-            status,
-            impacts,
-            final,
-        )
+        queued_fates_of_sides(queue, cells, starts, cycles, most, fates)
 
 
 @allocating
 def queued_fates_of_sides(
-    queue: Integers1,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    queue: Integers1, cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates
 ) -> None:
     """Do what `fates_of_sides` does in the linear model, for the cells taken from a queue."""
-    _fates(
-        queue,
-        amplitude,
-        frequency_ratio,
-        sides,
-        angle,
-        velocity,
-        phase,
-        cycles,
-        most,
-        status,
-        impacts,
-        final,
-        np.zeros((1, SEGMENT_COLUMNS)),
-        FALSE,
-    )
+    _fates(queue, cells, starts, cycles, most, fates, np.zeros((1, SEGMENT_COLUMNS)), FALSE)
 
 
 @allocating
 def queued_nonlinear_fates_of_sides(
-    queue: Integers1,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    queue: Integers1, cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates
 ) -> None:
     """Do what `fates_of_sides` does in the nonlinear model, for the cells taken from a queue."""
     # On a base without vertical motion.
-    _fates(
-        queue,
-        amplitude,
-        frequency_ratio,
-        sides,
-        angle,
-        velocity,
-        phase,
-        cycles,
-        most,
-        status,
-        impacts,
-        final,
-        np.zeros((1, NONLINEAR_SEGMENT_COLUMNS)),
-        TRUE,
-    )
+    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
+    _fates(queue, cells, starts, cycles, most, fates, segments, TRUE)
 
 
 @inlined_allocating
 def _fates(
     queue: Integers1,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
+    cells: Cells,
+    starts: Starts,
     cycles: int,
     most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    fates: Fates,
     segments: Floats2,
     nonlinear: bool,
 ) -> None:
     """Fill the fates of the cells of a queue; inlined once for each model."""
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     while True:
         i = take(queue)
         if i < 0:
             return
-        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
-        start = start_of(angle[i], velocity[i], phase[i])
-        end_half, stop = start.half_cycles + 2 * cycles, start.phase
+        harmonic_segment(segments, cells.amplitude[i], cells.frequency_ratio[i], starts.phase[i])
+        tables = Tables(segments, cells.sides[i])
+        start, until = run_of(starts, cycles, most, i)
         if nonlinear:
-            status[i], end = nonlinear_march(
-                segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
-            )
+            code, end = nonlinear_march(tables, start, until, kept)
         else:
-            status[i], end = linear_march(
-                segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
-            )
-        impacts[i] = end.impacts
-        final[i, 0], final[i, 1], final[i, 2] = end.angle, end.velocity, end.phase
+            code, end = linear_march(tables, start, until, kept)
+        note(fates, i, code, end)
 
 
 @allocating
-def series_fates(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    shares: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
-) -> None:
-    """Do what `fates_of_sides` does under a Fourier series, whose shares are those of all cells.
+def series_fates(cells: SeriesCells, starts: Starts, cycles: int, most: int, fates: Fates) -> None:
+    """Do what `fates_of_sides` does under a Fourier series."""
+    segments = np.zeros((1, SHARES + len(cells.shares)))
+    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    for i in range(len(cells.amplitude)):
+        harmonic_segment(segments, cells.amplitude[i], cells.frequency_ratio[i], starts.phase[i])
+        segments[0, ORDERS] = len(cells.shares) // 2
+        for k in range(len(cells.shares)):
+            segments[0, SHARES + k] = cells.shares[k]
+        start, until = run_of(starts, cycles, most, i)
+        code, end = march(Tables(segments, cells.sides[i]), start, until, kept)
+        note(fates, i, code, end)
 
-    The amplitudes bound the acceleration, as `rocksteady.kernels.core.harmonics` has them.
-    """
-    segments = np.zeros((1, SHARES + len(shares)))
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    for i in range(len(amplitude)):
-        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
-        segments[0, ORDERS] = len(shares) // 2
-        for k in range(len(shares)):
-            segments[0, SHARES + k] = shares[k]
-        start = start_of(angle[i], velocity[i], phase[i])
-        end_half, stop = start.half_cycles + 2 * cycles, start.phase
-        status[i], end = march(
-            segments, sides[i], start, end_half, stop, math.inf, most, rows, peaks
-        )
-        impacts[i] = end.impacts
-        final[i, 0], final[i, 1], final[i, 2] = end.angle, end.velocity, end.phase
+
+@compiled
+def run_of(starts: Starts, cycles: int, most: int, cell: int) -> tuple[March, Until]:
+    """Return where the march of a cell begins, and where it ends after so many forcing periods."""
+    start = start_of(starts.angle[cell], starts.velocity[cell], starts.phase[cell])
+    return start, Until(start.half_cycles + 2 * cycles, start.phase, math.inf, most)
+
+
+@compiled
+def note(fates: Fates, cell: int, code: int, end: March) -> None:
+    """Write how a cell ended."""
+    fates.status[cell], fates.impacts[cell] = code, end.impacts
+    final = fates.final
+    final[cell, 0], final[cell, 1], final[cell, 2] = end.angle, end.velocity, end.phase
+
+
+@compiled
+def note_in_lanes(fates: Fates, cell: int, code: int, end: March, most: int) -> None:
+    """Write how a cell ended; one that is UNDECIDED has no end, but `most` impacts."""
+    note(fates, cell, code, end)
+    if code == UNDECIDED:
+        fates.impacts[cell] = most
+        fates.final[cell] = math.nan
 
 
 @compiled
@@ -262,24 +169,3 @@ def start_of(angle: float, velocity: float, phase: float) -> March:
     elif angle == 0.0 and velocity == 0.0:
         side = 0
     return March(side, angle, velocity, 0, half, start_phase, 0, 0)
-
-
-@compiled
-def note(
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
-    cell: int,
-    code: int,
-    state: March,
-    most: int,
-) -> None:
-    """Write how a cell ended; one that is UNDECIDED has no end, but `most` impacts."""
-    status[cell] = code
-    impacts[cell] = state.impacts
-    final[cell, 0] = state.angle
-    final[cell, 1] = state.velocity
-    final[cell, 2] = state.phase
-    if code == UNDECIDED:
-        impacts[cell] = most
-        final[cell] = math.nan

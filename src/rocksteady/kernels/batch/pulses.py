@@ -37,9 +37,10 @@ from rocksteady.kernels.core.tables import (
     March,
     is_nonlinear,
 )
+from rocksteady.kernels.core.tuples import Kept, PulseFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
+from rocksteady.kernels.machine_code.types import Floats1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear.drive import side_drive
@@ -57,63 +58,44 @@ LOST = 1.0
 
 @allocating
 def pulse_fates(
-    segments: Floats2,
-    sides: Floats2,
+    tables: Tables,
     amplitude: Floats1,
     frequency_ratio: Floats1,
     rest_velocity: float,
     limit: int,
-    status: Integers1,
-    impacts: Integers1,
-    side: Integers1,
-    during: Integers1,
-    margin: Floats1,
+    fates: PulseFates,
 ) -> None:
     """March a block from rest through a pulse of many sizes and write its fates.
 
     Parameters
     ----------
-    segments
-        Table of the pulse of amplitude 1 and frequency ratio 1, without the still base that follows
-        it, shape (segments, 9); of the nonlinear model (segments, 12), with infinite ceilings.
-    sides
-        Of the block, shape (2, 3); of the nonlinear model (2, 5).
+    tables
+        Of the pulse of amplitude 1 and frequency ratio 1, without the still base that follows it,
+        in the nonlinear model with infinite ceilings; and of the block.
     amplitude, frequency_ratio
         Of the pulse, above 0, shape (cells,).
     rest_velocity
         Chatter slower than this, in the block's units, comes to rest as soon as that is proved.
     limit
         Flights, besides one a segment, after which a cell is UNDECIDED.
-    status
-        Receives AT_REST for whatever does not overturn, OVERTURNED or UNDECIDED.
-    impacts, side
-        Receive the impacts until overturning and its side; of what does not overturn, the impacts
-        while the pulse lasts, and 0.
-    during
-        Receives ``3 n + 1 + side`` of the n impacts and the side (or rest, 0) at the pulse's end.
-    margin
-        Receives how far beyond (above 0) or short of overturning the block is; nan if undecided.
+    fates
+        Receives how the block fares: `kernels.core.tuples`.
     """
+    segments, sides = tables
+    status, impacts, side, during, margin = fates
     nonlinear = is_nonlinear(sides)
     own = sides.copy()
     peaks = np.zeros(PEAK_COLUMNS if nonlinear else 0)
-    nobody = np.zeros(0)
     half, phase = segment_start(segments, ZERO)
     start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
+    scaled = Tables(segments, own)
     for i in range(len(amplitude)):
         lean, rate = 1.0 / amplitude[i], 1.0 / frequency_ratio[i]
         for row in range(2):
             own[row, LEAN] = sides[row, LEAN] * lean
             own[row, RATE] = sides[row, RATE] * rate
         peaks[:] = 0.0
-        code, end, bound = followed(
-            segments,
-            own,
-            start,
-            rest_velocity,
-            limit,
-            peaks,
-        )
+        code, end, bound = followed(scaled, start, rest_velocity, limit, peaks)
         status[i] = AT_REST
         impacts[i] = end.impacts
         side[i] = 0
@@ -150,7 +132,8 @@ def pulse_fates(
                 # The peak is in the alpha of its side, and which that was only rows tell.
                 rows = np.zeros((end.flights, ROW_COLUMNS))
                 flights = len(segments) + limit
-                march(segments, own, start, ZERO, 0.0, rest_velocity, flights, rows, nobody)
+                until = Until(ZERO, 0.0, rest_velocity, flights)
+                march(scaled, start, until, Kept(rows, np.zeros(0)))
                 last = rows[len(rows) - 1, ROW_DURATION]
                 positive, negative, _ = recorded_peaks(segments, own, rows, last)
                 turned = max(sides[0, ALPHA] * positive, sides[1, ALPHA] * negative)
@@ -160,27 +143,22 @@ def pulse_fates(
 
 @allocating
 def followed(
-    segments: Floats,
-    sides: Floats,
-    start: March,
-    rest_velocity: float,
-    limit: int,
-    peaks: Floats,
+    tables: Tables, start: March, rest_velocity: float, limit: int, peaks: Floats
 ) -> tuple[int, March, float]:
     """March to the end of a pulse, or until a block that bounces often is proved to stand.
 
     The parameters are those of `pulse_fates` and `kernels.march.march.march`; returned are the
     status or STANDS, the final state, and the bound of its margin where it stands.
     """
-    rows, end, bound = np.zeros((0, ROW_COLUMNS)), start, math.inf
+    kept, end, bound = Kept(np.zeros((0, ROW_COLUMNS)), peaks), start, math.inf
     code = UNDECIDED
     for most in (min(SOME, limit), min(MANY, limit), limit):
-        flights = len(segments) + most
         # From the start again: a march does not begin within a segment that has a slope.
-        code, end = march(segments, sides, start, ZERO, 0.0, rest_velocity, flights, rows, peaks)
+        until = Until(ZERO, 0.0, rest_velocity, len(tables.segments) + most)
+        code, end = march(tables, start, until, kept)
         if code != UNDECIDED:
             break
-        bound = largest_margin(segments, sides, end)
+        bound = largest_margin(tables.segments, tables.sides, end)
         if bound < 0.0:
             return STANDS, end, bound
     return code, end, bound

@@ -30,13 +30,14 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
     kept_passage,
 )
+from rocksteady.kernels.core.tuples import Blocks, Kept, PeakFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ONE, TRUE, ZERO
 from rocksteady.kernels.machine_code.compilation import (
     allocating,
     inlined,
     inlined_allocating,
 )
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import linear_march, nonlinear_march
 from rocksteady.kernels.march.replay import peaks_without_series
 
@@ -45,15 +46,7 @@ FEW = 2
 
 
 @allocating
-def record_fates(
-    segments: Floats2,
-    sides: Floats3,
-    afterwards: Floats1,
-    limit: int,
-    status: Integers1,
-    impacts: Integers1,
-    peaks: Floats2,
-) -> None:
+def record_fates(segments: Floats2, blocks: Blocks, limit: int, fates: PeakFates) -> None:
     """March blocks from rest through one motion and note how each fares.
 
     The motion is in units of its own, as seconds and m/s^2, and stays as it is: a block is its
@@ -65,52 +58,21 @@ def record_fates(
     segments
         Table of the motion, shape (segments, 9), or (segments, 12) in the nonlinear model, whose
         vertical motion is in g; the last segment is a still base without end.
-    sides
-        Of each block, shape (blocks, 2, 3), (blocks, 2, 5) or (blocks, 2, 7): alpha g over the
-        motion's scale for lean and p for rate, in the units of the motion.
-    afterwards
-        Pivot time p t for which each is followed on the still base, shape (blocks,).
+    blocks, fates
+        The blocks, and what receives how each fares: `kernels.core.tuples`.
     limit
         Flights after which a block is UNDECIDED.
-    status, impacts, peaks
-        Receive the status code, the number of impacts and, in shape (blocks, 2), the largest
-        |theta|/alpha, each side in its own alpha, and the largest |d(theta/alpha)/d(p t)|, with the
-        positive side's alpha and p, until the end or overturning.  In shape (blocks, 0) there are
-        none, and the march is faster.
     """
+    sides = blocks.sides
     queue = queue_of(len(sides))
     hardest = np.empty(len(segments) - 1)
     nonlinear = len(sides) > 0 and is_nonlinear(sides[0])
     if len(sides) > FEW:
         fill_hardest(segments, nonlinear, hardest)
     if nonlinear:
-        _record_fates(
-            queue,
-            hardest,
-            segments,
-            sides,
-            afterwards,
-            limit,
-            status,
-            impacts,
-            peaks,
-            TRUE,
-            TRUE,
-        )
+        _record_fates(queue, hardest, segments, blocks, limit, fates, TRUE, TRUE)
     else:
-        _record_fates(
-            queue,
-            hardest,
-            segments,
-            sides,
-            afterwards,
-            limit,
-            status,
-            impacts,
-            peaks,
-            FALSE,
-            TRUE,
-        )
+        _record_fates(queue, hardest, segments, blocks, limit, fates, FALSE, TRUE)
 
 
 @allocating
@@ -118,12 +80,9 @@ def queued_record_fates(
     queue: Integers1,
     hardest: Floats1,
     segments: Floats2,
-    sides: Floats3,
-    afterwards: Floats1,
+    blocks: Blocks,
     limit: int,
-    status: Integers1,
-    impacts: Integers1,
-    peaks: Floats2,
+    fates: PeakFates,
 ) -> None:
     """Do what `record_fates` does in the linear model, for the blocks taken from a queue.
 
@@ -131,19 +90,7 @@ def queued_record_fates(
     after it has turned back above its slenderness is LEFT_OVER where peaks are wanted: to find
     them takes a table as long as its motion.
     """
-    _record_fates(
-        queue,
-        hardest,
-        segments,
-        sides,
-        afterwards,
-        limit,
-        status,
-        impacts,
-        peaks,
-        FALSE,
-        FALSE,
-    )
+    _record_fates(queue, hardest, segments, blocks, limit, fates, FALSE, FALSE)
 
 
 @allocating
@@ -151,27 +98,12 @@ def queued_nonlinear_record_fates(
     queue: Integers1,
     hardest: Floats1,
     segments: Floats2,
-    sides: Floats3,
-    afterwards: Floats1,
+    blocks: Blocks,
     limit: int,
-    status: Integers1,
-    impacts: Integers1,
-    peaks: Floats2,
+    fates: PeakFates,
 ) -> None:
     """Do what `queued_record_fates` does in the nonlinear model."""
-    _record_fates(
-        queue,
-        hardest,
-        segments,
-        sides,
-        afterwards,
-        limit,
-        status,
-        impacts,
-        peaks,
-        TRUE,
-        FALSE,
-    )
+    _record_fates(queue, hardest, segments, blocks, limit, fates, TRUE, FALSE)
 
 
 @inlined_allocating
@@ -179,12 +111,9 @@ def _record_fates(
     queue: Integers1,
     hardest: Floats1,
     segments: Floats2,
-    sides: Floats3,
-    afterwards: Floats1,
+    blocks: Blocks,
     limit: int,
-    status: Integers1,
-    impacts: Integers1,
-    peaks: Floats2,
+    fates: PeakFates,
     nonlinear: bool,
     whole: bool,
 ) -> None:
@@ -193,6 +122,7 @@ def _record_fates(
     `whole` is whether to go through a whole motion again where its last passage is not enough.
     """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    status, impacts, peaks = fates
     watch = peaks.shape[1] > 0
     kept = np.zeros(PASSAGE_COLUMNS)
     peak = kept[: PASSAGE_COLUMNS if watch else 0]
@@ -200,25 +130,26 @@ def _record_fates(
         i = take(queue)
         if i < 0:
             return
-        own = sides[i]
-        waits = waits_until(hardest, own) if len(sides) > FEW else ZERO
+        own = blocks.sides[i]
+        tables = Tables(segments, own)
+        waits = waits_until(hardest, own) if len(blocks.sides) > FEW else ZERO
         unit = own[0, LEAN] * own[0, RATE]
-        stop = afterwards[i] / own[0, RATE]
+        stop = blocks.afterwards[i] / own[0, RATE]
         peak[:] = 0.0
         start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
-        status[i], end = _march_through(segments, own, start, stop, limit, none, peak, nonlinear)
+        status[i], end = _march_through(tables, start, stop, limit, Kept(none, peak), nonlinear)
         impacts[i] = end.impacts
         if not watch:
             continue
         if status[i] == OVERTURNED:
             if peak[PASSING_AGAIN] == 0.0:
                 row, again = np.zeros((1, ROW_COLUMNS)), kept_passage(peak)
-                _march_through(segments, own, again, stop, ONE, row, nothing, nonlinear)
+                _march_through(tables, again, stop, ONE, Kept(row, nothing), nonlinear)
                 positive, negative, speed = peaks_without_series(segments, own, row)
             elif whole:
                 again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
                 rows = np.zeros((most, ROW_COLUMNS))
-                _march_through(segments, own, again, stop, most, rows, nothing, nonlinear)
+                _march_through(tables, again, stop, most, Kept(rows, nothing), nonlinear)
                 positive, negative, speed = peaks_without_series(segments, own, rows)
             else:
                 status[i] = LEFT_OVER
@@ -231,16 +162,10 @@ def _record_fates(
 
 @inlined
 def _march_through(
-    segments: Floats2,
-    sides: Floats2,
-    start: March,
-    stop: float,
-    limit: int,
-    rows: Floats2,
-    peaks: Floats1,
-    nonlinear: bool,
+    tables: Tables, start: March, stop: float, limit: int, kept: Kept, nonlinear: bool
 ) -> tuple[int, March]:
     """March to the end of a motion in one of the models."""
+    until = Until(ZERO, stop, COUNTED, limit)
     if nonlinear:
-        return nonlinear_march(segments, sides, start, ZERO, stop, COUNTED, limit, rows, peaks)
-    return linear_march(segments, sides, start, ZERO, stop, COUNTED, limit, rows, peaks)
+        return nonlinear_march(tables, start, until, kept)
+    return linear_march(tables, start, until, kept)

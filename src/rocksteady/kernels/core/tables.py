@@ -223,24 +223,14 @@ def left_out_of(sides: Floats2) -> float:
 
 
 @inlined
-def write_row(
-    rows: Floats,
-    index: int,
-    segment: int,
-    half: int,
-    phase: float,
-    side: int,
-    angle: float,
-    velocity: float,
-    duration: float,
-    event: int,
-) -> None:
-    """Record one flight or rest."""
-    rows[index, ROW_SEGMENT] = segment
-    rows[index, ROW_HALF_CYCLES] = half
-    rows[index, ROW_PHASE] = phase
-    rows[index, ROW_SIDE] = side
-    rows[index, ROW_ANGLE] = angle
-    rows[index, ROW_VELOCITY] = velocity
+def write_row(rows: Floats, state: March, duration: float, event: int) -> None:
+    """Record one flight or rest, by the state at its start."""
+    index = state.flights
+    rows[index, ROW_SEGMENT] = state.segment
+    rows[index, ROW_HALF_CYCLES] = state.half_cycles
+    rows[index, ROW_PHASE] = state.phase
+    rows[index, ROW_SIDE] = state.side
+    rows[index, ROW_ANGLE] = state.angle
+    rows[index, ROW_VELOCITY] = state.velocity
     rows[index, ROW_DURATION] = duration
     rows[index, ROW_EVENT] = event

@@ -6,6 +6,7 @@ from rocksteady.kernels.batch.attractors import note_attractor
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.tuples import Outcomes
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import KNOWN_LAW, LOOK, NEXT
@@ -14,7 +15,6 @@ from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import (
     Floats2,
     Floats3,
-    Integers2,
 )
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
@@ -115,8 +115,7 @@ def computed(
     system: System,
     here: Section,
     table: Floats2,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
     passages, periods = int(lanes[lane.LAG + j]), int(returns[j, PERIODS])
@@ -155,7 +154,7 @@ def computed(
     else:
         fill_peaks(system, passages, table)
     found = settled_to(near, passages, periods, passed, 0.0, table)
-    note_attractor(system, found, table, whole, real, int(lanes[lane.CELL + j]))
+    note_attractor(system, found, table, outcomes, int(lanes[lane.CELL + j]))
     return True
 
 

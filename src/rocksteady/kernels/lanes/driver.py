@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.batch.harmonic import harmonic_segment, note, start_of
+from rocksteady.kernels.batch.harmonic import harmonic_segment, note_in_lanes, start_of
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import queue_of, take, together
 from rocksteady.kernels.core.returns import LEAPT
@@ -20,6 +20,14 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
+from rocksteady.kernels.core.tuples import (
+    Fates,
+    Kept,
+    Starts,
+    SymmetricCells,
+    Tables,
+    Until,
+)
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
@@ -28,7 +36,7 @@ from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty, in_need, step
 from rocksteady.kernels.lanes._periods import compare, leap
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
+from rocksteady.kernels.machine_code.types import Integers1
 from rocksteady.kernels.march.march import linear_march
 from rocksteady.kernels.march.rest import STILL
 
@@ -37,18 +45,7 @@ ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
 
 @allocating
 def lane_fates(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    restitution: Floats1,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    leaping: bool,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    cells: SymmetricCells, starts: Starts, cycles: int, leaping: bool, most: int, fates: Fates
 ) -> None:
     """March symmetric blocks under harmonic shaking and note how each ends.
 
@@ -58,52 +55,31 @@ def lane_fates(
 
     Parameters
     ----------
-    amplitude, frequency_ratio, restitution, angle, velocity, phase
-        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    cells, starts, fates
+        The blocks, where they start, and what receives how they end: `kernels.core.tuples`.
     cycles
         Forcing periods to run, at least 1.
     leaping
         Whether to leap over the periods of a motion that has become periodic.
     most
         Impacts after which a motion is given up as UNDECIDED, those leapt over not counted.
-    status, impacts, final
-        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
-        velocity and phase.
     """
-    queued_lane_fates(
-        queue_of(len(amplitude)),
-        amplitude,
-        frequency_ratio,
-        restitution,
-        angle,
-        velocity,
-        phase,
-        cycles,
-        leaping,
-        most,
-        status,
-        impacts,
-        final,
-    )
+    queued_lane_fates(queue_of(len(cells.amplitude)), cells, starts, cycles, leaping, most, fates)
 
 
 @allocating
 def queued_lane_fates(
     queue: Integers1,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    restitution: Floats1,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
+    cells: SymmetricCells,
+    starts: Starts,
     cycles: int,
     leaping: bool,
     most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    fates: Fates,
 ) -> None:
     """Do what `lane_fates` does, for the cells that this worker takes from a queue."""
+    amplitude, frequency_ratio, restitution = cells
+    angle, velocity, phase = starts
     segments = np.zeros((1, SEGMENT_COLUMNS))
     sides = np.zeros((2, 3))
     sides[:, LEAN] = 1.0
@@ -137,7 +113,7 @@ def queued_lane_fates(
                     if code == UNDECIDED and not exhausted(lanes, j, most):
                         put_lane(lanes, j, state, end_half)
                     else:
-                        note(status, impacts, final, cell, code, state, most)
+                        note_in_lanes(fates, cell, code, state, most)
                         lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
                 while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
@@ -151,7 +127,7 @@ def queued_lane_fates(
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
                     code, state = launched(segments, sides, start, end_half, stop)
                     if code != UNDECIDED:
-                        note(status, impacts, final, cell, code, state, most)
+                        note_in_lanes(fates, cell, code, state, most)
                         continue
                     load(
                         lanes,
@@ -190,11 +166,10 @@ def launched(
 ) -> tuple[int, March]:
     """March until the block is in flight from the floor (UNDECIDED), or to the end."""
     code, state = UNDECIDED, start
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     while code == UNDECIDED and (state.side == 0 or state.angle != 0.0):
-        code, state = linear_march(
-            segments, sides, state, end_half, end_phase, math.inf, state.flights + 1, rows, peaks
-        )
+        until = Until(end_half, end_phase, math.inf, state.flights + 1)
+        code, state = linear_march(Tables(segments, sides), state, until, kept)
     return code, state
 
 
@@ -214,8 +189,9 @@ def settled(
     if stage == lane.RESTED:
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     stop = lanes[lane.STOP + j]
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    code, state = linear_march(segments, sides, state, end_half, stop, math.inf, ONE, rows, peaks)
+    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    until = Until(end_half, stop, math.inf, ONE)
+    code, state = linear_march(Tables(segments, sides), state, until, kept)
     if code != UNDECIDED:
         return code, state
     if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:

@@ -14,9 +14,10 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
+from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor, state_of
 from rocksteady.kernels.core.queue import LEFT_OVER, enter, queue_of, take, together
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
+from rocksteady.kernels.core.tuples import Outcomes, States, SymmetricCells
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.lanes import _fields as lane
 from rocksteady.kernels.lanes._arrival import FAR, KNOWN_LAW, LOOK, NEXT, remember, watch
@@ -28,12 +29,10 @@ from rocksteady.kernels.lanes._passes import at_nodes, begin, census, fill_empty
 from rocksteady.kernels.lanes._recurrence import RETURN_COLUMNS, computed, returning
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import (
-    Floats1,
     Floats2,
     Floats3,
     Floats4,
     Integers1,
-    Integers2,
 )
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
@@ -63,47 +62,16 @@ STATE_COLUMNS = 3
 
 
 @allocating
-def lane_attractors(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    restitution: Floats1,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
-    cycles: int,
-    whole: Integers2,
-    real: Floats2,
-) -> None:
+def lane_attractors(cells: SymmetricCells, states: States, cycles: int, outcomes: Outcomes) -> None:
     """Follow motions of symmetric blocks until it is known what they settle to.
 
-    Parameters
-    ----------
-    amplitude, frequency_ratio, restitution
-        One value a cell, shape (cells,).
-    side, angle, velocity, half_cycles, phase, cycles
-        As for `rocksteady.kernels.batch.attractors.settle_cells`.
-    whole, real
-        Receive its columns; of a cell that is left over to `settle_cells` OUTCOME is LEFT_OVER and
-        the rest means nothing.
+    Parameters are those of `rocksteady.kernels.batch.attractors.settle_cells`.  Of a cell that is
+    left over to that kernel OUTCOME is LEFT_OVER, and the rest means nothing.
     """
-    queued_lane_attractors(
-        queue_of(len(amplitude)),
-        np.empty((1, LANES, MEMORY, STATE_COLUMNS)),
-        np.empty((1, MEMORY, ORBIT_COLUMNS)),
-        amplitude,
-        frequency_ratio,
-        restitution,
-        side,
-        angle,
-        velocity,
-        half_cycles,
-        phase,
-        cycles,
-        whole,
-        real,
-    )
+    memories = np.empty((1, LANES, MEMORY, STATE_COLUMNS))
+    tables = np.empty((1, MEMORY, ORBIT_COLUMNS))
+    queue = queue_of(len(cells.amplitude))
+    queued_lane_attractors(queue, memories, tables, cells, states, cycles, outcomes)
 
 
 @allocating
@@ -111,23 +79,17 @@ def queued_lane_attractors(
     queue: Integers1,
     memories: Floats4,
     tables: Floats3,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    restitution: Floats1,
-    side: Integers1,
-    angle: Floats1,
-    velocity: Floats1,
-    half_cycles: Integers1,
-    phase: Floats1,
+    cells: SymmetricCells,
+    states: States,
     cycles: int,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
 ) -> None:
     """Do what `lane_attractors` does, for the cells that this worker takes from a queue.
 
     Its room are rows of `memories` and `tables`, whose shapes are (workers, LANES, MEMORY,
     STATE_COLUMNS) and (workers, MEMORY, ORBIT_COLUMNS).
     """
+    amplitude, frequency_ratio, restitution = cells
     worker = enter(queue)
     memory, table = memories[worker], tables[worker]
     sides = np.zeros((2, 3))
@@ -147,10 +109,8 @@ def queued_lane_attractors(
         if in_need(numbers):
             for j in range(LANES):
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
-                    start = half_cycles[int(lanes[lane.CELL + j])]
-                    if attended(
-                        lanes, j, memory, returns, sides, start, cycles, table, whole, real
-                    ):
+                    begun = states.half_cycles[int(lanes[lane.CELL + j])]
+                    if attended(lanes, j, memory, returns, sides, begun, cycles, table, outcomes):
                         lanes[lane.STAGE + j] = lane.EMPTY
                         busy -= 1
                 while lanes[lane.STAGE + j] == lane.EMPTY and fresh:
@@ -167,26 +127,25 @@ def queued_lane_attractors(
                         restitution[cell],
                         0.0,
                     )
-                    half = half_cycles[cell]
-                    toward = side[cell] * velocity[cell]
-                    if angle[cell] == 0.0 and toward > 0.0:
-                        flight = Section(side[cell], half, phase[cell], toward)
+                    start = state_of(states, cell)
+                    half = start.half_cycles
+                    toward = start.side * start.velocity
+                    if start.angle == 0.0 and toward > 0.0:
+                        flight = Section(start.side, half, start.phase, toward)
                         put_section(lanes, j, flight, half + FAR, ZERO)
                         lanes[lane.STAGE + j] = lane.LAUNCH
                     else:
                         sides[:, RESTITUTION] = restitution[cell]
                         system = make_system(amplitude[cell], frequency_ratio[cell], sides)
-                        first = first_passage(
-                            system, side[cell], half, phase[cell], angle[cell], velocity[cell]
-                        )
+                        first = first_passage(system, start)
                         after = (first.state.half_cycles - half) // 2
                         if first.kind in (FALL, STAY):
                             outcome = FALLS if first.kind == FALL else STAYS
                             found = unsettled(outcome, first.state, math.nan, math.nan, after, 0.0)
-                            note_attractor(system, found, table, whole, real, cell)
+                            note_attractor(system, found, table, outcomes, cell)
                             continue
                         if first.kind not in (IMPACT, UPLIFT):
-                            whole[cell, OUTCOME] = LEFT_OVER
+                            outcomes.whole[cell, OUTCOME] = LEFT_OVER
                             continue
                         put_section(lanes, j, first.state, half + FAR, ONE)
                     lanes[LOOK + j] = 2.0 * min(FIRST_LOOK, cycles)
@@ -230,8 +189,7 @@ def attended(
     start: int,
     cycles: int,
     table: Floats2,
-    whole: Integers2,
-    real: Floats2,
+    outcomes: Outcomes,
 ) -> bool:
     """Help a waiting lane on; return whether its motion is over, with its row written."""
     stage = lanes[lane.STAGE + j]
@@ -258,13 +216,11 @@ def attended(
             put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
             return False
         falls = after.kind == FALL and lanes[lane.LAG + j] == 0.0
-    if stage == lane.SETTLED and computed(
-        lanes, j, memory, returns, system, here, table, whole, real
-    ):
+    if stage == lane.SETTLED and computed(lanes, j, memory, returns, system, here, table, outcomes):
         return True
     if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
-        note_attractor(system, found, table, whole, real, cell)
+        note_attractor(system, found, table, outcomes, cell)
         return True
-    whole[cell, OUTCOME] = LEFT_OVER
+    outcomes.whole[cell, OUTCOME] = LEFT_OVER
     return True

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.machine_code.device import Form
+from rocksteady.kernels.machine_code.device import Form, cells_in
 from rocksteady.kernels.machine_code.library import DTYPES, cells_of, refuse_array
-from rocksteady.kernels.machine_code.types import Leaf, leaves_of, parts, signature_of
+from rocksteady.kernels.machine_code.types import Leaf, parts, signature_of
 
 ALIGNED = 256
 """Bytes of which the place of every array is a multiple."""
@@ -69,7 +69,7 @@ class Launch:
         ]
         self._cells = cells_of(self._leaves)
         self._rooms = range(1, 1 + len(rooms))
-        self._results = range(len(self._leaves) - form.results, len(self._leaves))
+        self._results = range(len(self._leaves) - len(arguments[-1]), len(self._leaves))
         self._places: list[int] = []
         self.size, self.room_size = _aligned(self._cells.size), 0
         for number, (leaf, value) in enumerate(zip(self._leaves, self._values, strict=True)):
@@ -123,18 +123,13 @@ def queue_of(form: Form, arguments: tuple[Any, ...]) -> NDArray[np.int64]:
 
     The order changes no result, only how long workers without cells wait for the last one.
     """
-    cells = cells_in(form, arguments)
+    cells = cells_in(arguments)
     queue = np.zeros(BEGUN + cells, dtype=np.int64)
     if form.length is None:
         queue[BEGUN:] = np.arange(cells)
     else:
         queue[BEGUN:] = longest_first(np.asarray(form.length(*arguments), dtype=np.float64))
     return queue
-
-
-def cells_in(form: Form, arguments: tuple[Any, ...]) -> int:
-    """Return the number of cells of a call: the length of the first of its results."""
-    return len(list(leaves_of(*arguments))[-form.results])
 
 
 def longest_first(lengths: NDArray[np.float64]) -> NDArray[np.int64]:

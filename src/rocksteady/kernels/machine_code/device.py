@@ -15,11 +15,6 @@ class Form(Protocol):
         ...
 
     @property
-    def results(self) -> int:
-        """How many of the last arguments receive results, the first of them one value a cell."""
-        ...
-
-    @property
     def room(self) -> tuple[tuple[int, ...], ...]:
         """Shapes of the scratch arrays of one worker; nothing is known of what they hold."""
         ...
@@ -46,7 +41,7 @@ class Device(Protocol):
         form
             How it is done there.
         arguments
-            Those of the host kernel; the last ones receive the results.
+            Those of the host kernel; the last one receives the results.
 
         Raises
         ------
@@ -70,6 +65,15 @@ class DeviceMemoryError(MemoryError):
     def __init__(self, device: str) -> None:
         super().__init__(f"the memory of {device} does not suffice")
         self.device = device
+
+
+def cells_in(arguments: tuple[Any, ...]) -> int:
+    """Return the number of cells of a call of a host kernel.
+
+    Its last argument is a tuple of arrays that receive the results, the first of them one value a
+    cell.
+    """
+    return len(arguments[-1][0])
 
 
 _current: ContextVar[Device | None] = ContextVar("device", default=None)

@@ -18,8 +18,8 @@ from rocksteady.kernels.machine_code._cuda import (
     loaded_driver,
     unusable,
 )
-from rocksteady.kernels.machine_code._launch import Launch, cells_in
-from rocksteady.kernels.machine_code.device import DeviceMemoryError, Form
+from rocksteady.kernels.machine_code._launch import Launch
+from rocksteady.kernels.machine_code.device import DeviceMemoryError, Form, cells_in
 from rocksteady.kernels.machine_code.programs import Capability, program, refuse_capability
 
 BLOCK = 64
@@ -201,7 +201,7 @@ class Stream:
                 raise RuntimeError("this stream is closed")
             self._gpu.enter()
             loaded = self._gpu.program(kernel)
-            cells = cells_in(form, arguments)
+            cells = cells_in(arguments)
             if not cells:
                 return
             blocks = min(loaded.most_blocks, -(-cells // BLOCK))

@@ -101,15 +101,6 @@ def signature_of(function: Callable[..., object]) -> Signature:
     return found
 
 
-def leaves_of(*arguments: Any) -> Iterator[Any]:
-    """Yield the numbers and arrays of arguments, tuples taken apart."""
-    for each in arguments:
-        if isinstance(each, tuple):
-            yield from leaves_of(*each)
-        else:
-            yield each
-
-
 def parts(hint: Any) -> tuple[tuple[str, Any], ...] | None:
     """Return names and annotations of what a tuple is made of; None of anything else."""
     if isinstance(hint, type) and issubclass(hint, tuple):

@@ -52,6 +52,7 @@ from rocksteady.kernels.core.tables import (
     left_out_of,
     write_row,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.extrema import keep_peaks
@@ -74,15 +75,10 @@ from rocksteady.kernels.nonlinear.series import load_shares
 
 @inlined
 def march_in_model(
-    segments: Floats,
-    sides: Floats,
+    tables: Tables,
     start: March,
-    stop_half_cycles: int,
-    stop_phase: float,
-    rest_velocity: float,
-    limit: int,
-    rows: Floats,
-    peaks: Floats,
+    until: Until,
+    kept: Kept,
     work: Floats,
     lifts: Floats,
     nonlinear: bool,
@@ -92,9 +88,10 @@ def march_in_model(
 
     A third one is `periodic`: it holds those of both models, and of a Fourier series.
     """
-    side, angle, velocity = start.side, start.angle, start.velocity
-    segment, half, phase = start.segment, start.half_cycles, start.phase
-    impacts, flights = start.impacts, start.flights
+    segments, sides = tables
+    stop_half_cycles, stop_phase, rest_velocity, limit = until
+    rows, peaks = kept
+    side, angle, velocity, segment, half, phase, impacts, flights = start
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     scattered, free = is_scattered(sides), free_side(sides)
     last = len(segments) - 1
@@ -122,19 +119,11 @@ def march_in_model(
                 # Into the first sample that needs what follows: an impact, an uplift, a doubt.
                 behind = end_of_run(segments, segment)
                 if side == 0:
-                    segment, flights = rest_on(
-                        segments, sides, segment, flights, limit, rows, nonlinear
-                    )
+                    segment, flights = rest_on(tables, segment, flights, limit, rows, nonlinear)
                 else:
+                    state = March(side, angle, velocity, segment, half, phase, impacts, flights)
                     segment, angle, velocity, flights, fallen = fly_on(
-                        segments,
-                        sides,
-                        March(side, angle, velocity, segment, half, phase, impacts, flights),
-                        limit,
-                        rows,
-                        peaks,
-                        work,
-                        nonlinear,
+                        tables, state, limit, kept, work, nonlinear
                     )
                     if fallen:
                         return OVERTURNED, March(
@@ -202,7 +191,8 @@ def march_in_model(
                 continue  # into flight, with angle and velocity 0
             if record:
                 event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
-                write_row(rows, flights, segment, half, phase, ZERO, 0.0, 0.0, wait, event)
+                state = March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
+                write_row(rows, state, wait, event)
             flights += 1
             if side != 0 and series:
                 half, phase = lifted_half, lifted_phase
@@ -285,6 +275,7 @@ def march_in_model(
                 velocity = 0.0
                 side = 0
                 continue
+        state = March(side, angle, velocity, segment, half, phase, impacts, flights)
         top_angle = top_speed = 0.0
         if keeps:
             top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
@@ -310,9 +301,7 @@ def march_in_model(
             )
             duration = zero.time / rate
             if zero.event == STALLED:
-                return UNDECIDED, March(
-                    side, angle, velocity, segment, half, phase, impacts, flights
-                )
+                return UNDECIDED, state
         else:
             flight = make_flight(
                 forcing,
@@ -327,15 +316,13 @@ def march_in_model(
             if watch:
                 keep_peaks(flight, forcing, zero, lean, rate, peaks)
         if record:
-            write_row(
-                rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
-            )
+            write_row(rows, state, duration, zero.event)
         flights += 1
         if keeps and zero.event != FOUND:
             lost = zero.event == NO_RETURN
             keep_passage(
                 peaks,
-                March(side, angle, velocity, segment, half, phase, impacts, flights),
+                state,
                 top_angle,
                 top_speed,
                 side * angle / lean,

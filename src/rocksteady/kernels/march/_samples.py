@@ -47,7 +47,7 @@ from rocksteady.kernels.core.tables import (
     keep_passage,
     write_row,
 )
-from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.core.tuples import Kept, Tables
 from rocksteady.kernels.linear.extrema import flight_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.machine_code.compilation import compiled
@@ -83,16 +83,7 @@ def make_stride(h: float) -> Stride:
 
 @compiled
 def fly_through(
-    segments: Floats,
-    sides: Floats,
-    side: int,
-    angle: float,
-    velocity: float,
-    segment: int,
-    flights: int,
-    limit: int,
-    rows: Floats,
-    peaks: Floats,
+    tables: Tables, state: March, limit: int, kept: Kept
 ) -> tuple[int, float, float, int, bool]:
     """Fly from the start of a sample through all that follow without a doubt.
 
@@ -104,6 +95,9 @@ def fly_through(
         The segment at whose start it stops, angle and velocity there, the flights so far, and
         whether the block is proved to overturn.
     """
+    segments, sides = tables
+    rows, peaks = kept
+    side, angle, velocity, segment, _, _, _, flights = state
     row = 0 if side > 0 else 1
     lean, rate = sides[row, LEAN], sides[row, RATE]
     duration = segments[segment, DURATION]
@@ -131,31 +125,23 @@ def fly_through(
         later_v = (v + (stride.sinh * start + stride.speed_share * change)) + (
             stride.rise * v + stride.sinh * y
         )
-        if record:
-            write_row(
-                rows,
-                flights,
-                segment,
-                ZERO,
-                0.0,
-                side,
-                side * y * lean,
-                side * v * lean * rate,
-                duration,
-                ENDED_BY_SPAN,
-            )
-        if keeps and later_y > 1.0:
-            keep_passage(
-                peaks,
-                March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights),
-                top_angle,
-                max(peaks[PEAK_SPEED], top_speed * lean * rate),
-                y,
-                v,
-                later_y,
-                h,
-                segments[segment, CEILING] / lean,
-            )
+        rises = keeps and later_y > 1.0
+        if record or rises:
+            now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
+            if record:
+                write_row(rows, now, duration, ENDED_BY_SPAN)
+            if rises:
+                keep_passage(
+                    peaks,
+                    now,
+                    top_angle,
+                    max(peaks[PEAK_SPEED], top_speed * lean * rate),
+                    y,
+                    v,
+                    later_y,
+                    h,
+                    segments[segment, CEILING] / lean,
+                )
         if watch:
             here, there = y + start, later_y + (start + change)
             speed = max(abs(v), abs(later_v))
@@ -187,7 +173,7 @@ def fly_through(
 
 @compiled
 def rest_through(
-    segments: Floats, sides: Floats, segment: int, flights: int, limit: int, rows: Floats
+    tables: Tables, segment: int, flights: int, limit: int, rows: Floats
 ) -> tuple[int, int]:
     """Rest from the start of a sample through all that lift neither side.
 
@@ -196,6 +182,7 @@ def rest_through(
     tuple
         The segment at whose start it stops, and the flights and rests so far.
     """
+    segments, sides = tables
     above, below = sides[0, LEAN], -sides[1, LEAN]
     free = free_side(sides)
     if free > 0:
@@ -214,7 +201,8 @@ def rest_through(
         if max(start, end) >= above or min(start, end) <= below:
             break
         if record:
-            write_row(rows, flights, segment, ZERO, 0.0, ZERO, 0.0, 0.0, duration, ENDED_BY_SPAN)
+            state = March(0, 0.0, 0.0, segment, 0, 0.0, 0, flights)
+            write_row(rows, state, duration, ENDED_BY_SPAN)
         segment += 1
         flights += 1
     return segment, flights

@@ -33,6 +33,7 @@ from rocksteady.kernels.core.tables import (
     keep_passage,
     write_row,
 )
+from rocksteady.kernels.core.tuples import Kept, Tables
 from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled
@@ -52,23 +53,16 @@ from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, 
 
 @compiled
 def fly_through(
-    segments: Floats,
-    sides: Floats,
-    side: int,
-    angle: float,
-    velocity: float,
-    segment: int,
-    flights: int,
-    limit: int,
-    rows: Floats,
-    peaks: Floats,
-    work: Floats,
+    tables: Tables, state: March, limit: int, kept: Kept, work: Floats
 ) -> tuple[int, float, float, int, bool]:
     """Fly from the start of a sample through all that follow without a doubt.
 
     Parameters and results are those of `rocksteady.kernels.march._samples.fly_through`, with the
     working space of a step.
     """
+    segments, sides = tables
+    rows, peaks = kept
+    side, angle, velocity, segment, _, _, _, flights = state
     row = 0 if side > 0 else 1
     alpha, lean, rate = sides[row, ALPHA], sides[row, LEAN], sides[row, RATE]
     left_out = sides[0, LEFT_OUT]
@@ -114,31 +108,23 @@ def fly_through(
         highest = max(y, later_y) + h * fastest
         if highest >= flat:
             break
-        if record:
-            write_row(
-                rows,
-                flights,
-                segment,
-                ZERO,
-                0.0,
-                side,
-                side * y * lean,
-                side * v * lean * rate,
-                segments[segment, DURATION],
-                ENDED_BY_SPAN,
-            )
-        if keeps and later_y > 1.0:
-            keep_passage(
-                peaks,
-                March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights),
-                top_angle,
-                max(peaks[PEAK_SPEED], top_speed * lean * rate),
-                y,
-                v,
-                later_y,
-                h,
-                segments[segment, CEILING] / lean,
-            )
+        rises = keeps and later_y > 1.0
+        if record or rises:
+            now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
+            if record:
+                write_row(rows, now, segments[segment, DURATION], ENDED_BY_SPAN)
+            if rises:
+                keep_passage(
+                    peaks,
+                    now,
+                    top_angle,
+                    max(peaks[PEAK_SPEED], top_speed * lean * rate),
+                    y,
+                    v,
+                    later_y,
+                    h,
+                    segments[segment, CEILING] / lean,
+                )
         if watch and (fastest > top_speed or highest > top_angle):
             if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):
                 if short.exact:
@@ -173,7 +159,7 @@ def uplift_at(sides: Floats, row: int) -> float:
 
 @compiled
 def rest_through(
-    segments: Floats, sides: Floats, segment: int, flights: int, limit: int, rows: Floats
+    tables: Tables, segment: int, flights: int, limit: int, rows: Floats
 ) -> tuple[int, int]:
     """Rest from the start of a sample through all that lift neither side.
 
@@ -182,6 +168,7 @@ def rest_through(
     tuple
         The segment at whose start it stops, and the flights and rests so far.
     """
+    segments, sides = tables
     above, below = uplift_at(sides, ZERO), -uplift_at(sides, ONE)
     free = free_side(sides)
     if free > 0:
@@ -206,7 +193,8 @@ def rest_through(
         if min(start - below * weight, end - below * later) <= 0.0:
             break
         if record:
-            write_row(rows, flights, segment, ZERO, 0.0, ZERO, 0.0, 0.0, duration, ENDED_BY_SPAN)
+            state = March(0, 0.0, 0.0, segment, 0, 0.0, 0, flights)
+            write_row(rows, state, duration, ENDED_BY_SPAN)
         segment += 1
         flights += 1
     return segment, flights

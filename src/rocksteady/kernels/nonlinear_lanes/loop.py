@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.batch.harmonic import harmonic_segment, note, start_of
+from rocksteady.kernels.batch.harmonic import harmonic_segment, note_in_lanes, start_of
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
 from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.tables import (
@@ -20,9 +20,10 @@ from rocksteady.kernels.core.tables import (
     March,
     free_side,
 )
+from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
+from rocksteady.kernels.machine_code.types import Integers1
 from rocksteady.kernels.march.march import nonlinear_march
 from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear.proofs import bounces_end
@@ -45,18 +46,7 @@ ALIGNMENT = CACHE_LINE if LANES > 1 else 8
 
 @allocating
 def nonlinear_lane_fates(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
-    cycles: int,
-    leaping: bool,
-    most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    cells: Cells, starts: Starts, cycles: int, leaping: bool, most: int, fates: Fates
 ) -> None:
     """March blocks under harmonic shaking in the nonlinear model; note how each ends.
 
@@ -65,54 +55,32 @@ def nonlinear_lane_fates(
 
     Parameters
     ----------
-    amplitude, frequency_ratio, angle, velocity, phase
-        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
-    sides
-        Of the block of each cell, shape (cells, 2, 5).
+    cells, starts, fates
+        The blocks, where they start, and what receives how they end: `kernels.core.tuples`.
     cycles
         Forcing periods to run, at least 1.
     leaping
         Whether to leap over the periods of a motion that has become periodic.
     most
         Impacts after which a motion is given up as UNDECIDED, those leapt over not counted.
-    status, impacts, final
-        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
-        velocity and phase.
     """
-    queued_nonlinear_lane_fates(
-        queue_of(len(amplitude)),
-        amplitude,
-        frequency_ratio,
-        sides,
-        angle,
-        velocity,
-        phase,
-        cycles,
-        leaping,
-        most,
-        status,
-        impacts,
-        final,
-    )
+    queue = queue_of(len(cells.amplitude))
+    queued_nonlinear_lane_fates(queue, cells, starts, cycles, leaping, most, fates)
 
 
 @allocating
 def queued_nonlinear_lane_fates(
     queue: Integers1,
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    sides: Floats3,
-    angle: Floats1,
-    velocity: Floats1,
-    phase: Floats1,
+    cells: Cells,
+    starts: Starts,
     cycles: int,
     leaping: bool,
     most: int,
-    status: Integers1,
-    impacts: Integers1,
-    final: Floats2,
+    fates: Fates,
 ) -> None:
     """Do what `nonlinear_lane_fates` does, for the cells that this worker takes from a queue."""
+    amplitude, frequency_ratio, sides = cells
+    angle, velocity, phase = starts
     segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
     room = np.zeros(SIZE + ALIGNMENT // 8)
     ahead = (-room.ctypes.data % ALIGNMENT) // 8
@@ -140,7 +108,7 @@ def queued_nonlinear_lane_fates(
                     if code == UNDECIDED and state.impacts <= most:
                         put_lane(lanes, k, state, end_half)
                     else:
-                        note(status, impacts, final, cell, code, state, most)
+                        note_in_lanes(fates, cell, code, state, most)
                         lanes[lane.STAGE + k] = lane.EMPTY
                         busy -= 1
                 while lanes[lane.STAGE + k] == lane.EMPTY and fresh:
@@ -164,13 +132,13 @@ def queued_nonlinear_lane_fates(
                         segments, sides[cell], start, end_half, stop, most, flights, FALSE
                     )
                     if code != UNDECIDED or alone or state.impacts > most:
-                        note(status, impacts, final, cell, code, state, most)
+                        note_in_lanes(fates, cell, code, state, most)
                         continue
                     load(lanes, k, cell, amplitude[cell], frequency_ratio[cell], sides[cell], stop)
                     two_sided = two_sided or lanes[lane.APART + k] > 0.0
                     put_lane(lanes, k, state, end_half)
                     if lanes[lane.STAGE + k] == lane.FALLEN:
-                        note(status, impacts, final, cell, OVERTURNED, state, most)
+                        note_in_lanes(fates, cell, OVERTURNED, state, most)
                         lanes[lane.STAGE + k] = lane.EMPTY
                         continue
                     busy += 1
@@ -246,7 +214,7 @@ def onwards(
     tuple
         Status and state.
     """
-    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     state, lifting = start, False
     while state.impacts <= most:
         if bounced and comes_to_rest(segments, sides, state, end_half, stop):
@@ -256,9 +224,8 @@ def onwards(
             break
         limit = state.flights + max(flights, 1)
         before = state
-        code, state = nonlinear_march(
-            segments, sides, before, end_half, stop, math.inf, limit, rows, peaks
-        )
+        until = Until(end_half, stop, math.inf, limit)
+        code, state = nonlinear_march(Tables(segments, sides), before, until, kept)
         if code != UNDECIDED:
             return code, state
         if state.flights < limit:  # a flight that comes to no end, so that no lane may take it up

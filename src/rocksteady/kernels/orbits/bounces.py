@@ -8,6 +8,7 @@ from rocksteady.kernels.elementary.circular import cos, sin
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.return_map import (
     IMPACT,
+    AnyState,
     Section,
     first_passage,
     phase_between,
@@ -50,9 +51,9 @@ def chatter_end(system: System, begin: Section, state: Section) -> tuple[float, 
         left, error = still_to_come(system, state)
         if error * system.frequency <= ENOUGH or count == MOST_BOUNCES:
             break
-        step = first_passage(
-            system, state.side, state.half_cycles, state.phase, 0.0, state.side * state.speed
-        )
+        velocity = state.side * state.speed
+        start = AnyState(state.side, state.half_cycles, state.phase, 0.0, velocity)
+        step = first_passage(system, start)
         if step.kind != IMPACT:  # so slow that it counts as a graze
             break
         state = step.state

@@ -284,27 +284,37 @@ def fill_half_cycle(
         states[0, i], states[1, i] = flight_state(flight, forcing, time[i], sine, cosine)
 
 
-@compiled
-def fill_steady(
-    amplitude: Floats1,
-    frequency_ratio: Floats1,
-    restitution: Floats1,
-    order: Integers1,
-    shapes: bool,
-    region: Integers1,
-    boundaries: Floats2,
-    phase: Floats2,
-    velocity: Floats2,
-    trace: Floats2,
-    peak: Floats2,
-    extrema: Integers2,
-    admissible: Booleans2,
-) -> None:
-    """Fill both branches at every point; where there is no orbit the numbers are nan.
+class Points(NamedTuple):
+    """Where steady states are wanted; arrays of shape (points,)."""
 
-    Inputs have shape (points,), `boundaries` (3, points): existence, sign, kind; the results of the
-    branches (2, points).  Without `shapes` the last three are left as they are.
+    amplitude: Floats1
+    frequency_ratio: Floats1
+    restitution: Floats1
+    order: Integers1
+
+
+class Steady(NamedTuple):
+    """Receives both branches at every point; where there is no orbit the numbers are nan.
+
+    `region` has shape (points,), `boundaries` (3, points): existence, sign, kind; all else
+    (2, points).
     """
+
+    region: Integers1
+    boundaries: Floats2
+    phase: Floats2
+    velocity: Floats2
+    trace: Floats2
+    peak: Floats2
+    extrema: Integers2
+    admissible: Booleans2
+
+
+@compiled
+def fill_steady(points: Points, shapes: bool, steady: Steady) -> None:
+    """Fill both branches at every point; without `shapes` the last three are left as they are."""
+    amplitude, frequency_ratio, restitution, order = points
+    region, boundaries, phase, velocity, trace, peak, extrema, admissible = steady
     for i in range(len(amplitude)):
         a, w, r, n = amplitude[i], frequency_ratio[i], restitution[i], order[i]
         half = half_cycle(w, r, n)

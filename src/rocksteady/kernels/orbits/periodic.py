@@ -11,9 +11,6 @@ product P of all Jacobians, whose eigenvalues are the orbit's multipliers.
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
@@ -355,25 +352,11 @@ def fill_peaks(system: System, passages: int, table: Floats2) -> None:
         table[k, PEAK], table[k, OTHER_PEAK] = highest_after(system, state, step)
 
 
-@compiled
-def search(
-    system: System,
-    phases: Floats1,
-    speeds: Floats1,
-    most_passages: int,
-    most_periods: int,
-    mirrors: bool,
-    table: Floats2,
-    found: Floats2,
-    shape: Integers2,
-    count: int,
-) -> int:
-    """Search for orbits by Newton's method from a grid of states after an impact.
+class Sought(NamedTuple):
+    """What a search for orbits goes through.
 
-    Parameters
+    Attributes
     ----------
-    system
-        The shaken block.
     phases, speeds
         The grid; every state goes to the positive side, since an orbit without rest goes to either
         side in turn, or to the one side of a block against a wall.
@@ -381,12 +364,36 @@ def search(
         Longest orbits.
     mirrors
         Whether mirror images are orbits too, as of a symmetric block, and one is enough.
+    """
+
+    phases: Floats1
+    speeds: Floats1
+    most_passages: int
+    most_periods: int
+    mirrors: bool
+
+
+class Orbits(NamedTuple):
+    """Receives orbits: phase in [0, 2 pi) and speed, and passages and periods, shape (room, 2)."""
+
+    states: Floats2
+    shape: Integers2
+
+
+@compiled
+def search(system: System, sought: Sought, table: Floats2, orbits: Orbits, count: int) -> int:
+    """Search for orbits by Newton's method from a grid of states after an impact.
+
+    Parameters
+    ----------
+    system
+        The shaken block.
+    sought
+        The grid, and which orbits.
     table
         Room, shape (most_passages or more, ORBIT_COLUMNS).
-    found
-        Receives phase in [0, 2 pi) and speed of each orbit, shape (room, 2).
-    shape
-        Receives passages and periods of each, shape (room, 2).
+    orbits
+        Receives the orbits.
     count
         How many are there already.
 
@@ -395,6 +402,8 @@ def search(
     int
         How many there are now; not more than there is room.
     """
+    phases, speeds, most_passages, most_periods, mirrors = sought
+    found, shape = orbits
     side = -1 if system.free < 0 else 1
     for i in range(len(phases)):
         for j in range(len(speeds)):
@@ -415,7 +424,7 @@ def search(
                     continue
                 if primitive(table, passages, periods)[0] != passages:
                     continue
-                if known(passages, periods, side, mirrors, table, found, shape, count):
+                if known(passages, periods, side, mirrors, table, orbits, count):
                     continue
                 if count == len(found):
                     return count
@@ -435,11 +444,11 @@ def known(
     side: int,
     mirrors: bool,
     table: Floats,
-    found: Floats,
-    shape: NDArray[np.int64],
+    orbits: Orbits,
     count: int,
 ) -> bool:
     """Return whether the orbit of a table, started anywhere, is among those found."""
+    found, shape = orbits
     for i in range(count):
         if shape[i, 0] != passages or shape[i, 1] != periods:
             continue

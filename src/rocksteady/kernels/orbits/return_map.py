@@ -68,6 +68,16 @@ ENDLESS = 1e15
 """Pivot time in which chatter may come to rest: no end, in effect."""
 
 
+class AnyState(NamedTuple):
+    """Any state of a block, as `rocksteady.kernels.core.tables.March` has it."""
+
+    side: int  # 0 at rest
+    half_cycles: int
+    phase: float
+    angle: float
+    velocity: float
+
+
 class Section(NamedTuple):
     """A state just after an impact, or (with speed 0) at an uplift."""
 
@@ -164,14 +174,13 @@ def lifts_in(system: EitherSystem, shares: Floats | None, row: int, phase: float
 
 
 @compiled
-def first_passage(
-    system: System, side: int, half_cycles: int, phase: float, angle: float, velocity: float
-) -> Passage:
-    """Return the passage from any state; angle and velocity are theirs of the reference.
+def first_passage(system: System, state: AnyState) -> Passage:
+    """Return the passage from any state.
 
-    At rest `side` is 0.  The derivative is that by phase and speed at angle 0 and means nothing for
+    The derivative is that by phase and speed at angle 0 and means nothing for
     another angle.
     """
+    side, half_cycles, phase, angle, velocity = state
     if side == 0:
         return uplift_after(system, half_cycles, phase)
     row = 0 if side > 0 else 1

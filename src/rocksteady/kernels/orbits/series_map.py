@@ -7,9 +7,11 @@ that each stands here once more.  `for_system` chooses.
 from typing import Any
 
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers2
+from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
     Fixed,
+    Orbits,
+    Sought,
     fill_peaks,
     is_symmetric,
     loss,
@@ -18,6 +20,7 @@ from rocksteady.kernels.orbits.periodic import (
     search,
 )
 from rocksteady.kernels.orbits.return_map import (
+    AnyState,
     Passage,
     Section,
     highest_after,
@@ -65,41 +68,20 @@ def series_highest_after(
 
 @compiled
 def series_settle(
-    system: SeriesSystem,
-    side: int,
-    half_cycles: int,
-    phase: float,
-    angle: float,
-    velocity: float,
-    most_periods: int,
-    memory: Floats2,
-    table: Floats2,
+    system: SeriesSystem, start: AnyState, most_periods: int, memory: Floats2, table: Floats2
 ) -> Settled:
     """Return what `settle` does."""
-    found: Settled = _settle(
-        system, side, half_cycles, phase, angle, velocity, most_periods, memory, table
-    )
+    found: Settled = _settle(system, start, most_periods, memory, table)
     return found
 
 
 @compiled
 def series_search(
-    system: SeriesSystem,
-    phases: Floats1,
-    speeds: Floats1,
-    most_passages: int,
-    most_periods: int,
-    mirrors: bool,
-    table: Floats2,
-    found: Floats2,
-    shape: Integers2,
-    count: int,
+    system: SeriesSystem, sought: Sought, table: Floats2, orbits: Orbits, count: int
 ) -> int:
     """Return what `search` does."""
-    found_count: int = _search(
-        system, phases, speeds, most_passages, most_periods, mirrors, table, found, shape, count
-    )
-    return found_count
+    found: int = _search(system, sought, table, orbits, count)
+    return found
 
 
 @compiled

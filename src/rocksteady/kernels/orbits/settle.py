@@ -35,6 +35,7 @@ from rocksteady.kernels.orbits.return_map import (
     STAY,
     STUCK,
     UPLIFT,
+    AnyState,
     Jacobian,
     Section,
     first_passage,
@@ -118,15 +119,7 @@ class Stretch(NamedTuple):
 
 @compiled
 def settle(
-    system: System,
-    side: int,
-    half_cycles: int,
-    phase: float,
-    angle: float,
-    velocity: float,
-    most_periods: int,
-    memory: Floats2,
-    table: Floats2,
+    system: System, start: AnyState, most_periods: int, memory: Floats2, table: Floats2
 ) -> Settled:
     """Follow a motion from any state until it is known what it settles to.
 
@@ -134,8 +127,8 @@ def settle(
     ----------
     system
         The shaken block.
-    side, half_cycles, phase, angle, velocity
-        The state, as in `rocksteady.kernels.core.tables.March`; `side` 0 at rest.
+    start
+        The state.
     most_periods
         Forcing periods after which it counts as unsettled.
     memory
@@ -144,7 +137,8 @@ def settle(
         Receives the orbit, shape (LONGEST_ORBIT, ORBIT_COLUMNS); with fewer rows, MEMORY or more,
         the outcome is LEFT_OVER where they may not be enough.
     """
-    step = first_passage(system, side, half_cycles, phase, angle, velocity)
+    half_cycles = start.half_cycles
+    step = first_passage(system, start)
     count, look, forgotten = 0, FIRST_LOOK, ZERO  # passages so far; before which they are forgotten
     lifted_half, lifted_count = (-1, -1), (-1, -1)  # of the last uplift to either side
     third = fourth = Stretch(GENERIC[0], GENERIC[1], 0.0, half_cycles)  # quarters of the run

@@ -36,6 +36,7 @@ from rocksteady.kernels.core.tables import (
     SCATTERED_SIDE_COLUMNS,
     is_nonlinear,
 )
+from rocksteady.kernels.core.tuples import Blocks, PeakFates
 from rocksteady.kernels.devices import run_cells
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
@@ -145,21 +146,25 @@ def shaken_fates(
         if shaking.vertical is not None:
             table = table.copy()
             table[:, LIFT:] *= scale[cells[0]]
-        fates = np.empty(len(cells), dtype=np.int64), np.empty(len(cells), dtype=np.int64)
-        highest = np.empty((len(cells), PEAK_COLUMNS if peaks else 0))
-        blocks = side_rows[cells], afterwards[cells]
-        run_cells(record_fates, table, *blocks, FLIGHT_LIMIT, *fates, highest)
-        status[cells], impacts[cells] = fates
+        fates = _room(len(cells), PEAK_COLUMNS if peaks else 0)
+        blocks = Blocks(side_rows[cells], afterwards[cells])
+        run_cells(record_fates, table, blocks, FLIGHT_LIMIT, fates)
+        status[cells], impacts[cells] = fates.status, fates.impacts
         if peaks:
-            tops[cells] = highest
-        left = cells[fates[0] == LEFT_OVER]
+            tops[cells] = fates.peaks
+        left = cells[fates.status == LEFT_OVER]
         if len(left):  # what a device has no room for
-            fates = np.empty(len(left), dtype=np.int64), np.empty(len(left), dtype=np.int64)
-            highest = np.empty((len(left), PEAK_COLUMNS))
-            blocks = side_rows[left], afterwards[left]
-            record_fates(table, *blocks, FLIGHT_LIMIT, *fates, highest)
-            (status[left], impacts[left]), tops[left] = fates, highest
+            fates = _room(len(left), PEAK_COLUMNS)
+            blocks = Blocks(side_rows[left], afterwards[left])
+            record_fates(table, blocks, FLIGHT_LIMIT, fates)
+            status[left], impacts[left], tops[left] = fates
     return Fared(status, impacts, tops[:, PEAK_ANGLE], tops[:, PEAK_SPEED])
+
+
+def _room(count: int, columns: int) -> PeakFates:
+    """Return what a kernel fills of so many blocks."""
+    status, impacts = np.empty((2, count), dtype=np.int64)
+    return PeakFates(status, impacts, np.empty((count, columns)))
 
 
 def _alike(*columns: NDArray[Any]) -> list[Integers]:
@@ -322,9 +327,8 @@ def load_kernel(model: Model) -> None:
     pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0), model)
     nobody = np.empty((0, *pattern.shape))
     still = Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=1.0)
-    none = np.empty(0, dtype=np.int64)
     table = _table(GroundShaking(record=still), is_nonlinear(pattern), 1.0)
-    record_fates(table, nobody, np.empty(0), 1, none, none, np.empty((0, PEAK_COLUMNS)))
+    record_fates(table, Blocks(nobody, np.empty(0)), 1, _room(0, PEAK_COLUMNS))
 
 
 @lru_cache(maxsize=16)

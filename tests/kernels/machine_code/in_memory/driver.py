@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.installation._recorded import arguments_of
 from rocksteady.kernels.machine_code._cuda import Driver
 from rocksteady.kernels.machine_code.library import DTYPES, cells_of
 from rocksteady.kernels.machine_code.types import signature_of
@@ -332,7 +333,7 @@ class DriverInMemory:
         with self._lock:
             self.launches.append((name, workers, arguments[0].tolist()))
         try:
-            kernel(*arguments)
+            kernel(*arguments_of(kernel, arguments))
         except LaunchFailedError as failure:
             return failure.code
         return OK

@@ -31,9 +31,9 @@ from rocksteady.dynamics.basins.window import (
     window_of,
 )
 from rocksteady.dynamics.batch.attractors import (
-    InitialStates,
     batch_size,
     settled_cells,
+    starting,
 )
 from rocksteady.dynamics.history.lowering import only_side, side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
@@ -433,7 +433,7 @@ def _settled_along(
         amplitudes[place],
         ratios[place],
         sides[place],
-        InitialStates.of(angle, velocity, clocks[place, 0].astype(np.int64), clocks[place, 1]),
+        starting(angle, velocity, clocks[place, 0].astype(np.int64), clocks[place, 1]),
         cycles,
         waves,
     )

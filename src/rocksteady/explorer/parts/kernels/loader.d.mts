@@ -40,6 +40,26 @@ export interface System {
   left_out: number;
 }
 
+/** Where steady states are wanted; arrays of shape (points,). */
+export interface Points {
+  amplitude: Floats;
+  frequency_ratio: Floats;
+  restitution: Floats;
+  order: Integers;
+}
+
+/** Receives both branches at every point; where there is no orbit the numbers are nan. */
+export interface Steady {
+  region: Integers;
+  boundaries: Floats;
+  phase: Floats;
+  velocity: Floats;
+  trace: Floats;
+  peak: Floats;
+  extrema: Integers;
+  admissible: Booleans;
+}
+
 /** One symmetric orbit of the algebra, whether or not the floor allows it. */
 export interface Symmetric {
   phase: number;
@@ -74,6 +94,34 @@ export interface Passage {
   jacobian: Jacobian;
 }
 
+/** Symmetric blocks of the linear model under harmonic shaking; arrays of shape (cells,). */
+export interface SymmetricCells {
+  amplitude: Floats;
+  frequency_ratio: Floats;
+  restitution: Floats;
+}
+
+/** Where motions start, as `rocksteady.kernels.core.tables.March` has it, of shape (cells,). */
+export interface States {
+  side: Integers;
+  angle: Floats;
+  velocity: Floats;
+  half_cycles: Integers;
+  phase: Floats;
+}
+
+/** Receives what motions settle to, in the columns of `rocksteady.kernels.batch.attractors`. */
+export interface Outcomes {
+  whole: Integers;
+  real: Floats;
+}
+
+/** A motion and a block, with the columns of `rocksteady.kernels.core.tables`. */
+export interface Tables {
+  segments: Floats;
+  sides: Floats;
+}
+
 /** State of a march between two flights. */
 export interface March {
   side: number;
@@ -86,6 +134,20 @@ export interface March {
   flights: number;
 }
 
+/** Where a march ends at the latest, and when it may come to rest. */
+export interface Until {
+  half_cycles: number;
+  phase: number;
+  rest_velocity: number;
+  limit: number;
+}
+
+/** What a march keeps of its flights. */
+export interface Kept {
+  rows: Floats;
+  peaks: Floats;
+}
+
 /** An attempt to find an orbit. */
 export interface Fixed {
   found: boolean;
@@ -93,6 +155,37 @@ export interface Fixed {
   jacobian: Jacobian;
   rests: number;
   grazes: number;
+}
+
+/** Receives how a block fares under pulses; arrays of shape (cells,). */
+export interface PulseFates {
+  status: Integers;
+  impacts: Integers;
+  side: Integers;
+  during: Integers;
+  margin: Floats;
+}
+
+/** Blocks under one motion. */
+export interface Blocks {
+  sides: Floats;
+  afterwards: Floats;
+}
+
+/** Receives how blocks under one motion fare. */
+export interface PeakFates {
+  status: Integers;
+  impacts: Integers;
+  peaks: Floats;
+}
+
+/** Any state of a block, as `rocksteady.kernels.core.tables.March` has it. */
+export interface AnyState {
+  side: number;
+  half_cycles: number;
+  phase: number;
+  angle: number;
+  velocity: number;
 }
 
 /** What a motion settles to. */
@@ -107,6 +200,13 @@ export interface Settled {
   least: number;
   after: number;
   growth: number;
+}
+
+/** Blocks under harmonic shaking, one a cell. */
+export interface Cells {
+  amplitude: Floats;
+  frequency_ratio: Floats;
+  sides: Floats;
 }
 
 /** An attempt to find a symmetric orbit. */
@@ -147,8 +247,8 @@ export interface Kernels {
   fill_sin(x: Floats, out: Floats): void;
   /** Fill angle, velocity and acceleration, shape (3, times), in reference units. */
   fill_states(segments: Floats, sides: Floats, rows: Floats, index: Integers, since: Floats, states: Floats): void;
-  /** Fill both branches at every point; where there is no orbit the numbers are nan. */
-  fill_steady(amplitude: Floats, frequency_ratio: Floats, restitution: Floats, order: Integers, shapes: boolean, region: Integers, boundaries: Floats, phase: Floats, velocity: Floats, trace: Floats, peak: Floats, extrema: Integers, admissible: Booleans): void;
+  /** Fill both branches at every point; without `shapes` the last three are left as they are. */
+  fill_steady(points: Points, shapes: boolean, steady: Steady): void;
   /** Fill `out` with the tangent of each x. */
   fill_tan(x: Floats, out: Floats): void;
   /** Return the derivative of the half-cycle map in (phase, du/ds after impact), row by row. */
@@ -162,7 +262,7 @@ export interface Kernels {
   /** Return whether half of an orbit turns it into its mirror image. */
   is_symmetric(system: System, table: Floats, passages: number, periods: number): boolean;
   /** Follow motions of symmetric blocks until it is known what they settle to. */
-  lane_attractors(amplitude: Floats, frequency_ratio: Floats, restitution: Floats, side: Integers, angle: Floats, velocity: Floats, half_cycles: Integers, phase: Floats, cycles: number, whole: Integers, real: Floats): void;
+  lane_attractors(cells: SymmetricCells, states: States, cycles: number, outcomes: Outcomes): void;
   /** Return row and time since its start at which the last flight last rises through a level. */
   last_crossing(segments: Floats, sides: Floats, rows: Floats, level: number): [number, number];
   /** Return the exact determinant of the Jacobian of an orbit that starts towards a side. */
@@ -170,7 +270,7 @@ export interface Kernels {
   /** Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides. */
   make_system(amplitude: number, frequency: number, sides: Floats): System;
   /** March from `start` to the stop, to overturning, or to the limit. */
-  march(segments: Floats, sides: Floats, start: March, stop_half_cycles: number, stop_phase: number, rest_velocity: number, limit: number, rows: Floats, peaks: Floats): [number, March];
+  march(tables: Tables, start: March, until: Until, kept: Kept): [number, March];
   /** Return by what the states of a table fail to be an orbit, and fill in its derivatives. */
   measured(system: System, passages: number, periods: number, table: Floats): Fixed;
   /** Return the eigenvalues of an orbit's Jacobian, the larger in modulus first. */
@@ -182,17 +282,17 @@ export interface Kernels {
   /** Find the orbit of m passages and n periods near a state, and leave its states in a table. */
   polish(system: System, state: Section, passages: number, periods: number, table: Floats): Fixed;
   /** March a block from rest through a pulse of many sizes and write its fates. */
-  pulse_fates(segments: Floats, sides: Floats, amplitude: Floats, frequency_ratio: Floats, rest_velocity: number, limit: number, status: Integers, impacts: Integers, side: Integers, during: Integers, margin: Floats): void;
+  pulse_fates(tables: Tables, amplitude: Floats, frequency_ratio: Floats, rest_velocity: number, limit: number, fates: PulseFates): void;
   /** March blocks from rest through one motion and note how each fares. */
-  record_fates(segments: Floats, sides: Floats, afterwards: Floats, limit: number, status: Integers, impacts: Integers, peaks: Floats): void;
+  record_fates(segments: Floats, blocks: Blocks, limit: number, fates: PeakFates): void;
   /** Return the largest |theta|/alpha on either side, and the largest |velocity|. */
   recorded_peaks(segments: Floats, sides: Floats, rows: Floats, last_duration: number): [number, number, number];
   /** Return half cycles and phase (or time) at the start of a segment. */
   segment_start(segments: Floats, index: number): [number, number];
   /** Follow a motion from any state until it is known what it settles to. */
-  settle(system: System, side: number, half_cycles: number, phase: number, angle: number, velocity: number, most_periods: number, memory: Floats, table: Floats): Settled;
+  settle(system: System, start: AnyState, most_periods: number, memory: Floats, table: Floats): Settled;
   /** Follow motions until it is known what they settle to. */
-  settle_cells(amplitude: Floats, frequency_ratio: Floats, sides: Floats, side: Integers, angle: Floats, velocity: Floats, half_cycles: Integers, phase: Floats, cycles: number, whole: Integers, real: Floats): void;
+  settle_cells(cells: Cells, states: States, cycles: number, outcomes: Outcomes): void;
   /** Return the symmetric orbit of the nonlinear model to which one of the linear model leads. */
   symmetric_from(amplitude: number, frequency_ratio: number, sides: Floats, order: number, branch: number, state: Section): Half;
   /** Return branch 1 or 2 (upper or lower signs of eqs 21, 22); the amplitude must allow it. */

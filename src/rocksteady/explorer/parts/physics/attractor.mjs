@@ -103,10 +103,7 @@ export function attractorOf(kernels, given, start, cycles = 2000) {
   const sides = sidesOf(kernels, given);
   const system = kernels.make_system(given.amplitude, given.frequencyRatio, sides);
   sides.free();
-  const found = kernels.settle(
-    system, march.side, march.half_cycles, march.phase, march.angle, march.velocity, cycles,
-    memory, table,
-  );
+  const found = kernels.settle(system, march, cycles, memory, table);
   const repeats = found.outcome === SETTLED_PERIODIC;
   const orbit = repeats ? orbitFrom(kernels, system, found, table) : null;
   const kind = attractorKind(

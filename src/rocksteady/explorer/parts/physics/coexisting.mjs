@@ -110,7 +110,8 @@ export function endingsOf(kernels, { given, from = 0, to = Infinity, cycles }) {
   const tables = column(() => given.restitution);
   if (!given.nonlinear) {
     kernels.lane_attractors(
-      a, w, tables, side, angle, velocity, half, rest, most, whole, real,
+      { amplitude: a, frequency_ratio: w, restitution: tables },
+      { side, angle, velocity, half_cycles: half, phase: rest }, most, { whole, real },
     );
   }
   const outcomes = whole.values;
@@ -142,8 +143,11 @@ export function endingsOf(kernels, { given, from = 0, to = Infinity, cycles }) {
     const wholeLeft = kernels.array('i', [count, ENDING_WHOLES]);
     const realLeft = kernels.array('f', [count, ENDING_REALS]);
     kernels.settle_cells(
-      picked[0], picked[1], blocks, sideLeft, state[0], state[1], halfLeft, state[2], most,
-      wholeLeft, realLeft,
+      { amplitude: picked[0], frequency_ratio: picked[1], sides: blocks },
+      {
+        side: sideLeft, angle: state[0], velocity: state[1], half_cycles: halfLeft, phase: state[2],
+      },
+      most, { whole: wholeLeft, real: realLeft },
     );
     cellsLeft.forEach((k, at) => {
       const [first, second] = [at * ENDING_WHOLES, at * ENDING_REALS];

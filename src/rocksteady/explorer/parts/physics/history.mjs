@@ -116,7 +116,9 @@ export function historyOf(kernels, given, start, cycles, most = HISTORY_FLIGHTS)
   // The rows are recorded at once where there is room, and otherwise after counting them.
   let room = flightRoom(kernels, 0);
   const run = (/** @type {number} */ limit, /** @type {Floats} */ rows) => kernels.march(
-    segments, sides, march, stopHalf, stopPhase, SMALLEST_BOUNCE, limit, rows, none,
+    { segments, sides }, march,
+    { half_cycles: stopHalf, phase: stopPhase, rest_velocity: SMALLEST_BOUNCE, limit },
+    { rows, peaks: none },
   );
   let [code, end] = run(Math.min(most, room.shape[0]), room);
   if (end.flights === room.shape[0] && most > room.shape[0]) {

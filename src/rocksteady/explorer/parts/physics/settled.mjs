@@ -3,7 +3,7 @@
 
 import { sidesOf } from './case.mjs';
 
-/** @import { Floats, Integers, Kernels } from '../kernels/loader.mjs' */
+/** @import { Floats, Kernels, Outcomes, States } from '../kernels/loader.mjs' */
 /** @import { Case } from './case.mjs' */
 
 // What the kernels write (kernels/batch/attractors.py, kernels/orbits/settle.py).
@@ -50,7 +50,8 @@ export function settledRows(kernels, given, motions, cycles) {
     kernels.fill_clocks(start, turns, rest);
     const side = kernels.array('i', [count], BigInt64Array.from(
       which, (i) => BigInt(Math.sign(angle[i] || velocity[i]))));
-    call(kernels, given, [a, w], [side, from, speed, turns, rest, cycles, whole, real]);
+    const states = { side, angle: from, velocity: speed, half_cycles: turns, phase: rest };
+    call(kernels, given, [a, w], [states, cycles, { whole, real }]);
     const [integers, numbers] = [whole.values, real.values];
     which.forEach((i, row) => {
       rows[i] = { whole: integers.slice(row * columns, (row + 1) * columns),
@@ -61,13 +62,13 @@ export function settledRows(kernels, given, motions, cycles) {
   }
 }
 
-/** @typedef {[Integers, Floats, Floats, Integers, Floats, number, Integers, Floats]} FromStart */
+/** @typedef {[States, number, Outcomes]} FromStart */
 
 /** @type {(kernels: Kernels, given: Case, shaking: Floats[], from: FromStart) => void} */
 function inLanes(kernels, given, [amplitude, ratio], from) {
   const count = ratio.shape[0];
   const restitution = kernels.array('f', [count], new Float64Array(count).fill(given.restitution));
-  kernels.lane_attractors(amplitude, ratio, restitution, ...from);
+  kernels.lane_attractors({ amplitude, frequency_ratio: ratio, restitution }, ...from);
   restitution.free();
 }
 
@@ -79,6 +80,6 @@ function oneByOne(kernels, given, [amplitude, ratio], from) {
   const values = sides.values;
   for (let i = 0; i < ratio.shape[0]; i += 1) values.set(one.values, i * size);
   one.free();
-  kernels.settle_cells(amplitude, ratio, sides, ...from);
+  kernels.settle_cells({ amplitude, frequency_ratio: ratio, sides }, ...from);
   sides.free();
 }

@@ -268,7 +268,8 @@ export function steadyTable(kernels, amplitudes, ratios, restitution, order) {
   const filled = Array.from({ length: 4 }, () => kernels.array('f', [2, count]));
   const [a, w, r] = given, [phase, velocity, trace, peak] = filled;
   kernels.fill_steady(
-    a, w, r, orders, true, region, boundaries, phase, velocity, trace, peak, extrema, admissible,
+    { amplitude: a, frequency_ratio: w, restitution: r, order: orders }, true,
+    { region, boundaries, phase, velocity, trace, peak, extrema, admissible },
   );
   const found = {
     count,

@@ -175,8 +175,10 @@ export function steadyCurves(kernels, { given, by, values, orders }) {
   const order = kernels.array('i', [count]), least = 1 + given.restitution * given.restitution;
   const curves = orders.flatMap((number) => {
     order.values.fill(BigInt(number));
-    kernels.fill_steady(inputs[0], inputs[1], inputs[2], order, true, region, boundaries, phase,
-      velocity, trace, peak, extrema, admissible);
+    kernels.fill_steady(
+      { amplitude: inputs[0], frequency_ratio: inputs[1], restitution: inputs[2], order }, true,
+      { region, boundaries, phase, velocity, trace, peak, extrema, admissible },
+    );
     const there = admissible.values, traces = trace.values, highest = peak.values;
     const begins = phase.values, rates = velocity.values; // by omega t
     return [1, 2].map((branch) => {

@@ -70,8 +70,8 @@ export function pulseFates(kernels, given) {
   const rates = kernels.array('f', [count], ratios);
   const [status, impacts, side, during] = [0, 1, 2, 3].map(() => kernels.array('i', [count]));
   const margin = kernels.array('f', [count]);
-  kernels.pulse_fates(table, sides, sizes, rates, COUNTED, PULSE_FLIGHTS,
-    status, impacts, side, during, margin);
+  kernels.pulse_fates({ segments: table, sides }, sizes, rates, COUNTED, PULSE_FLIGHTS,
+    { status, impacts, side, during, margin });
   const found = {
     status: Uint8Array.from(status.values, Number), impacts: Int32Array.from(impacts.values, Number),
     side: Int8Array.from(side.values, Number), during: Float64Array.from(during.values, Number),

@@ -61,8 +61,10 @@ function marchFromRest(kernels, segments, sides, { cycles, most = 4e6 }) {
   const start = {
     side: 0, angle: 0, velocity: 0, segment: 0, half_cycles: half, phase, impacts: 0, flights: 0,
   };
-  return (rows, peaks) => kernels.march(
-    segments, sides, start, stopHalf, stopPhase, REST_RUN_SMALLEST_BOUNCE, most, rows, peaks);
+  const until = {
+    half_cycles: stopHalf, phase: stopPhase, rest_velocity: REST_RUN_SMALLEST_BOUNCE, limit: most,
+  };
+  return (rows, peaks) => kernels.march({ segments, sides }, start, until, { rows, peaks });
 }
 
 /**

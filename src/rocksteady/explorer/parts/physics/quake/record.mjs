@@ -128,7 +128,9 @@ export function runRecord(kernels, motion, block, points = 0) {
   const stop = block.restitution === 1 ? TIME_WITHOUT_LOSS : TIME_TO_REST;
   /** @param {Floats} rows */
   const marched = (rows) => kernels.march(
-    segments, sides, STILL_START, 0, stop, SMALLEST_REBOUND, RUN_FLIGHTS, rows, nothing,
+    { segments, sides }, STILL_START,
+    { half_cycles: 0, phase: stop, rest_velocity: SMALLEST_REBOUND, limit: RUN_FLIGHTS },
+    { rows, peaks: nothing },
   );
   const [code, { flights, impacts }] = marched(none);
   const rows = kernels.array('f', [flights, FLIGHT_COLUMNS]);
@@ -355,7 +357,7 @@ function fatesUnder(kernels, motion, block, lean, rate) {
   const afterwards = kernels.array('f', [count], new Float64Array(count).fill(time));
   const status = kernels.array('i', [count]), impacts = kernels.array('i', [count]);
   const peaks = kernels.array('f', [count, 2]);
-  kernels.record_fates(table, sides, afterwards, RUN_FLIGHTS, status, impacts, peaks);
+  kernels.record_fates(table, { sides, afterwards }, RUN_FLIGHTS, { status, impacts, peaks });
   const highest = peaks.values;
   const found = {
     status: Uint8Array.from(status.values, Number),
