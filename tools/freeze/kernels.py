@@ -27,11 +27,14 @@ FEWER = {
     "batch.": 250,
     "lanes.": 250,
     "nonlinear_lanes.": 250,
+    "orbits.periodic.series_": 300,
     "orbits.periodic": 500,
-    "orbits.series_map": 300,
+    "orbits.return_map.series_": 300,
+    "orbits.settle.series_": 300,
     "orbits.settle": 500,
 }
-"""Calls of an entry in modules whose kernels take longer; one of a batch has some 20 cells."""
+"""Calls of an entry, by how the dotted name of one that takes longer begins, the first that fits;
+one of a batch has some 20 cells."""
 ROOM = {"march": LIMIT, "series_settle": MEMORY, "settle": MEMORY}
 """Rows that the empty tables of a call have at least: another motion may need more of them."""
 AS_RECORDED = {"last_crossing", "peaks_until_overturning"}
@@ -83,8 +86,8 @@ class Varied:
 
 def calls_of(entry: str) -> int:
     """Return how many calls of an entry are made."""
-    module = ENTRIES[entry].__module__.removeprefix("rocksteady.kernels.")
-    fewer = (count for begin, count in FEWER.items() if module.startswith(begin))
+    name = f"{ENTRIES[entry].__module__}.{entry}".removeprefix("rocksteady.kernels.")
+    fewer = (count for begin, count in FEWER.items() if name.startswith(begin))
     return len(shipped()[entry]) if entry in AS_RECORDED else next(fewer, CALLS)
 
 

@@ -17,7 +17,7 @@ from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.orbits import periodic
-from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result

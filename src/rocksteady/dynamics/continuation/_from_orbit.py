@@ -10,7 +10,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.orbits.return_map import next_passage, phase_between
-from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.motions.fourier import harmonics_of
 
 

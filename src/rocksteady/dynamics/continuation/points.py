@@ -38,7 +38,7 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.verdicts import MULTIPLIERS, NO_MULTIPLIERS, multipliers_text
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
-from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result

@@ -34,7 +34,7 @@ from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import hypot, log
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
-from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result

@@ -13,7 +13,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import LINEAR_LEFT_OUT
 from rocksteady.kernels.orbits import return_map, systems
-from rocksteady.kernels.orbits.series_map import for_system
+from rocksteady.kernels.orbits.systems import for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result

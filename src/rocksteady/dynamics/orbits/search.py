@@ -33,9 +33,8 @@ from rocksteady.kernels.orbits.return_map import (
     next_passage,
     uplift_after,
 )
-from rocksteady.kernels.orbits.series_map import for_system
 from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
-from rocksteady.kernels.orbits.systems import EitherSystem
+from rocksteady.kernels.orbits.systems import EitherSystem, for_system
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked

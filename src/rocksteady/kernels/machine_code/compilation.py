@@ -7,13 +7,14 @@ beside this one.
 
 import functools
 import importlib.util
+import inspect
 import os
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from types import NoneType
+from types import FunctionType, NoneType
 from typing import Any, TypeVar
 
 from rocksteady.errors import InputError, MissingKernelsError, Words
@@ -227,6 +228,28 @@ class Kernel:
                 f"{self.py_func.__name__} returns {found}, its annotation says {expected}"
             )
         return code
+
+
+class _Retyped(Kernel):
+    """A kernel under another name, for arguments of other types, which numba tells apart."""
+
+    def __init__(self, function: Callable[..., object], kernel: Kernel) -> None:
+        super().__init__(function)
+        self._kernel = kernel
+
+    @functools.cached_property
+    def dispatcher(self) -> Any:
+        """Return numba's compiler of the kernel that it is made of."""
+        return self._kernel.dispatcher
+
+
+def retyped(kernel: Any, name: str, **types: Any) -> Any:
+    """Return a kernel under another name, some of whose arguments have other types."""
+    before: Any = inspect.unwrap(kernel)
+    function = FunctionType(before.__code__, before.__globals__, name)
+    function.__qualname__, function.__doc__ = name, before.__doc__
+    function.__annotations__ = {**before.__annotations__, **types}
+    return _Retyped(function, kernel) if isinstance(kernel, Kernel) else function
 
 
 EXTRA_OPTIONS: dict[str, Any] = {}

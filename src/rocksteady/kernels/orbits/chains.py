@@ -198,22 +198,6 @@ def fill_arcs(
     A minimum at the base is a graze, one below it makes the chain inadmissible; inf and nan where
     the arc has none.  Of an arc without a positive duration all are nan.  `shape` is (m, 3).
     """
-    fill_shape(system, turns, phases, table, shape)
-
-
-@compiled
-def series_fill_arcs(
-    system: SeriesSystem, turns: Integers1, phases: Floats1, table: Floats2, shape: Floats2
-) -> None:
-    """Do what `fill_arcs` does under a Fourier series."""
-    fill_shape(system, turns, phases, table, shape)
-
-
-@compiled
-def fill_shape(
-    system: EitherSystem, turns: Integers1, phases: Floats1, table: Floats2, shape: Floats2
-) -> None:
-    """Fill the extrema of each arc in a system of either kind."""
     for k in range(len(phases)):
         side = side_in(system, k)
         forcing = forcing_of(system, side)

@@ -4,6 +4,7 @@ Both kinds of a system have the same fields.  A function that takes one of them 
 compiler makes two versions of it, each with the branches of its own kind.
 """
 
+from functools import cache
 from typing import Any, NamedTuple
 
 from rocksteady.kernels.core.clock import side_phase
@@ -25,7 +26,7 @@ from rocksteady.kernels.core.tables import (
     left_out_of,
 )
 from rocksteady.kernels.core.typed import ONE
-from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
+from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined, retyped
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
 
@@ -73,6 +74,17 @@ class SeriesSystem(NamedTuple):
 
 EitherSystem = Any
 """A `System` or a `SeriesSystem`, for functions of which the compiler makes two versions."""
+
+
+@cache
+def for_series(kernel: Any) -> Any:
+    """Return the kernel that does under a Fourier series what another one does."""
+    return retyped(kernel, f"series_{kernel.__name__}", system=SeriesSystem)
+
+
+def for_system(kernel: Any, system: EitherSystem) -> Any:
+    """Return a kernel for the kind of a system."""
+    return for_series(kernel) if isinstance(system, SeriesSystem) else kernel
 
 
 @compiled

@@ -14,7 +14,7 @@ from rocksteady.dynamics.steady.verdicts import NO_MULTIPLIERS
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits import chains as kernel
 from rocksteady.kernels.orbits.return_map import Section
-from rocksteady.kernels.orbits.systems import SeriesSystem, make_series_system
+from rocksteady.kernels.orbits.systems import SeriesSystem, for_system, make_series_system
 from rocksteady.kernels.orbits.systems import make_system as system_of
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -193,11 +193,8 @@ class Chain:
         """Largest |theta|/alpha of each arc, its least minimum and when that is, shape (m, 3)."""
         amplitude, frequency, _ = self.parameters.tolist()
         shape = np.empty((self.impacts, 3))
-        if self.harmonics:
-            kernel.series_fill_arcs(self.series, self.turns, self.phases, self.table, shape)
-            return shape
-        system = system_of(amplitude, frequency, self.sides)
-        kernel.fill_arcs(system, self.turns, self.phases, self.table, shape)
+        system = self.series if self.harmonics else system_of(amplitude, frequency, self.sides)
+        for_system(kernel.fill_arcs, system)(system, self.turns, self.phases, self.table, shape)
         return shape
 
     @property
