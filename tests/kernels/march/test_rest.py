@@ -21,7 +21,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
 )
 from rocksteady.kernels.march.replay import recorded_peaks
-from rocksteady.kernels.march.rest import STILL, bounce_bounds, settles, uplift_time
+from rocksteady.kernels.march.rest import STILL, Bounce, bounce_bounds, settles, uplift_time
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
 from tests.strategies import amplitudes, inner_sample_size, logarithmic, phases, sample_size
@@ -148,19 +148,8 @@ def test_chatter_that_is_said_to_settle_does(
 ) -> None:
     here = make_forcing(-1.0, 0.0, amplitude, frequency)
     there_phase = phase + math.pi if phase < 0.5 * math.pi else phase - math.pi
-    said = settles(
-        restitution,
-        math.inf,
-        here,
-        phase,
-        velocity,
-        1.0,
-        here,
-        there_phase,
-        velocity,
-        1.0,
-        math.inf,
-    )
+    first, second = (Bounce(here, seen, velocity, 1.0) for seen in (phase, there_phase))
+    said = settles(restitution, math.inf, first, second, math.inf)
     if not said:
         return
     # No uplift while it bounces, all of them by brute force.
@@ -201,7 +190,7 @@ def test_a_bounce_is_no_longer_and_lands_no_faster_than_bounded() -> None:
         velocity = 10.0 ** rng.uniform(-4.0, -0.3)
         forcing = make_forcing(-1.0, 0.0, amplitude, frequency)
         window = 4.0 * velocity
-        growth, duration, top = bounce_bounds(forcing, phase, velocity, 1.0, window)
+        growth, duration, top = bounce_bounds(Bounce(forcing, phase, velocity, 1.0), window)
         if not duration <= window:
             continue
         segments = harmonic(amplitude, frequency, phase % (2.0 * math.pi))
@@ -229,7 +218,7 @@ def bounces_fit(
     forcing: Forcing, phases_seen: tuple[float, float], velocity: float, loss: float, window: float
 ) -> bool:
     """Return whether the geometric sum of the bounds of all bounces fits into a window."""
-    bounds = [bounce_bounds(forcing, phase, velocity, 1.0, window) for phase in phases_seen]
+    bounds = [bounce_bounds(Bounce(forcing, phase, velocity, 1.0), window) for phase in phases_seen]
     kappa = (1.0 - loss) * math.sqrt(max(growth for growth, _, _ in bounds))
     longest = max(duration for _, duration, _ in bounds)
     return kappa < 1.0 and longest / (1.0 - kappa) <= window
@@ -247,9 +236,8 @@ def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() 
         velocity, loss = 10.0 ** rng.uniform(-6.0, -0.5), 10.0 ** rng.uniform(-3.0, -0.1)
         span = 10.0 ** rng.uniform(-3.0, 1.0)
         forcing = make_forcing(-1.0, 0.0, amplitude, frequency)
-        ends = settles(
-            1.0 - loss, span, forcing, phase, velocity, 1.0, forcing, other, velocity, 1.0, math.inf
-        )
+        first, second = (Bounce(forcing, seen, velocity, 1.0) for seen in (phase, other))
+        ends = settles(1.0 - loss, span, first, second, math.inf)
         if ends:
             assert any(
                 bounces_fit(forcing, (phase, other), velocity, loss, float(window))
@@ -281,12 +269,8 @@ def test_without_loss_chatter_never_ends() -> None:
     ran = run(harmonic(0.5, 3.0), both_sides(1.0), side=1, velocity=1e-3, limit=2000)
     assert ran.status == UNDECIDED
     assert np.all(ran.rows[:, ROW_SIDE] != 0.0)
-    assert not settles(
-        1.0,
-        math.inf,
-        *(make_forcing(-1.0, 0.0, 0.0, 0.0), 0.0, 1e-9, 1.0) * 2,
-        math.inf,
-    )
+    bounce = Bounce(make_forcing(-1.0, 0.0, 0.0, 0.0), 0.0, 1e-9, 1.0)
+    assert not settles(1.0, math.inf, bounce, bounce, math.inf)
 
 
 def test_chatter_without_a_rest_velocity_still_ends() -> None:

@@ -12,6 +12,7 @@ import pytest
 from flint import arb
 from numpy.typing import NDArray
 
+from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
@@ -24,12 +25,15 @@ from rocksteady.kernels.core.tables import (
     PHASE,
     SLOPE,
 )
+from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.proofs import (
+    SteppedBounce,
     bounce_bounds,
-    bounces_end,
+    bounces_settle,
     falls_on_still_base,
     point_of_no_return,
+    stepped_bounce,
 )
 from tests.kernels.nonlinear.balls import (
     BITS,
@@ -277,7 +281,7 @@ def drawn_bounces(
             continue
         velocity = pull * float(rng.choice([logarithmic(rng, 1e-6, 1.0), rng.uniform(0.0, 1.0)]))
         window = 2.5 * velocity / pull
-        bounds = bounce_bounds(drive, phase, velocity, 1.0, window)
+        bounds = bounce_bounds(SteppedBounce(drive, phase, velocity, 1.0), window)
         if bounds[1] <= window:
             yield drive, phase, velocity, bounds, window
 
@@ -399,8 +403,10 @@ class Chatter(NamedTuple):
             *(base.constant, base.slope, base.amplitude, base.frequency),
             *(0.0, base.lift, base.lift_slope),
         ]
-        phases = self.phase_here, self.phase_there
-        return bounces_end(segments, 0, self.sides, self.side, 0.0, speed, *phases, span, math.inf)
+        tables = Tables(segments, self.sides)
+        here = stepped_bounce(tables, 0, self.side, 0.0, speed, self.phase_here)
+        there = stepped_bounce(tables, 0, -self.side, 0.0, speed, self.phase_there)
+        return bounces_settle(largest_restitution(self.sides), span, here, there, math.inf)
 
     def fastest(self) -> float:
         """Return the largest speed of which the kernel proves that the bounces end."""

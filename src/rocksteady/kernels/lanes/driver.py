@@ -84,6 +84,7 @@ def queued_lane_fates(
     sides = np.zeros((2, 3))
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
+    tables = Tables(segments, sides)
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
     fresh = True  # whether there may be cells to take
@@ -109,7 +110,7 @@ def queued_lane_fates(
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
                     sides[:, RESTITUTION] = restitution[cell]
                     end_half = clock(phase[cell])[0] + 2 * cycles
-                    code, state = settled(lanes, j, segments, sides, end_half, most)
+                    code, state = settled(lanes, j, tables, end_half, most)
                     if code == UNDECIDED and not exhausted(lanes, j, most):
                         put_lane(lanes, j, state, end_half)
                     else:
@@ -125,7 +126,7 @@ def queued_lane_fates(
                     sides[:, RESTITUTION] = restitution[cell]
                     start = start_of(angle[cell], velocity[cell], phase[cell])
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
-                    code, state = launched(segments, sides, start, end_half, stop)
+                    code, state = launched(tables, start, end_half, stop)
                     if code != UNDECIDED:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
@@ -161,22 +162,18 @@ def exhausted(lanes: Floats, j: int, most: int) -> bool:
 
 
 @allocating
-def launched(
-    segments: Floats, sides: Floats, start: March, end_half: int, end_phase: float
-) -> tuple[int, March]:
+def launched(tables: Tables, start: March, end_half: int, end_phase: float) -> tuple[int, March]:
     """March until the block is in flight from the floor (UNDECIDED), or to the end."""
     code, state = UNDECIDED, start
     kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     while code == UNDECIDED and (state.side == 0 or state.angle != 0.0):
         until = Until(end_half, end_phase, math.inf, state.flights + 1)
-        code, state = linear_march(Tables(segments, sides), state, until, kept)
+        code, state = linear_march(tables, state, until, kept)
     return code, state
 
 
 @allocating
-def settled(
-    lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int, most: int
-) -> tuple[int, March]:
+def settled(lanes: Floats, j: int, tables: Tables, end_half: int, most: int) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight from the floor (UNDECIDED)."""
     stage = lanes[lane.STAGE + j]
     state = taken(lanes, j, end_half)
@@ -191,10 +188,10 @@ def settled(
     stop = lanes[lane.STOP + j]
     kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     until = Until(end_half, stop, math.inf, ONE)
-    code, state = linear_march(Tables(segments, sides), state, until, kept)
+    code, state = linear_march(tables, state, until, kept)
     if code != UNDECIDED:
         return code, state
     if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
         # As the march has it, which would have come to this at the next flight.
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
-    return launched(segments, sides, state, end_half, stop)
+    return launched(tables, state, end_half, stop)

@@ -62,6 +62,7 @@ from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.march._runs import fly_on, rest_on
 from rocksteady.kernels.march.rest import (
     STILL,
+    Bounce,
     chatter_ends,
     impacts_on_still_base,
     next_uplift,
@@ -69,7 +70,7 @@ from rocksteady.kernels.march.rest import (
 )
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
-from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
+from rocksteady.kernels.nonlinear.proofs import bounces_settle, point_of_no_return, stepped_bounce
 from rocksteady.kernels.nonlinear.series import load_shares
 
 
@@ -239,30 +240,22 @@ def march_in_model(
             highest = peaks[PEAK_ANGLE] if watch else math.inf
             if stepped:
                 there_phase, _ = side_phase(half, phase, ONE if series else next_side, frequency)
-                dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
-                    segments,
-                    segment,
-                    sides,
-                    side,
-                    since,
-                    abs(velocity),
-                    seen_phase,
-                    there_phase,
+                dies_out = abs(velocity) < STILL * lean * rate or bounces_settle(
+                    largest_restitution(sides),
                     span,
+                    stepped_bounce(tables, segment, side, since, abs(velocity), seen_phase),
+                    stepped_bounce(tables, segment, next_side, since, abs(velocity), there_phase),
                     highest,
                     segments[segment, SHARES:],
                 )
             else:
+                there = sides[next_row, LEAN] * sides[next_row, RATE]
+                opposite = positive if next_side > 0 else negative
                 dies_out = chatter_ends(
                     largest_restitution(sides),
-                    abs(velocity) / (lean * rate),
-                    abs(velocity) / (sides[next_row, LEAN] * sides[next_row, RATE]),
-                    rate,
-                    sides[next_row, RATE],
                     span,
-                    forcing,
-                    positive if next_side > 0 else negative,
-                    seen_phase,
+                    Bounce(forcing, seen_phase, abs(velocity) / (lean * rate), rate),
+                    Bounce(opposite, seen_phase, abs(velocity) / there, sides[next_row, RATE]),
                     sine,
                     next_side != side,
                     highest,

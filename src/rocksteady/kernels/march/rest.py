@@ -25,6 +25,7 @@ that their number is known: velocities are those of a geometric series (`impacts
 """
 
 import math
+from typing import NamedTuple
 
 from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import (
@@ -138,102 +139,78 @@ def series_uplift(
     return side, least, half - odd + turned + 2 * periods, rest
 
 
+class Bounce(NamedTuple):
+    """How a bounce begins on a side, in the units of the side."""
+
+    forcing: Forcing
+    phase: float  # of the forcing, as seen from the side
+    speed: float
+    rate: float  # of the side's clock, over that of reference time
+
+
 @inlined
 def chatter_ends(
     restitution: float,
-    speed_here: float,
-    speed_there: float,
-    rate_here: float,
-    rate_there: float,
     span: float,
-    forcing_here: Forcing,
-    forcing_there: Forcing,
-    seen_phase: float,
+    here: Bounce,
+    there: Bounce,
     sine: float,
     crosses: bool,
     highest: float,
 ) -> bool:
     """Return whether the bounces that start now are proved to die out within `span`.
 
-    `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
-    Where an impact does not change the side, `crosses` is false and `there` is `here`.  No bounce
-    may rise above `highest`.
+    `here` is the first bounce, `sine` that of its phase, and `there` the one after it, with the
+    phase of `here`.  Where an impact does not change the side, `crosses` is false and `there` is
+    `here`.  No bounce may rise above `highest`.
     """
-    if speed_here < STILL:
+    if here.speed < STILL:
         return True
     # Most impacts are decided here.  The bound needs shaking below uplift and, with the pull of
     # now in place of the least one to come, bounces that shrink.
-    pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
+    pull_here = -(here.forcing.constant + here.forcing.amplitude * sine)
     sine_there = -sine if crosses else sine
-    pull_there = -(forcing_there.constant + forcing_there.amplitude * sine_there)
-    if pull_here <= speed_here or pull_there <= speed_there:
+    pull_there = -(there.forcing.constant + there.forcing.amplitude * sine_there)
+    if pull_here <= here.speed or pull_there <= there.speed:
         return False
     shrunk = restitution * restitution
-    drift_here = 4.0 * steepest_forcing(forcing_here) * speed_here
-    drift_there = 4.0 * steepest_forcing(forcing_there) * speed_there
+    drift_here = 4.0 * steepest_forcing(here.forcing) * here.speed
+    drift_there = 4.0 * steepest_forcing(there.forcing) * there.speed
     if (
         shrunk * (pull_here * pull_here + drift_here) >= pull_here * pull_here
         or shrunk * (pull_there * pull_there + drift_there) >= pull_there * pull_there
     ):
         return False
-    phase_there = seen_phase
+    phase = here.phase
     if crosses:
-        phase_there += math.pi if seen_phase < HALF_PI else -math.pi
-    return settles(
-        restitution,
-        span,
-        forcing_here,
-        seen_phase,
-        speed_here,
-        rate_here,
-        forcing_there,
-        phase_there,
-        speed_there,
-        rate_there,
-        highest,
-    )
+        phase += math.pi if phase < HALF_PI else -math.pi
+    later = Bounce(there.forcing, phase, there.speed, there.rate)
+    return settles(restitution, span, here, later, highest)
 
 
 @compiled
-def settles(
-    restitution: float,
-    span: float,
-    here: Forcing,
-    phase_here: float,
-    velocity_here: float,
-    rate_here: float,
-    there: Forcing,
-    phase_there: float,
-    velocity_there: float,
-    rate_there: float,
-    highest: float,
-) -> bool:
+def settles(restitution: float, span: float, here: Bounce, there: Bounce, highest: float) -> bool:
     """Return whether the coming bounces are proved to end before an uplift and within `span`.
 
-    `here` is the side of the first bounce.  Forcings and velocities are in the units of their own
-    side (one velocity of the base seen in both), `span` in reference time, in which a side's clock
-    runs `rate` times as fast; `restitution` is the larger of the two sides'.  Nor may they rise
-    above an angle of `highest`, which is infinite where no peak counts.
+    `here` is the first bounce.  Both have one velocity of the base, seen from either side; `span`
+    is in reference time, and `restitution` the larger of the two sides'.  Nor may they rise above
+    an angle of `highest`, which is infinite where no peak counts.
     """
     if restitution >= 1.0:
         return False
-    pull_here = -largest_forcing(here, phase_here, 0.0)
-    pull_there = -largest_forcing(there, phase_there, 0.0)
-    if pull_here <= velocity_here or pull_there <= velocity_there:
+    pull_here = -largest_forcing(here.forcing, here.phase, 0.0)
+    pull_there = -largest_forcing(there.forcing, there.phase, 0.0)
+    if pull_here <= here.speed or pull_there <= there.speed:
         return False
     window = (
         4.0
-        * max(velocity_here / (pull_here * rate_here), velocity_there / (pull_there * rate_there))
+        * max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
         / (1.0 - restitution)
     )
     if window > span:
         return False
-    growth_here, duration_here, top_here = bounce_bounds(
-        here, phase_here, velocity_here, rate_here, window * rate_here
-    )
-    growth_there, duration_there, top_there = bounce_bounds(
-        there, phase_there, velocity_there, rate_there, window * rate_there
-    )
+    growth_here, duration_here, top_here = bounce_bounds(here, window * here.rate)
+    growth_there, duration_there, top_there = bounce_bounds(there, window * there.rate)
     kappa = restitution * math.sqrt(max(growth_here, growth_there))
     return (
         kappa < 1.0
@@ -243,10 +220,9 @@ def settles(
 
 
 @compiled
-def bounce_bounds(
-    forcing: Forcing, phase: float, velocity: float, rate: float, window: float
-) -> tuple[float, float, float]:
+def bounce_bounds(bounce: Bounce, window: float) -> tuple[float, float, float]:
     """Return upper bounds of a bounce's growth of velocity squared, its duration and its top."""
+    forcing, phase, velocity, rate = bounce
     pull = -largest_forcing(forcing, phase, window)
     if pull <= velocity:
         return math.inf, math.inf, math.inf

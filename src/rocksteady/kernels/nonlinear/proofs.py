@@ -21,22 +21,22 @@ times the duration.
 """
 
 import math
+from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import Forcing, largest_forcing
 from rocksteady.kernels.core.harmonics import largest_ahead
-from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import (
     CEILING,
     LEAN,
     LIFT_CEILING,
     RATE,
     Floats,
-    free_side,
     slenderness,
 )
+from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.drive import (
     Drive,
     acceleration,
@@ -74,71 +74,33 @@ def falls_on_still_base(alpha: float, angle: float, velocity: float) -> bool:
     return velocity > -barrier
 
 
-@compiled
-def bounces_end(
-    segments: Floats,
-    index: int,
-    sides: Floats,
-    side: int,
-    elapsed: float,
-    speed: float,
-    phase_here: float,
-    phase_there: float,
-    span: float,
-    highest: float,
-    shares: Floats | None = None,
-) -> bool:
-    """Return whether the bounces that start now are proved to die out within `span`.
+class SteppedBounce(NamedTuple):
+    """How a bounce that is flown in steps begins on a side, in the units of the side."""
 
-    Parameters
-    ----------
-    segments, index, sides
-        The tables and the segment.
-    side
-        That of the first bounce.
-    elapsed
-        Time since the segment's start.
-    speed
-        |d(theta/alpha)/ds| with which the first bounce begins.
-    phase_here, phase_there
-        Phase of the sinusoid seen from the side of the first bounce, and from that of the second.
-    span
-        Time in which they have to end.
-    highest
-        Angle above which none of them may rise.
-    shares
-        Of a Fourier series, whose phase is the same from either side.
-    """
+    drive: Drive
+    phase: float  # of the shaking: of a sinusoid as seen from the side, of a series as it is
+    speed: float
+    rate: float  # of the side's clock, over that of reference time
+
+
+@inlined
+def stepped_bounce(
+    tables: Tables, index: int, side: int, elapsed: float, speed: float, phase: float
+) -> SteppedBounce:
+    """Return a bounce on a segment, so long after its start, with a speed in reference units."""
+    segments, sides = tables
     row = 0 if side > 0 else 1
-    there = row if free_side(sides) != 0 else 1 - row
-    return bounces_settle(
-        largest_restitution(sides),
-        span,
-        side_drive(segments, index, sides, side, elapsed),
-        phase_here,
-        speed / (sides[row, LEAN] * sides[row, RATE]),
-        sides[row, RATE],
-        side_drive(segments, index, sides, 1 if there == 0 else -1, elapsed),
-        phase_there,
-        speed / (sides[there, LEAN] * sides[there, RATE]),
-        sides[there, RATE],
-        highest,
-        shares,
-    )
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    drive = side_drive(segments, index, sides, side, elapsed)
+    return SteppedBounce(drive, phase, speed / (lean * rate), rate)
 
 
 @compiled
 def bounces_settle(
     restitution: float,
     span: float,
-    here: Drive,
-    phase_here: float,
-    speed_here: float,
-    rate_here: float,
-    there: Drive,
-    phase_there: float,
-    speed_there: float,
-    rate_there: float,
+    here: SteppedBounce,
+    there: SteppedBounce,
     highest: float,
     shares: Floats | None = None,
 ) -> bool:
@@ -149,25 +111,21 @@ def bounces_settle(
     if restitution >= 1.0:
         return False
     # Most impacts are decided here.
-    pull_here: float = -acceleration(here, 0.0, 0.0, swing_at(here, shares, phase_here))
-    if pull_here <= speed_here:
+    pull_here: float = -acceleration(here.drive, 0.0, 0.0, swing_at(here.drive, shares, here.phase))
+    if pull_here <= here.speed:
         return False
-    pull_there = -acceleration(there, 0.0, 0.0, swing_at(there, shares, phase_there))
-    if pull_there <= speed_there:
+    pull_there = -acceleration(there.drive, 0.0, 0.0, swing_at(there.drive, shares, there.phase))
+    if pull_there <= there.speed:
         return False
     window = (
         4.0
-        * max(speed_here / (pull_here * rate_here), speed_there / (pull_there * rate_there))
+        * max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
         / (1.0 - restitution)
     )
     if window > span:
         return False
-    growth_here, lasts_here, top_here = bounce_bounds(
-        here, phase_here, speed_here, rate_here, window * rate_here, shares
-    )
-    growth_there, lasts_there, top_there = bounce_bounds(
-        there, phase_there, speed_there, rate_there, window * rate_there, shares
-    )
+    growth_here, lasts_here, top_here = bounce_bounds(here, window * here.rate, shares)
+    growth_there, lasts_there, top_there = bounce_bounds(there, window * there.rate, shares)
     kappa: float = restitution * math.sqrt(max(growth_here, growth_there))
     return (
         kappa < 1.0
@@ -178,14 +136,10 @@ def bounces_settle(
 
 @compiled
 def bounce_bounds(
-    drive: Drive,
-    phase: float,
-    velocity: float,
-    rate: float,
-    window: float,
-    shares: Floats | None = None,
+    bounce: SteppedBounce, window: float, shares: Floats | None = None
 ) -> tuple[float, float, float]:
     """Return upper bounds of a bounce's growth of velocity squared, its duration and its top."""
+    drive, phase, velocity, rate = bounce
     forcing = foot_forcing(drive)
     pull, steepest = shaking_bounds(drive, forcing, phase, window, shares)
     alpha = drive.alpha

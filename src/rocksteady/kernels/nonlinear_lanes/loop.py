@@ -7,6 +7,7 @@ import numpy as np
 from rocksteady.kernels.batch.harmonic import harmonic_segment, note_in_lanes, start_of
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
 from rocksteady.kernels.core.queue import queue_of, take
+from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import (
     FREQUENCY,
     LEAN,
@@ -26,7 +27,7 @@ from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Integers1
 from rocksteady.kernels.march.march import nonlinear_march
 from rocksteady.kernels.march.rest import STILL
-from rocksteady.kernels.nonlinear.proofs import bounces_end
+from rocksteady.kernels.nonlinear.proofs import bounces_settle, stepped_bounce
 from rocksteady.kernels.nonlinear_lanes import _layout as lane
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._ends import find_places, finish
@@ -104,7 +105,8 @@ def queued_nonlinear_lane_fates(
                     half, stop = clock(phase[cell])
                     end_half = half + 2 * cycles
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    code, state = settled(lanes, k, segments, sides[cell], end_half, stop, most)
+                    tables = Tables(segments, sides[cell])
+                    code, state = settled(lanes, k, tables, end_half, stop, most)
                     if code == UNDECIDED and state.impacts <= most:
                         put_lane(lanes, k, state, end_half)
                     else:
@@ -128,9 +130,8 @@ def queued_nonlinear_lane_fates(
                         or free_side(sides[cell]) != 0
                     )
                     flights = most if alone else ZERO
-                    code, state = onwards(
-                        segments, sides[cell], start, end_half, stop, most, flights, FALSE
-                    )
+                    tables = Tables(segments, sides[cell])
+                    code, state = onwards(tables, start, end_half, stop, most, flights, FALSE)
                     if code != UNDECIDED or alone or state.impacts > most:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
@@ -160,13 +161,7 @@ def queued_nonlinear_lane_fates(
 
 @allocating
 def settled(
-    lanes: Floats,
-    k: int,
-    segments: Floats,
-    sides: Floats,
-    end_half: int,
-    stop: float,
-    most: int,
+    lanes: Floats, k: int, tables: Tables, end_half: int, stop: float, most: int
 ) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight (UNDECIDED)."""
     stage = lanes[lane.STAGE + k]
@@ -178,13 +173,12 @@ def settled(
     if stage == lane.GIVEN_UP:
         return UNDECIDED, state
     flights = 1 if stage == lane.LEAVE else 0
-    return onwards(segments, sides, state, end_half, stop, most, flights, stage == lane.SLOW)
+    return onwards(tables, state, end_half, stop, most, flights, stage == lane.SLOW)
 
 
 @allocating
 def onwards(
-    segments: Floats,
-    sides: Floats,
+    tables: Tables,
     start: March,
     end_half: int,
     stop: float,
@@ -196,8 +190,8 @@ def onwards(
 
     Parameters
     ----------
-    segments, sides
-        Tables of the march.
+    tables
+        Of the march.
     start
         State to march from.
     end_half, stop
@@ -217,7 +211,7 @@ def onwards(
     kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     state, lifting = start, False
     while state.impacts <= most:
-        if bounced and comes_to_rest(segments, sides, state, end_half, stop):
+        if bounced and comes_to_rest(tables, state, end_half, stop):
             state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
         flies = state.angle != 0.0 or state.velocity != 0.0 or lifting
         if flies and flights == 0:
@@ -225,7 +219,7 @@ def onwards(
         limit = state.flights + max(flights, 1)
         before = state
         until = Until(end_half, stop, math.inf, limit)
-        code, state = nonlinear_march(Tables(segments, sides), before, until, kept)
+        code, state = nonlinear_march(tables, before, until, kept)
         if code != UNDECIDED:
             return code, state
         if state.flights < limit:  # a flight that comes to no end, so that no lane may take it up
@@ -238,18 +232,17 @@ def onwards(
 
 
 @compiled
-def comes_to_rest(
-    segments: Floats, sides: Floats, state: March, end_half: int, stop: float
-) -> bool:
+def comes_to_rest(tables: Tables, state: March, end_half: int, stop: float) -> bool:
     """Return whether the march would find that the bounces which follow an impact die out."""
     half, phase, side = state.half_cycles, state.phase, state.side
-    row = 0 if side > 0 else 1
-    if abs(state.velocity) < STILL * sides[row, LEAN] * sides[row, RATE]:
+    row, speed = 0 if side > 0 else 1, abs(state.velocity)
+    if speed < STILL * tables.sides[row, LEAN] * tables.sides[row, RATE]:
         return True
-    frequency = segments[0, FREQUENCY]
-    here, _ = side_phase(half, phase, side, frequency)
-    there, _ = side_phase(half, phase, -side, frequency)
+    frequency = tables.segments[0, FREQUENCY]
+    phase_here, _ = side_phase(half, phase, side, frequency)
+    phase_there, _ = side_phase(half, phase, -side, frequency)
+    next_side = -side if free_side(tables.sides) == 0 else side
+    here = stepped_bounce(tables, ZERO, side, 0.0, speed, phase_here)
+    there = stepped_bounce(tables, ZERO, next_side, 0.0, speed, phase_there)
     span = elapsed_time(end_half, stop, half, phase, frequency)
-    return bounces_end(
-        segments, ZERO, sides, side, 0.0, abs(state.velocity), here, there, span, math.inf
-    )
+    return bounces_settle(largest_restitution(tables.sides), span, here, there, math.inf)

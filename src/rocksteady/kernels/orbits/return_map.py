@@ -37,9 +37,9 @@ from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.march.rest import chatter_ends, series_uplift, uplift_time
+from rocksteady.kernels.march.rest import Bounce, chatter_ends, series_uplift, uplift_time
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
-from rocksteady.kernels.nonlinear.proofs import bounces_settle
+from rocksteady.kernels.nonlinear.proofs import SteppedBounce, bounces_settle
 from rocksteady.kernels.nonlinear.replay import peaks_of
 from rocksteady.kernels.orbits.systems import (
     EitherSystem,
@@ -261,11 +261,12 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
     row = 0 if state.side > 0 else 1
     across_side = next_side(system, state.side)
     other = 0 if across_side > 0 else 1
-    forcing, opposite = forcing_of(system, state.side), forcing_of(system, across_side)
     largest = abs(system.restitution[row])
     if system.free == 0:
         largest = max(largest, system.restitution[other])
     seen, _ = seen_from(system.shares, state.half_cycles, state.phase, state.side, system.frequency)
+    speed_here = state.speed / (system.lean[row] * system.rate[row])
+    speed_there = state.speed / (system.lean[other] * system.rate[other])
     if system.left_out > 0.0:
         across, _ = seen_from(
             system.shares, state.half_cycles, state.phase, across_side, system.frequency
@@ -273,27 +274,16 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
         return bounces_settle(
             largest,
             ENDLESS,
-            drive_of(system, row),
-            seen,
-            state.speed / (system.lean[row] * system.rate[row]),
-            system.rate[row],
-            drive_of(system, other),
-            across,
-            state.speed / (system.lean[other] * system.rate[other]),
-            system.rate[other],
+            SteppedBounce(drive_of(system, row), seen, speed_here, system.rate[row]),
+            SteppedBounce(drive_of(system, other), across, speed_there, system.rate[other]),
             math.inf,
             system.shares,
         )
     return chatter_ends(
         largest,
-        state.speed / (system.lean[row] * system.rate[row]),
-        state.speed / (system.lean[other] * system.rate[other]),
-        system.rate[row],
-        system.rate[other],
         ENDLESS,
-        forcing,
-        opposite,
-        seen,
+        Bounce(forcing_of(system, state.side), seen, speed_here, system.rate[row]),
+        Bounce(forcing_of(system, across_side), seen, speed_there, system.rate[other]),
         sine,
         across_side != state.side,
         math.inf,
