@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, SteppedFlight
 from rocksteady.kernels.nonlinear.replay import last_rise_of, peaks_of, stays_below
 from tests.every import every
 from tests.strategies import inner_sample_size
@@ -27,20 +27,21 @@ def test_a_flight_that_is_not_searched_stays_below_the_tops() -> None:
         )
         angle, velocity = rng.uniform(0.0, 1.5), rng.normal()
         tops = rng.uniform(0.0, 2.5), rng.uniform(0.0, 3.0)
-        if not stays_below(drive, angle, velocity, span, *tops):
+        flight = SteppedFlight(drive, 0.0, angle, velocity, span, 1e-15)
+        if not stays_below(flight, *tops):
             continue
         skipped += 1
-        assert peaks_of(drive, 0.0, angle, velocity, span, 1e-15, *tops) == tops
-        highest, fastest = peaks_of(drive, 0.0, angle, velocity, span, 1e-15, 0.0, 0.0)
+        assert peaks_of(flight, *tops) == tops
+        highest, fastest = peaks_of(flight, 0.0, 0.0)
         close += highest > 0.9 * tops[0] or fastest > 0.9 * tops[1]
     assert skipped > close > 10
 
 
 def test_flights_of_no_end_and_to_the_side_are_searched() -> None:
     drive = Drive(0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    assert stays_below(drive, 0.5, 0.0, 0.01, 1.0, 1.0)
-    assert not stays_below(drive, 0.5, 0.0, np.inf, 1.0, 1.0)
-    assert not stays_below(drive, 2.1, 0.0, 0.01, 9.0, 9.0)
+    assert stays_below(SteppedFlight(drive, 0.0, 0.5, 0.0, 0.01, 1e-15), 1.0, 1.0)
+    assert not stays_below(SteppedFlight(drive, 0.0, 0.5, 0.0, np.inf, 1e-15), 1.0, 1.0)
+    assert not stays_below(SteppedFlight(drive, 0.0, 2.1, 0.0, 0.01, 1e-15), 9.0, 9.0)
 
 
 @every("share", [1e-15, 1e-12, 1e-6, 0.1])
@@ -49,14 +50,14 @@ def test_a_flight_of_no_end_that_falls_back_never_rises_through_the_top(share: f
     drive = Drive(0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     barrier = 2.0 * math.sin(0.1) / 0.2
     slower, faster = barrier * (1.0 - share), barrier * (1.0 + 2.0 * share)
-    assert last_rise_of(drive, 0.0, 0.0, slower, math.inf, 1e-15, 1.0, 1.0) == -1.0
+    assert last_rise_of(SteppedFlight(drive, 0.0, 0.0, slower, math.inf, 1e-15), 1.0, 1.0) == -1.0
     if share > 1e-14:
-        assert last_rise_of(drive, 0.0, 0.0, faster, math.inf, 1e-15, 1.0, 1.0) > 1.0
+        assert last_rise_of(SteppedFlight(drive, 0.0, 0.0, faster, math.inf, 1e-15), 1.0, 1.0) > 1.0
 
 
 @pytest.mark.slow
 def test_a_flight_of_ever_so_many_steps_has_no_peaks() -> None:
     """Hung up, with a weight of -1e12 M g, a block swings for ever about 1."""
     drive = Drive(0.3, 0.0, 0.0, 0.0, 0.0, -1e12, 0.0)
-    assert np.isnan(peaks_of(drive, 0.0, 0.9, 0.0, 1.0, 1e-15, 0.0, 0.0)).all()
-    assert 0.0 < last_rise_of(drive, 0.0, 0.9, 0.0, 1.0, 1e-15, 1.0, 2.0) < 0.1
+    assert np.isnan(peaks_of(SteppedFlight(drive, 0.0, 0.9, 0.0, 1.0, 1e-15), 0.0, 0.0)).all()
+    assert 0.0 < last_rise_of(SteppedFlight(drive, 0.0, 0.9, 0.0, 1.0, 1e-15), 1.0, 2.0) < 0.1

@@ -43,7 +43,7 @@ from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
-from rocksteady.kernels.nonlinear.drive import side_drive
+from rocksteady.kernels.nonlinear.drive import SteppedFlight, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
@@ -183,22 +183,17 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
     first_half, first_phase = segment_start(segments, last.segment)
     since = elapsed_time(last.half_cycles, last.phase, first_half, first_phase, frequency)
     seen_phase, _ = side_phase(last.half_cycles, last.phase, last.side, frequency)
-    zero = fly(
+    flight = SteppedFlight(
         side_drive(segments, last.segment, sides, last.side, since),
+        seen_phase,
         last.side * last.angle / lean,
         last.side * last.velocity / (lean * rate),
-        seen_phase,
         math.inf,
-        FALSE,
-        math.inf,
-        last.angle == 0.0 and last.velocity == 0.0,
         sides[0, LEFT_OUT],
-        np.zeros(0),
-        lean,
-        rate,
-        np.empty((WORK_ROWS, TERMS)),
-        np.empty((0, TERMS)),
     )
+    lifting = last.angle == 0.0 and last.velocity == 0.0
+    work, nothing = np.empty((WORK_ROWS, TERMS)), np.zeros(0)
+    zero = fly(flight, FALSE, math.inf, lifting, nothing, lean, rate, work, np.empty((0, TERMS)))
     if zero.event == STALLED:
         return math.nan
     return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)

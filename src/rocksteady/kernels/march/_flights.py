@@ -68,7 +68,13 @@ from rocksteady.kernels.march.rest import (
     next_uplift,
     series_uplift,
 )
-from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
+from rocksteady.kernels.nonlinear.drive import (
+    SteppedFlight,
+    foot_forcing,
+    jump_share,
+    loss_of_contact,
+    side_drive,
+)
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.proofs import bounces_settle, point_of_no_return, stepped_bounce
 from rocksteady.kernels.nonlinear.series import load_shares
@@ -276,22 +282,16 @@ def march_in_model(
         if stepped:
             # What is still to come bounds the linear motion on segments that end, too.
             lasting = endless or (series and not nonlinear)
-            zero = fly(
+            lost = point_of_no_return(segments, segment, sides, side) if lasting else math.inf
+            stepping = SteppedFlight(
                 side_drive(segments, segment, sides, side, since),
+                seen_phase,
                 side * angle / lean,
                 side * velocity / (lean * rate),
-                seen_phase,
                 span * rate,
-                lasting,
-                point_of_no_return(segments, segment, sides, side) if lasting else math.inf,
-                lifting,
                 left_out_of(sides),
-                peaks,
-                lean,
-                rate,
-                work,
-                work[:0],
             )
+            zero = fly(stepping, lasting, lost, lifting, peaks, lean, rate, work, work[:0])
             duration = zero.time / rate
             if zero.event == STALLED:
                 return UNDECIDED, state
@@ -312,7 +312,7 @@ def march_in_model(
             write_row(rows, state, duration, zero.event)
         flights += 1
         if keeps and zero.event != FOUND:
-            lost = zero.event == NO_RETURN
+            falls = zero.event == NO_RETURN
             keep_passage(
                 peaks,
                 state,
@@ -320,7 +320,7 @@ def march_in_model(
                 top_speed,
                 side * angle / lean,
                 side * velocity,
-                math.inf if lost else zero.angle,
+                math.inf if falls else zero.angle,
                 span * rate,
                 segments[segment, CEILING] / lean,
             )

@@ -36,7 +36,7 @@ from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive, swing_at
+from rocksteady.kernels.nonlinear.drive import SteppedFlight, acceleration, side_drive, swing_at
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
 from rocksteady.kernels.nonlinear.replay import (
@@ -79,9 +79,9 @@ def row_flight(
 
 @compiled
 def row_start(
-    segments: Floats, sides: Floats, rows: Floats, index: int
-) -> tuple[Drive, float, float, float, float, float]:
-    """Return a recorded nonlinear flight: drive, phase and state, and the side's lean and rate."""
+    segments: Floats, sides: Floats, rows: Floats, index: int, duration: float
+) -> tuple[SteppedFlight, float, float]:
+    """Return a recorded flight in steps, of a duration, and the side's lean and rate."""
     segment = int(rows[index, ROW_SEGMENT])
     half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
     side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
@@ -91,14 +91,15 @@ def row_start(
     first_half, first_phase = segment_start(segments, segment)
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     seen, _ = side_phase(half, phase, ONE if is_series(segments, segment) else side, frequency)
-    return (
+    flight = SteppedFlight(
         side_drive(segments, segment, sides, side, since),
         seen,
         side * rows[index, ROW_ANGLE] / lean,
         side * rows[index, ROW_VELOCITY] / (lean * rate),
-        lean,
-        rate,
+        duration * rate,
+        left_out_of(sides),
     )
+    return flight, lean, rate
 
 
 @allocating
@@ -117,10 +118,9 @@ def fill_in_steps(
     """
     orders = max((segments.shape[1] - SHARES) // 2, 0)
     work = np.empty((WORK_ROWS + orders, TERMS))
-    left_out = left_out_of(sides)
     row, steps = -1, 0  # whose step the working space holds, and which
-    drive, seen, _, _, lean, rate = row_start(segments, sides, rows, ZERO)
-    span, side = 0.0, 0.0
+    flight, lean, rate = row_start(segments, sides, rows, ZERO, 0.0)
+    side = 0.0
     leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
     for i in range(len(index)):
         if rows[index[i], ROW_SIDE] == 0.0:
@@ -136,18 +136,18 @@ def fill_in_steps(
                 continue
             if orders > 0:
                 load_shares(segments[segment, SHARES:], work)
-            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, row)
-            span = rows[row, ROW_DURATION] * rate
-            leg, steps = leg_from(drive, seen, 0.0, y, v, span, left_out, work), 1
+            flight, lean, rate = row_start(segments, sides, rows, row, rows[row, ROW_DURATION])
+            leg, steps = leg_from(flight, 0.0, flight.angle, flight.velocity, work), 1
         time = since[i] * rate
-        while time > leg.start + leg.step and leg.start + leg.step < span:
-            if is_stuck(drive, steps, leg.start):
+        while time > leg.start + leg.step and leg.start + leg.step < flight.span:
+            if is_stuck(flight.drive, steps, leg.start):
                 work[ANGLE, 0] = work[ANGLE, 1] = math.nan
                 break
-            leg = leg_after(leg, drive, seen, span, left_out, work)
+            leg = leg_after(leg, flight, work)
             steps += 1
         angle, velocity = angle_at(work, leg.degree, time - leg.start)
-        _, turned = phase_at(drive, seen, time)
+        drive = flight.drive
+        _, turned = phase_at(drive, flight.phase, time)
         states[0, i] = side * lean * angle
         states[1, i] = side * lean * rate * velocity
         swing = sin(turned)
@@ -218,12 +218,12 @@ def last_crossing_in(
     while True:
         segment = int(rows[index, ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
-            drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
-            span = rows[index, ROW_DURATION] * rate
+            duration = rows[index, ROW_DURATION]
+            stepped, _, rate = row_start(segments, sides, rows, index, duration)
             side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
             lost = point_of_no_return(segments, segment, sides, side)
             shares = shares_in(segments, segment, series)
-            time = last_rise_of(drive, seen, y, v, span, left_out_of(sides), level, lost, shares)
+            time = last_rise_of(stepped, level, lost, shares)
         else:
             flight, forcing, _, rate = row_flight(segments, sides, rows, index)
             endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
@@ -263,20 +263,11 @@ def recorded_peaks_in(
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
         segment = int(rows[index, ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
-            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, index)
+            stepped, lean, rate = row_start(segments, sides, rows, index, duration)
             fast = speed / (lean * rate)
-            if not stays_below(drive, y, v, duration * rate, angle, fast):
-                angle, fast = peaks_of(
-                    drive,
-                    seen,
-                    y,
-                    v,
-                    duration * rate,
-                    left_out_of(sides),
-                    angle,
-                    fast,
-                    shares_in(segments, segment, series),
-                )
+            if not stays_below(stepped, angle, fast):
+                shares = shares_in(segments, segment, series)
+                angle, fast = peaks_of(stepped, angle, fast, shares)
         else:
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
             span = duration * rate

@@ -46,6 +46,17 @@ class Drive(NamedTuple):
     series: float = 0.0
 
 
+class SteppedFlight(NamedTuple):
+    """A flight in steps, in the units of its side."""
+
+    drive: Drive
+    phase: float  # of the shaking at the start, in [-pi/2, 3 pi/2)
+    angle: float  # at the start, 0 or more
+    velocity: float
+    span: float  # side time to its end, or to that of the segment
+    left_out: float  # part of the motion that a step may leave out
+
+
 @compiled
 def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Drive:
     """Return what drives a side on a segment, from the time `elapsed` since the segment's start."""

@@ -10,7 +10,7 @@ from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear._variation import advance, begin
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
-from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
+from rocksteady.kernels.nonlinear.drive import Drive, SteppedFlight, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
 from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand, third_bound
 
@@ -91,15 +91,10 @@ def is_lost(drive: Drive, lost_from: float, angle: float, velocity: float) -> bo
 
 @compiled
 def fly(
-    drive: Drive,
-    angle: float,
-    velocity: float,
-    phase: float,
-    span: float,
+    flight: SteppedFlight,
     endless: bool,
     lost_from: float,
     lifting: bool,
-    left_out: float,
     peaks: Floats,
     lean: float,
     rate: float,
@@ -110,24 +105,16 @@ def fly(
 
     Parameters
     ----------
-    drive
-        The side and its base motion, from the start of the flight.
-    angle, velocity
-        y and y' at the start, y >= 0.
-    phase
-        Of the shaking at the start, in [-pi/2, 3 pi/2).
-    span
-        Side time to the end of the segment.
+    flight
+        Where it starts, what drives it, and the end of the segment.
     endless
         The base motion goes on for ever, so that a loss may be concluded.
     lost_from
         Angle beyond which a block that moves on is then lost.
     lifting
         The block lifts off from rest at this instant.
-    left_out
-        Part of the motion that a step may leave out.
     peaks
-        As for `rocksteady.kernels.march.march.march`.
+        As in `rocksteady.kernels.core.tuples.Kept`.
     lean, rate
         Of the side; they convert its speed.
     work
@@ -144,6 +131,7 @@ def fly(
         that of the block lying on its side where it has come to that.  STALLED where `is_stuck`
         says so: nothing is known of what follows.
     """
+    drive, phase, angle, velocity, span, left_out = flight
     flat = HALF_PI / drive.alpha if drive.alpha > 0.0 else NEVER
     time, cycle, steps = 0.0, 0, 0
     watch, varied = len(peaks) > 0, len(course) > 0

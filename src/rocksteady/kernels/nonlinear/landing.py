@@ -19,7 +19,7 @@ from rocksteady.kernels.elementary.inverse import atan
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._variation import COLUMNS, ROWS, SHARE, STATE
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration, swing_at
+from rocksteady.kernels.nonlinear.drive import Drive, SteppedFlight, acceleration, swing_at
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
 from rocksteady.kernels.nonlinear.series import make_work
 
@@ -36,49 +36,30 @@ def lost_under_shaking(drive: Drive) -> float:
 
 
 @allocating
-def fly_to_landing(
-    drive: Drive,
-    angle: float,
-    velocity: float,
-    phase: float,
-    span: float,
-    left_out: float,
-    shares: Floats | None = None,
-) -> tuple[Zero, Derivative]:
+def fly_to_landing(flight: SteppedFlight, shares: Floats | None = None) -> tuple[Zero, Derivative]:
     """Return where a flight under endless periodic shaking ends, within a span, and what moves it.
 
     The derivative is that of y and y' at the time at which it ends.
     """
+    drive, phase, angle, velocity, span, left_out = flight
     linear = drive.alpha == 0.0
     course = np.empty((ROWS, COLUMNS))[: 0 if linear else ROWS]
-    zero = fly(
-        drive,
-        angle,
-        velocity,
-        phase,
-        span,
-        TRUE,
-        lost_under_shaking(drive),
-        angle == 0.0 and velocity == 0.0,
-        left_out if linear else SHARE * left_out,
-        np.empty(0),
-        1.0,
-        1.0,
-        make_work(shares),
-        course,
-    )
+    share = left_out if linear else SHARE * left_out
+    lost, lifting = lost_under_shaking(drive), angle == 0.0 and velocity == 0.0
+    work, nothing = make_work(shares), np.empty(0)
+    closely = SteppedFlight(drive, phase, angle, velocity, span, share)
+    zero = fly(closely, TRUE, lost, lifting, nothing, 1.0, 1.0, work, course)
     if linear:
-        return zero, linear_derivative(drive, angle, velocity, phase, zero, shares)
+        return zero, linear_derivative(flight, zero, shares)
     return zero, (course[STATE, 0], course[STATE, 1], course[STATE, 2], course[STATE, 3])
 
 
 @compiled
-def linear_derivative(
-    drive: Drive, angle: float, velocity: float, phase: float, zero: Zero, shares: Floats | None
-) -> Derivative:
+def linear_derivative(flight: SteppedFlight, zero: Zero, shares: Floats | None) -> Derivative:
     """Return what moves the end of a linear flight that has come to a zero."""
     if zero.event != FOUND:
         return 0.0, 0.0, 0.0, 0.0
+    drive, phase, angle, velocity, _, _ = flight
     _, turned = phase_at(drive, phase, zero.time)
     start = acceleration(drive, 0.0, angle, swing_at(drive, shares, phase))
     end = acceleration(drive, zero.time, 0.0, swing_at(drive, shares, turned))

@@ -11,7 +11,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import SteppedFlight
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at, reach_of
 from rocksteady.kernels.nonlinear.series import angle_at, expand, make_work, third_bound
 
@@ -33,17 +33,11 @@ class Leg(NamedTuple):
 
 @compiled
 def leg_from(
-    drive: Drive,
-    phase: float,
-    start: float,
-    angle: float,
-    velocity: float,
-    span: float,
-    left_out: float,
-    work: Floats,
+    flight: SteppedFlight, start: float, angle: float, velocity: float, work: Floats
 ) -> Leg:
-    """Return the step that begins at `start`, of a flight that lasts `span`."""
-    _, turned = phase_at(drive, phase, start)
+    """Return the step of a flight that begins at `start`, with a state there."""
+    drive = flight.drive
+    _, turned = phase_at(drive, flight.phase, start)
     sine, cosine = sincos_near(turned)
     degree, step = expand(
         drive,
@@ -53,33 +47,23 @@ def leg_from(
         sine,
         cosine,
         angle == 0.0 and velocity == 0.0,
-        reach_of(velocity, span - start),
-        left_out,
+        reach_of(velocity, flight.span - start),
+        flight.left_out,
         work,
     )
     return Leg(start, step, degree, angle, velocity)
 
 
 @compiled
-def leg_after(
-    leg: Leg, drive: Drive, phase: float, span: float, left_out: float, work: Floats
-) -> Leg:
+def leg_after(leg: Leg, flight: SteppedFlight, work: Floats) -> Leg:
     """Return the step after one."""
     angle, velocity = angle_at(work, leg.degree, leg.step)
-    return leg_from(drive, phase, leg.start + leg.step, angle, velocity, span, left_out, work)
+    return leg_from(flight, leg.start + leg.step, angle, velocity, work)
 
 
 @allocating
 def peaks_of(
-    drive: Drive,
-    phase: float,
-    angle: float,
-    velocity: float,
-    span: float,
-    left_out: float,
-    top_angle: float,
-    top_speed: float,
-    shares: Floats | None = None,
+    flight: SteppedFlight, top_angle: float, top_speed: float, shares: Floats | None = None
 ) -> tuple[float, float]:
     """Return the largest y and |y'| of a flight, or the tops given where these are larger.
 
@@ -87,29 +71,28 @@ def peaks_of(
     """
     work = make_work(shares)
     steps = 1
-    leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
+    leg = leg_from(flight, 0.0, flight.angle, flight.velocity, work)
     while True:
         third = third_bound(work, leg.degree, leg.step)
         later, after = angle_at(work, leg.degree, leg.step)
         top_angle, top_speed = largest(
             work, leg.degree, leg.step, third, later, after, top_angle, top_speed
         )
-        if leg.start + leg.step >= span:
+        if leg.start + leg.step >= flight.span:
             return top_angle, top_speed
-        if is_stuck(drive, steps, leg.start):
+        if is_stuck(flight.drive, steps, leg.start):
             return math.nan, math.nan
         steps += 1
-        leg = leg_after(leg, drive, phase, span, left_out, work)
+        leg = leg_after(leg, flight, work)
 
 
 @compiled
-def stays_below(
-    drive: Drive, angle: float, velocity: float, span: float, top_angle: float, top_speed: float
-) -> bool:
+def stays_below(flight: SteppedFlight, top_angle: float, top_speed: float) -> bool:
     """Return whether a flight is too short to reach the tops given, by a bound of |y''|.
 
     While 0 <= y <= 2, ``|sin(alpha (1 - y))|/alpha <= 1``.
     """
+    drive, _, angle, velocity, span, _ = flight
     if not span < LONG:
         return False
     pull = abs(drive.constant) + abs(drive.slope) * span + drive.amplitude
@@ -121,15 +104,7 @@ def stays_below(
 
 @allocating
 def last_rise_of(
-    drive: Drive,
-    phase: float,
-    angle: float,
-    velocity: float,
-    span: float,
-    left_out: float,
-    level: float,
-    beyond: float,
-    shares: Floats | None = None,
+    flight: SteppedFlight, level: float, beyond: float, shares: Floats | None = None
 ) -> float:
     """Return the last time at which a flight rises through a level, or -1.
 
@@ -140,16 +115,16 @@ def last_rise_of(
     work = make_work(shares)
     steps = 1
     last = -1.0
-    leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
+    leg = leg_from(flight, 0.0, flight.angle, flight.velocity, work)
     while True:
         time = last_rise(work, leg.degree, leg.step, level)
         if time >= 0.0:
             last = leg.start + time
-        if leg.start + leg.step >= span:
+        if leg.start + leg.step >= flight.span:
             return last
-        leg = leg_after(leg, drive, phase, span, left_out, work)
-        if span == math.inf and (leg.angle > max(level, beyond) or leg.angle < -1.0):
+        leg = leg_after(leg, flight, work)
+        if flight.span == math.inf and (leg.angle > max(level, beyond) or leg.angle < -1.0):
             return last
-        if is_stuck(drive, steps, leg.start):
+        if is_stuck(flight.drive, steps, leg.start):
             return last
         steps += 1

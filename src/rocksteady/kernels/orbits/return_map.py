@@ -38,6 +38,7 @@ from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.march.rest import Bounce, chatter_ends, series_uplift, uplift_time
+from rocksteady.kernels.nonlinear.drive import SteppedFlight
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
 from rocksteady.kernels.nonlinear.proofs import SteppedBounce, bounces_settle
 from rocksteady.kernels.nonlinear.replay import peaks_of
@@ -209,15 +210,8 @@ def passage_of(
     lifting = flight.angle == 0.0 and flight.velocity == 0.0
     derivative = (0.0, 0.0, 0.0, 0.0)
     if system.left_out > 0.0:
-        zero, derivative = fly_to_landing(
-            drive_of(system, row),
-            flight.angle,
-            flight.velocity,
-            flight.phase,
-            LONGEST_FLIGHT,
-            system.left_out,
-            system.shares,
-        )
+        stepping = stepped(system, row, flight, LONGEST_FLIGHT)
+        zero, derivative = fly_to_landing(stepping, system.shares)
     else:
         zero = next_zero(flight, forcing, LONGEST_FLIGHT, TRUE, lifting, guess)
     lean, rate = system.lean[row], system.rate[row]
@@ -250,6 +244,13 @@ def passage_of(
     return Passage(
         IMPACT, after, zero.time / rate, landing, Jacobian(j11, j12 / unit, j21 * unit, j22)
     )
+
+
+@compiled
+def stepped(system: System, row: int, flight: Flight, span: float) -> SteppedFlight:
+    """Return a flight on the side of a row as one in steps."""
+    drive = drive_of(system, row)
+    return SteppedFlight(drive, flight.phase, flight.angle, flight.velocity, span, system.left_out)
 
 
 @compiled
@@ -382,18 +383,8 @@ def highest_of(system: System, state: Section, time: float) -> float:
     """Return the largest |theta|/alpha of the flight that a state begins, up to a pivot time."""
     row = 0 if state.side > 0 else 1
     if system.left_out > 0.0:
-        flight = flight_from(system, state)
-        highest, _ = peaks_of(
-            drive_of(system, row),
-            flight.phase,
-            flight.angle,
-            flight.velocity,
-            time * system.rate[row],
-            system.left_out,
-            flight.angle,
-            math.inf,
-            system.shares,
-        )
+        flight = stepped(system, row, flight_from(system, state), time * system.rate[row])
+        highest, _ = peaks_of(flight, flight.angle, math.inf, system.shares)
         return highest * system.lean[row]
     angle, _ = highest_angle(
         flight_from(system, state), forcing_of(system, state.side), time * system.rate[row]
