@@ -21,18 +21,9 @@ from rocksteady.dynamics.orbits.return_map import (
 )
 from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.kernels.elementary.arrays import hypot
-from rocksteady.kernels.orbits import periodic
+from rocksteady.kernels.orbits import periodic, return_map
 from rocksteady.kernels.orbits.periodic import mirror
-from rocksteady.kernels.orbits.return_map import (
-    FALL,
-    IMPACT,
-    STAY,
-    STUCK,
-    UPLIFT,
-    guess_after,
-    next_passage,
-    uplift_after,
-)
+from rocksteady.kernels.orbits.return_map import guess_after, next_passage, uplift_after
 from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
 from rocksteady.kernels.orbits.systems import EitherSystem, for_system
 from rocksteady.model.blocks.block import Block
@@ -305,7 +296,7 @@ def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
     motion.
     """
     lifting = for_system(uplift_after, system)(system, 0, 0.0)
-    if lifting.kind == STAY:
+    if lifting.kind == return_map.STAY:
         return
     begin, step = lifting.state, lifting
     states = [begin]
@@ -313,13 +304,13 @@ def _resting_orbits(system: EitherSystem, longest: int) -> Iterable[Found]:
     whole, grown = nothing, [0.0]  # since the last rest, and its logarithm at each passage
     while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
         step = for_system(next_passage, system)(system, step.state, guess_after(step))
-        if step.kind in (FALL, STAY, STUCK):
+        if step.kind in (return_map.FALL, return_map.STAY, return_map.STUCK):
             return
         states.append(step.state)
-        if step.kind == IMPACT:
+        if step.kind == return_map.IMPACT:
             whole = stretched(whole, step.jacobian)
         grown.append(whole.logarithm)
-        if step.kind != UPLIFT:
+        if step.kind != return_map.UPLIFT:
             continue
         whole = nothing
         # An uplift is known by its side alone; for a block with two sides one must come again.

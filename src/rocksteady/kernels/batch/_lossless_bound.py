@@ -26,25 +26,9 @@ Of a block against a wall its one side counts, and y of the other is 0 for ever.
 import math
 
 from rocksteady.kernels.batch._still_base import over_the_top
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import elapsed_time, segment_start
-from rocksteady.kernels.core.tables import (
-    ALPHA,
-    AMPLITUDE,
-    CONSTANT,
-    DURATION,
-    FREQUENCY,
-    JUMP,
-    LEAN,
-    LIFT,
-    LIFT_CEILING,
-    PHASE,
-    RATE,
-    SLOPE,
-    Floats,
-    March,
-    free_side,
-    is_nonlinear,
-)
+from rocksteady.kernels.core.tables import Floats, March, free_side, is_nonlinear
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 
@@ -96,39 +80,45 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     free = free_side(sides)
     if state.angle != 0.0 or (free == 0 and not (sides[0] == sides[1]).all()):
         return math.inf
-    if segments.shape[1] > LIFT and segments[state.segment, LIFT_CEILING] != 0.0:
+    if segments.shape[1] > columns.LIFT and segments[state.segment, columns.LIFT_CEILING] != 0.0:
         return math.inf
     row = 1 if free < 0 else 0
-    lean, rate = sides[row, LEAN], sides[row, RATE]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
     weight, cosine, sine = 1.0, 1.0, 0.0
     if is_nonlinear(sides):
-        alpha = sides[row, ALPHA]
+        alpha = sides[row, columns.ALPHA]
         sine, cosine = sincos_near(alpha)
         weight, sine = sine / alpha, alpha * sine
     speed = state.velocity / (lean * rate)
     energy, plus, minus = 0.5 * speed * speed, 0.0, 0.0
     half, phase = segment_start(segments, state.segment)
     since = elapsed_time(
-        state.half_cycles, state.phase, half, phase, segments[state.segment, FREQUENCY]
+        state.half_cycles, state.phase, half, phase, segments[state.segment, columns.FREQUENCY]
     )
     left = -since
     for index in range(state.segment, len(segments)):
-        left += segments[index, DURATION]
+        left += segments[index, columns.DURATION]
     base, climb = math.nan, 0.0  # h and h' at the end of the step before
     for index in range(state.segment, len(segments)):
-        if segments[index, JUMP] != 0.0:
+        if segments[index, columns.JUMP] != 0.0:
             return math.inf
-        duration = segments[index, DURATION] - since
+        duration = segments[index, columns.DURATION] - since
         count = max(1, math.ceil(STEPS * duration / left))
         step = duration / count
-        size, slope = segments[index, AMPLITUDE] / lean, segments[index, SLOPE] / lean
-        frequency, beyond = segments[index, FREQUENCY], segments[index, FREQUENCY] * step
+        size, slope = (
+            segments[index, columns.AMPLITUDE] / lean,
+            segments[index, columns.SLOPE] / lean,
+        )
+        frequency, beyond = (
+            segments[index, columns.FREQUENCY],
+            segments[index, columns.FREQUENCY] * step,
+        )
         beyond = size * beyond * beyond / 8.0
         for k in range(count + 1):
             time = since + k * step
-            turned = segments[index, PHASE] + frequency * time
+            turned = segments[index, columns.PHASE] + frequency * time
             swing, swing_rate = sincos_near(turned)
-            h = segments[index, CONSTANT] / lean + slope * time + size * swing
+            h = segments[index, columns.CONSTANT] / lean + slope * time + size * swing
             rise = slope + size * frequency * swing_rate
             if k == 0:
                 if not math.isnan(base):  # a step of the base acceleration

@@ -8,23 +8,10 @@ import math
 
 import numpy as np
 
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import queue_of, take
-from rocksteady.kernels.core.tables import (
-    AMPLITUDE,
-    CEILING,
-    DURATION,
-    FREQUENCY,
-    NONLINEAR_SEGMENT_COLUMNS,
-    ORDERS,
-    PHASE,
-    ROW_COLUMNS,
-    SEGMENT_COLUMNS,
-    SHARES,
-    UNDECIDED,
-    March,
-    is_nonlinear,
-)
+from rocksteady.kernels.core.tables import March, is_nonlinear
 from rocksteady.kernels.core.tuples import (
     Cells,
     Fates,
@@ -48,11 +35,11 @@ from rocksteady.kernels.march.march import linear_march, march, nonlinear_march
 def harmonic_segment(segments: Floats2, amplitude: float, frequency: float, phase: float) -> None:
     """Fill row 0 with endless harmonic shaking; `amplitude` and `frequency` as for the model."""
     segments[0, :] = 0.0
-    segments[0, DURATION] = math.inf
-    segments[0, AMPLITUDE] = amplitude
-    segments[0, FREQUENCY] = frequency
-    segments[0, PHASE] = phase
-    segments[0, CEILING] = amplitude
+    segments[0, columns.DURATION] = math.inf
+    segments[0, columns.AMPLITUDE] = amplitude
+    segments[0, columns.FREQUENCY] = frequency
+    segments[0, columns.PHASE] = phase
+    segments[0, columns.CEILING] = amplitude
 
 
 @allocating
@@ -80,7 +67,7 @@ def queued_fates_of_sides(
     queue: Integers1, cells: Cells, starts: Starts, cycles: int, most: int, fates: Fates
 ) -> None:
     """Do what `fates_of_sides` does in the linear model, for the cells taken from a queue."""
-    _fates(queue, cells, starts, cycles, most, fates, np.zeros((1, SEGMENT_COLUMNS)), FALSE)
+    _fates(queue, cells, starts, cycles, most, fates, np.zeros((1, columns.SEGMENT_COLUMNS)), FALSE)
 
 
 @allocating
@@ -89,7 +76,7 @@ def queued_nonlinear_fates_of_sides(
 ) -> None:
     """Do what `fates_of_sides` does in the nonlinear model, for the cells taken from a queue."""
     # On a base without vertical motion.
-    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
+    segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))
     _fates(queue, cells, starts, cycles, most, fates, segments, TRUE)
 
 
@@ -105,7 +92,7 @@ def _fates(
     nonlinear: bool,
 ) -> None:
     """Fill the fates of the cells of a queue; inlined once for each model."""
-    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     while True:
         i = take(queue)
         if i < 0:
@@ -123,13 +110,13 @@ def _fates(
 @allocating
 def series_fates(cells: SeriesCells, starts: Starts, cycles: int, most: int, fates: Fates) -> None:
     """Do what `fates_of_sides` does under a Fourier series."""
-    segments = np.zeros((1, SHARES + len(cells.shares)))
-    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    segments = np.zeros((1, columns.SHARES + len(cells.shares)))
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     for i in range(len(cells.amplitude)):
         harmonic_segment(segments, cells.amplitude[i], cells.frequency_ratio[i], starts.phase[i])
-        segments[0, ORDERS] = len(cells.shares) // 2
+        segments[0, columns.ORDERS] = len(cells.shares) // 2
         for k in range(len(cells.shares)):
-            segments[0, SHARES + k] = cells.shares[k]
+            segments[0, columns.SHARES + k] = cells.shares[k]
         start, until = run_of(starts, cycles, most, i)
         code, end = march(Tables(segments, cells.sides[i]), start, until, kept)
         note(fates, i, code, end)
@@ -154,7 +141,7 @@ def note(fates: Fates, cell: int, code: int, end: March) -> None:
 def note_in_lanes(fates: Fates, cell: int, code: int, end: March, most: int) -> None:
     """Write how a cell ended; one that is UNDECIDED has no end, but `most` impacts."""
     note(fates, cell, code, end)
-    if code == UNDECIDED:
+    if code == columns.UNDECIDED:
         fates.impacts[cell] = most
         fates.final[cell] = math.nan
 

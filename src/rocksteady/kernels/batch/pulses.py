@@ -17,26 +17,9 @@ import numpy as np
 
 from rocksteady.kernels.batch._lossless_bound import largest_margin
 from rocksteady.kernels.batch._still_base import HALF_PI, NEAR, fate_on_still_base, over_the_top
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
-from rocksteady.kernels.core.tables import (
-    ALPHA,
-    AT_REST,
-    FREQUENCY,
-    LEAN,
-    LEFT_OUT,
-    OVERTURNED,
-    PEAK_ANGLE,
-    PEAK_COLUMNS,
-    RATE,
-    ROCKING,
-    ROW_COLUMNS,
-    ROW_DURATION,
-    STALLED,
-    UNDECIDED,
-    Floats,
-    March,
-    is_nonlinear,
-)
+from rocksteady.kernels.core.tables import Floats, March, is_nonlinear
 from rocksteady.kernels.core.tuples import Kept, PulseFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating
@@ -85,58 +68,61 @@ def pulse_fates(
     status, impacts, side, during, margin = fates
     nonlinear = is_nonlinear(sides)
     own = sides.copy()
-    peaks = np.zeros(PEAK_COLUMNS if nonlinear else 0)
+    peaks = np.zeros(columns.PEAK_COLUMNS if nonlinear else 0)
     half, phase = segment_start(segments, ZERO)
     start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
     scaled = Tables(segments, own)
     for i in range(len(amplitude)):
         lean, rate = 1.0 / amplitude[i], 1.0 / frequency_ratio[i]
         for row in range(2):
-            own[row, LEAN] = sides[row, LEAN] * lean
-            own[row, RATE] = sides[row, RATE] * rate
+            own[row, columns.LEAN] = sides[row, columns.LEAN] * lean
+            own[row, columns.RATE] = sides[row, columns.RATE] * rate
         peaks[:] = 0.0
         code, end, bound = followed(scaled, start, rest_velocity, limit, peaks)
-        status[i] = AT_REST
+        status[i] = columns.AT_REST
         impacts[i] = end.impacts
         side[i] = 0
         during[i] = 3 * end.impacts + 1 + end.side
         if code == STANDS:
             margin[i] = bound
             continue
-        if code not in (AT_REST, ROCKING, OVERTURNED):
+        if code not in (columns.AT_REST, columns.ROCKING, columns.OVERTURNED):
             status[i] = code
             margin[i] = math.nan
             continue
-        if code == OVERTURNED:
-            status[i] = OVERTURNED
+        if code == columns.OVERTURNED:
+            status[i] = columns.OVERTURNED
             side[i] = end.side
             margin[i] = speed_at_the_floor(segments, own, end) if nonlinear else LOST
             continue
         margin[i] = -1.0
-        if code != AT_REST:
+        if code != columns.AT_REST:
             row = 0 if end.side > 0 else 1
-            unit = own[row, LEAN] * own[row, RATE]
+            unit = own[row, columns.LEAN] * own[row, columns.RATE]
             fate = fate_on_still_base(
-                own, end.side, end.side * end.angle / own[row, LEAN], end.side * end.velocity / unit
+                own,
+                end.side,
+                end.side * end.angle / own[row, columns.LEAN],
+                end.side * end.velocity / unit,
             )
             margin[i] = fate.margin
             if fate.margin > 0.0:
-                status[i] = OVERTURNED
+                status[i] = columns.OVERTURNED
                 impacts[i] = end.impacts + fate.impacts
                 side[i] = fate.side
                 continue
         if nonlinear:
-            widest = max(sides[0, ALPHA], sides[1, ALPHA])
-            near = NEAR * (widest * peaks[PEAK_ANGLE] / HALF_PI - 1.0)
-            if sides[0, ALPHA] != sides[1, ALPHA] and near > margin[i]:
+            widest = max(sides[0, columns.ALPHA], sides[1, columns.ALPHA])
+            near = NEAR * (widest * peaks[columns.PEAK_ANGLE] / HALF_PI - 1.0)
+            if sides[0, columns.ALPHA] != sides[1, columns.ALPHA] and near > margin[i]:
                 # The peak is in the alpha of its side, and which that was only rows tell.
-                rows = np.zeros((end.flights, ROW_COLUMNS))
+                rows = np.zeros((end.flights, columns.ROW_COLUMNS))
                 flights = len(segments) + limit
                 until = Until(ZERO, 0.0, rest_velocity, flights)
                 march(scaled, start, until, Kept(rows, np.zeros(0)))
-                last = rows[len(rows) - 1, ROW_DURATION]
+                last = rows[len(rows) - 1, columns.ROW_DURATION]
                 positive, negative, _ = recorded_peaks(segments, own, rows, last)
-                turned = max(sides[0, ALPHA] * positive, sides[1, ALPHA] * negative)
+                turned = max(sides[0, columns.ALPHA] * positive, sides[1, columns.ALPHA] * negative)
                 near = NEAR * (turned / HALF_PI - 1.0)
             margin[i] = max(margin[i], near)
 
@@ -150,13 +136,13 @@ def followed(
     The parameters are those of `pulse_fates` and `kernels.march.march.march`; returned are the
     status or STANDS, the final state, and the bound of its margin where it stands.
     """
-    kept, end, bound = Kept(np.zeros((0, ROW_COLUMNS)), peaks), start, math.inf
-    code = UNDECIDED
+    kept, end, bound = Kept(np.zeros((0, columns.ROW_COLUMNS)), peaks), start, math.inf
+    code = columns.UNDECIDED
     for most in (min(SOME, limit), min(MANY, limit), limit):
         # From the start again: a march does not begin within a segment that has a slope.
         until = Until(ZERO, 0.0, rest_velocity, len(tables.segments) + most)
         code, end = march(tables, start, until, kept)
-        if code != UNDECIDED:
+        if code != columns.UNDECIDED:
             break
         bound = largest_margin(tables.segments, tables.sides, end)
         if bound < 0.0:
@@ -178,8 +164,8 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
         How its last flight began.
     """
     row = 0 if last.side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    frequency = segments[last.segment, FREQUENCY]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    frequency = segments[last.segment, columns.FREQUENCY]
     first_half, first_phase = segment_start(segments, last.segment)
     since = elapsed_time(last.half_cycles, last.phase, first_half, first_phase, frequency)
     seen_phase, _ = side_phase(last.half_cycles, last.phase, last.side, frequency)
@@ -189,11 +175,11 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
         last.side * last.angle / lean,
         last.side * last.velocity / (lean * rate),
         math.inf,
-        sides[0, LEFT_OUT],
+        sides[0, columns.LEFT_OUT],
     )
     lifting = last.angle == 0.0 and last.velocity == 0.0
     work, nothing = np.empty((WORK_ROWS, TERMS)), np.zeros(0)
     zero = fly(flight, FALSE, math.inf, lifting, nothing, lean, rate, work, np.empty((0, TERMS)))
-    if zero.event == STALLED:
+    if zero.event == columns.STALLED:
         return math.nan
     return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)

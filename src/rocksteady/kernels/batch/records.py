@@ -13,23 +13,9 @@ since, above its slenderness or just below it.
 import numpy as np
 
 from rocksteady.kernels.batch.waiting import fill_hardest, waits_until
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.queue import LEFT_OVER, queue_of, take
-from rocksteady.kernels.core.tables import (
-    BEFORE_ANGLE,
-    BEFORE_SPEED,
-    COUNTED,
-    LEAN,
-    OVERTURNED,
-    PASSAGE_COLUMNS,
-    PASSING_AGAIN,
-    PEAK_ANGLE,
-    PEAK_SPEED,
-    RATE,
-    ROW_COLUMNS,
-    March,
-    is_nonlinear,
-    kept_passage,
-)
+from rocksteady.kernels.core.tables import March, is_nonlinear, kept_passage
 from rocksteady.kernels.core.tuples import Blocks, Kept, PeakFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ONE, TRUE, ZERO
 from rocksteady.kernels.machine_code.compilation import (
@@ -121,11 +107,11 @@ def _record_fates(
 
     `whole` is whether to go through a whole motion again where its last passage is not enough.
     """
-    none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    none, nothing = np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0)
     status, impacts, peaks = fates
     watch = peaks.shape[1] > 0
-    kept = np.zeros(PASSAGE_COLUMNS)
-    peak = kept[: PASSAGE_COLUMNS if watch else 0]
+    kept = np.zeros(columns.PASSAGE_COLUMNS)
+    peak = kept[: columns.PASSAGE_COLUMNS if watch else 0]
     while True:
         i = take(queue)
         if i < 0:
@@ -133,31 +119,31 @@ def _record_fates(
         own = blocks.sides[i]
         tables = Tables(segments, own)
         waits = waits_until(hardest, own) if len(blocks.sides) > FEW else ZERO
-        unit = own[0, LEAN] * own[0, RATE]
-        stop = blocks.afterwards[i] / own[0, RATE]
+        unit = own[0, columns.LEAN] * own[0, columns.RATE]
+        stop = blocks.afterwards[i] / own[0, columns.RATE]
         peak[:] = 0.0
         start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
         status[i], end = _march_through(tables, start, stop, limit, Kept(none, peak), nonlinear)
         impacts[i] = end.impacts
         if not watch:
             continue
-        if status[i] == OVERTURNED:
-            if peak[PASSING_AGAIN] == 0.0:
-                row, again = np.zeros((1, ROW_COLUMNS)), kept_passage(peak)
+        if status[i] == columns.OVERTURNED:
+            if peak[columns.PASSING_AGAIN] == 0.0:
+                row, again = np.zeros((1, columns.ROW_COLUMNS)), kept_passage(peak)
                 _march_through(tables, again, stop, ONE, Kept(row, nothing), nonlinear)
                 positive, negative, speed = peaks_without_series(segments, own, row)
             elif whole:
                 again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
-                rows = np.zeros((most, ROW_COLUMNS))
+                rows = np.zeros((most, columns.ROW_COLUMNS))
                 _march_through(tables, again, stop, most, Kept(rows, nothing), nonlinear)
                 positive, negative, speed = peaks_without_series(segments, own, rows)
             else:
                 status[i] = LEFT_OVER
                 continue
-            peak[PEAK_ANGLE] = max(peak[BEFORE_ANGLE], positive, negative)
-            peak[PEAK_SPEED] = max(peak[BEFORE_SPEED], speed)
-        peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
-        peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit
+            peak[columns.PEAK_ANGLE] = max(peak[columns.BEFORE_ANGLE], positive, negative)
+            peak[columns.PEAK_SPEED] = max(peak[columns.BEFORE_SPEED], speed)
+        peaks[i, columns.PEAK_ANGLE] = peak[columns.PEAK_ANGLE]
+        peaks[i, columns.PEAK_SPEED] = peak[columns.PEAK_SPEED] / unit
 
 
 @inlined
@@ -165,7 +151,7 @@ def _march_through(
     tables: Tables, start: March, stop: float, limit: int, kept: Kept, nonlinear: bool
 ) -> tuple[int, March]:
     """March to the end of a motion in one of the models."""
-    until = Until(ZERO, stop, COUNTED, limit)
+    until = Until(ZERO, stop, columns.COUNTED, limit)
     if nonlinear:
         return nonlinear_march(tables, start, until, kept)
     return linear_march(tables, start, until, kept)

@@ -5,21 +5,11 @@ import math
 import numpy as np
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment, note_in_lanes, start_of
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.queue import queue_of, take, together
 from rocksteady.kernels.core.returns import LEAPT
-from rocksteady.kernels.core.tables import (
-    LEAN,
-    OVERTURNED,
-    RATE,
-    RESTITUTION,
-    ROCKING,
-    ROW_COLUMNS,
-    SEGMENT_COLUMNS,
-    UNDECIDED,
-    Floats,
-    March,
-)
+from rocksteady.kernels.core.tables import Floats, March
 from rocksteady.kernels.core.tuples import (
     Fates,
     Kept,
@@ -80,10 +70,10 @@ def queued_lane_fates(
     """Do what `lane_fates` does, for the cells that this worker takes from a queue."""
     amplitude, frequency_ratio, restitution = cells
     angle, velocity, phase = starts
-    segments = np.zeros((1, SEGMENT_COLUMNS))
+    segments = np.zeros((1, columns.SEGMENT_COLUMNS))
     sides = np.zeros((2, 3))
-    sides[:, LEAN] = 1.0
-    sides[:, RATE] = 1.0
+    sides[:, columns.LEAN] = 1.0
+    sides[:, columns.RATE] = 1.0
     tables = Tables(segments, sides)
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
@@ -108,10 +98,10 @@ def queued_lane_fates(
                 if lane.LEAVE <= lanes[lane.STAGE + j] < lane.DOWN:
                     cell = int(lanes[lane.CELL + j])
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    sides[:, RESTITUTION] = restitution[cell]
+                    sides[:, columns.RESTITUTION] = restitution[cell]
                     end_half = clock(phase[cell])[0] + 2 * cycles
                     code, state = settled(lanes, j, tables, end_half, most)
-                    if code == UNDECIDED and not exhausted(lanes, j, most):
+                    if code == columns.UNDECIDED and not exhausted(lanes, j, most):
                         put_lane(lanes, j, state, end_half)
                     else:
                         note_in_lanes(fates, cell, code, state, most)
@@ -123,11 +113,11 @@ def queued_lane_fates(
                     if not fresh:
                         break
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    sides[:, RESTITUTION] = restitution[cell]
+                    sides[:, columns.RESTITUTION] = restitution[cell]
                     start = start_of(angle[cell], velocity[cell], phase[cell])
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
                     code, state = launched(tables, start, end_half, stop)
-                    if code != UNDECIDED:
+                    if code != columns.UNDECIDED:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
                     load(
@@ -164,9 +154,9 @@ def exhausted(lanes: Floats, j: int, most: int) -> bool:
 @allocating
 def launched(tables: Tables, start: March, end_half: int, end_phase: float) -> tuple[int, March]:
     """March until the block is in flight from the floor (UNDECIDED), or to the end."""
-    code, state = UNDECIDED, start
-    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
-    while code == UNDECIDED and (state.side == 0 or state.angle != 0.0):
+    code, state = columns.UNDECIDED, start
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
+    while code == columns.UNDECIDED and (state.side == 0 or state.angle != 0.0):
         until = Until(end_half, end_phase, math.inf, state.flights + 1)
         code, state = linear_march(tables, state, until, kept)
     return code, state
@@ -178,18 +168,18 @@ def settled(lanes: Floats, j: int, tables: Tables, end_half: int, most: int) -> 
     stage = lanes[lane.STAGE + j]
     state = taken(lanes, j, end_half)
     if exhausted(lanes, j, most):
-        return UNDECIDED, state
+        return columns.UNDECIDED, state
     if stage == lane.FALLEN:
-        return OVERTURNED, state
+        return columns.OVERTURNED, state
     if stage == lane.ENDED:
-        return ROCKING, at_the_end(lanes, j, end_half)
+        return columns.ROCKING, at_the_end(lanes, j, end_half)
     if stage == lane.RESTED:
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     stop = lanes[lane.STOP + j]
-    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     until = Until(end_half, stop, math.inf, ONE)
     code, state = linear_march(tables, state, until, kept)
-    if code != UNDECIDED:
+    if code != columns.UNDECIDED:
         return code, state
     if stage != lane.RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
         # As the march has it, which would have come to this at the next flight.

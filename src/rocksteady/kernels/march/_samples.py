@@ -27,19 +27,9 @@ far, and a changes sign or v falls through zero, is there an extremum to be foun
 import math
 from typing import NamedTuple
 
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import (
-    CEILING,
-    CONSTANT,
-    DURATION,
-    ENDED_BY_SPAN,
-    LEAN,
-    PASSAGE_COLUMNS,
-    PEAK_ANGLE,
-    PEAK_SPEED,
-    RATE,
-    SAFELY,
-    SLOPE,
     Floats,
     March,
     end_of_run,
@@ -99,23 +89,23 @@ def fly_through(
     rows, peaks = kept
     side, angle, velocity, segment, _, _, _, flights = state
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    duration = segments[segment, DURATION]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    duration = segments[segment, columns.DURATION]
     h = duration * rate
     if h > LONGEST:
         return segment, angle, velocity, flights, False
     stride = make_stride(h)
     pull = side / lean
     y, v = side * angle / lean, side * velocity / (lean * rate)
-    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= columns.PASSAGE_COLUMNS
     top_angle = top_speed = 0.0
     if watch:
-        top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
+        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / (lean * rate)
     stop = min(end_of_run(segments, segment), segment + limit - flights)
     first, fallen = segment, False
     while segment < stop:
-        start = pull * segments[segment, CONSTANT] - 1.0
-        change = pull * (segments[segment, SLOPE] * duration)
+        start = pull * segments[segment, columns.CONSTANT] - 1.0
+        change = pull * (segments[segment, columns.SLOPE] * duration)
         lowest = min(start, start + change, 0.0)
         if not (y - MARGIN * y) + v * h > -lowest * stride.half_square:
             break
@@ -129,18 +119,18 @@ def fly_through(
         if record or rises:
             now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
             if record:
-                write_row(rows, now, duration, ENDED_BY_SPAN)
+                write_row(rows, now, duration, columns.ENDED_BY_SPAN)
             if rises:
                 keep_passage(
                     peaks,
                     now,
                     top_angle,
-                    max(peaks[PEAK_SPEED], top_speed * lean * rate),
+                    max(peaks[columns.PEAK_SPEED], top_speed * lean * rate),
                     y,
                     v,
                     later_y,
                     h,
-                    segments[segment, CEILING] / lean,
+                    segments[segment, columns.CEILING] / lean,
                 )
         if watch:
             here, there = y + start, later_y + (start + change)
@@ -160,12 +150,12 @@ def fly_through(
         y, v = later_y, later_v
         segment += 1
         flights += 1
-        if y * lean > lean + segments[segment, CEILING] and v >= 0.0:
+        if y * lean > lean + segments[segment, columns.CEILING] and v >= 0.0:
             fallen = True  # nothing that is still to come can bring it back
             break
     if watch:
-        peaks[PEAK_ANGLE] = top_angle
-        peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
+        peaks[columns.PEAK_ANGLE] = top_angle
+        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
     if segment == first:  # untouched, to the last bit
         return segment, angle, velocity, flights, fallen
     return segment, side * y * lean, side * v * lean * rate, flights, fallen
@@ -183,26 +173,26 @@ def rest_through(
         The segment at whose start it stops, and the flights and rests so far.
     """
     segments, sides = tables
-    above, below = sides[0, LEAN], -sides[1, LEAN]
+    above, below = sides[0, columns.LEAN], -sides[1, columns.LEAN]
     free = free_side(sides)
     if free > 0:
         below = -math.inf
     elif free < 0:
         above = math.inf
-    duration = segments[segment, DURATION]
+    duration = segments[segment, columns.DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)
-    faint = segments[segment, CEILING] < SAFELY * min(above, -below)
+    faint = segments[segment, columns.CEILING] < columns.SAFELY * min(above, -below)
     if faint and not record and segment < stop:
         return stop, flights + (stop - segment)
     while segment < stop:
-        start = segments[segment, CONSTANT]
-        end = start + segments[segment, SLOPE] * duration
+        start = segments[segment, columns.CONSTANT]
+        end = start + segments[segment, columns.SLOPE] * duration
         if max(start, end) >= above or min(start, end) <= below:
             break
         if record:
             state = March(0, 0.0, 0.0, segment, 0, 0.0, 0, flights)
-            write_row(rows, state, duration, ENDED_BY_SPAN)
+            write_row(rows, state, duration, columns.ENDED_BY_SPAN)
         segment += 1
         flights += 1
     return segment, flights

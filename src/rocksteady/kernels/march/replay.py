@@ -5,31 +5,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
 from rocksteady.kernels.core.forcing import Forcing, side_forcing
-from rocksteady.kernels.core.tables import (
-    ENDED_BY_IMPACT,
-    ENDED_BY_NO_RETURN,
-    ENDED_BY_SPAN,
-    FREQUENCY,
-    LEAN,
-    ORDERS,
-    RATE,
-    ROW_ANGLE,
-    ROW_DURATION,
-    ROW_EVENT,
-    ROW_HALF_CYCLES,
-    ROW_PHASE,
-    ROW_SEGMENT,
-    ROW_SIDE,
-    ROW_VELOCITY,
-    SHARES,
-    Floats,
-    is_nonlinear,
-    is_series,
-    is_stepped,
-    left_out_of,
-)
+from rocksteady.kernels.core.tables import Floats, is_nonlinear, is_series, is_stepped, left_out_of
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
@@ -55,12 +34,12 @@ def row_flight(
     segments: Floats, sides: Floats, rows: Floats, index: int
 ) -> tuple[Flight, Forcing, float, float]:
     """Return a recorded flight in its side's units, its forcing, and the side's lean and rate."""
-    segment = int(rows[index, ROW_SEGMENT])
-    half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
-    side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+    segment = int(rows[index, columns.ROW_SEGMENT])
+    half, phase = int(rows[index, columns.ROW_HALF_CYCLES]), rows[index, columns.ROW_PHASE]
+    side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    frequency = segments[segment, FREQUENCY]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    frequency = segments[segment, columns.FREQUENCY]
     first_half, first_phase = segment_start(segments, segment)
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     forcing = side_forcing(segments, segment, sides, side, since)
@@ -68,8 +47,8 @@ def row_flight(
     sine, cosine = sincos_near(seen)
     flight = make_flight(
         forcing,
-        side * rows[index, ROW_ANGLE] / lean,
-        side * rows[index, ROW_VELOCITY] / (lean * rate),
+        side * rows[index, columns.ROW_ANGLE] / lean,
+        side * rows[index, columns.ROW_VELOCITY] / (lean * rate),
         seen,
         sine,
         cosine,
@@ -82,20 +61,20 @@ def row_start(
     segments: Floats, sides: Floats, rows: Floats, index: int, duration: float
 ) -> tuple[SteppedFlight, float, float]:
     """Return a recorded flight in steps, of a duration, and the side's lean and rate."""
-    segment = int(rows[index, ROW_SEGMENT])
-    half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
-    side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+    segment = int(rows[index, columns.ROW_SEGMENT])
+    half, phase = int(rows[index, columns.ROW_HALF_CYCLES]), rows[index, columns.ROW_PHASE]
+    side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
-    frequency = segments[segment, FREQUENCY]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    frequency = segments[segment, columns.FREQUENCY]
     first_half, first_phase = segment_start(segments, segment)
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     seen, _ = side_phase(half, phase, ONE if is_series(segments, segment) else side, frequency)
     flight = SteppedFlight(
         side_drive(segments, segment, sides, side, since),
         seen,
-        side * rows[index, ROW_ANGLE] / lean,
-        side * rows[index, ROW_VELOCITY] / (lean * rate),
+        side * rows[index, columns.ROW_ANGLE] / lean,
+        side * rows[index, columns.ROW_VELOCITY] / (lean * rate),
         duration * rate,
         left_out_of(sides),
     )
@@ -116,27 +95,29 @@ def fill_in_steps(
     Times have to be in order for that; others are reached too.  What lies beyond steps that come
     to nothing is no number.
     """
-    orders = max((segments.shape[1] - SHARES) // 2, 0)
+    orders = max((segments.shape[1] - columns.SHARES) // 2, 0)
     work = np.empty((WORK_ROWS + orders, TERMS))
     row, steps = -1, 0  # whose step the working space holds, and which
     flight, lean, rate = row_start(segments, sides, rows, ZERO, 0.0)
     side = 0.0
     leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
     for i in range(len(index)):
-        if rows[index[i], ROW_SIDE] == 0.0:
+        if rows[index[i], columns.ROW_SIDE] == 0.0:
             states[0, i] = states[1, i] = states[2, i] = 0.0
             continue
         if index[i] != row or since[i] * rate < leg.start:
             row = index[i]
-            side = rows[row, ROW_SIDE]
-            segment = int(rows[row, ROW_SEGMENT])
+            side = rows[row, columns.ROW_SIDE]
+            segment = int(rows[row, columns.ROW_SEGMENT])
             if not is_stepped(segments, segment, sides):
                 fill_state(segments, sides, rows, index[i], since[i], states, i)
                 row = -1
                 continue
             if orders > 0:
-                load_shares(segments[segment, SHARES:], work)
-            flight, lean, rate = row_start(segments, sides, rows, row, rows[row, ROW_DURATION])
+                load_shares(segments[segment, columns.SHARES :], work)
+            flight, lean, rate = row_start(
+                segments, sides, rows, row, rows[row, columns.ROW_DURATION]
+            )
             leg, steps = leg_from(flight, 0.0, flight.angle, flight.velocity, work), 1
         time = since[i] * rate
         while time > leg.start + leg.step and leg.start + leg.step < flight.span:
@@ -152,7 +133,9 @@ def fill_in_steps(
         states[1, i] = side * lean * rate * velocity
         swing = sin(turned)
         if drive.series != 0.0:
-            swing = swing_at(drive, segments[int(rows[row, ROW_SEGMENT]), SHARES:], turned)
+            swing = swing_at(
+                drive, segments[int(rows[row, columns.ROW_SEGMENT]), columns.SHARES :], turned
+            )
         states[2, i] = side * lean * rate * rate * acceleration(drive, time, angle, swing)
 
 
@@ -169,11 +152,11 @@ def fill_states(
 
     `index` names the row in which each time lies, `since` the time since that row's start.
     """
-    if is_nonlinear(sides) or segments.shape[1] > ORDERS:
+    if is_nonlinear(sides) or segments.shape[1] > columns.ORDERS:
         fill_in_steps(segments, sides, rows, index, since, states)
         return
     for i in range(len(index)):
-        side = rows[index[i], ROW_SIDE]
+        side = rows[index[i], columns.ROW_SIDE]
         if side == 0.0:
             states[0, i] = states[1, i] = states[2, i] = 0.0
             continue
@@ -185,7 +168,7 @@ def fill_state(
     segments: Floats, sides: Floats, rows: Floats, row: int, since: float, states: Floats, i: int
 ) -> None:
     """Fill column i of the states by the closed form of the flight in a row."""
-    side = rows[row, ROW_SIDE]
+    side = rows[row, columns.ROW_SIDE]
     flight, forcing, lean, rate = row_flight(segments, sides, rows, row)
     time = since * rate
     phase = flight.phase + forcing.frequency * time
@@ -216,22 +199,27 @@ def last_crossing_in(
     """Do what `last_crossing` does; `series` as for `shares_in`."""
     index = len(rows) - 1
     while True:
-        segment = int(rows[index, ROW_SEGMENT])
+        segment = int(rows[index, columns.ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
-            duration = rows[index, ROW_DURATION]
+            duration = rows[index, columns.ROW_DURATION]
             stepped, _, rate = row_start(segments, sides, rows, index, duration)
-            side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+            side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
             lost = point_of_no_return(segments, segment, sides, side)
             shares = shares_in(segments, segment, series)
             time = last_rise_of(stepped, level, lost, shares)
         else:
             flight, forcing, _, rate = row_flight(segments, sides, rows, index)
-            endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
-            time = last_rise(flight, forcing, level, rows[index, ROW_DURATION] * rate, endless)
+            endless = rows[index, columns.ROW_EVENT] == columns.ENDED_BY_NO_RETURN
+            time = last_rise(
+                flight, forcing, level, rows[index, columns.ROW_DURATION] * rate, endless
+            )
         if time >= 0.0:
             return index, time / rate
-        before = rows[index - 1, ROW_EVENT] if index > 0 else ENDED_BY_IMPACT
-        same_flight = before == ENDED_BY_SPAN and rows[index - 1, ROW_SIDE] == rows[index, ROW_SIDE]
+        before = rows[index - 1, columns.ROW_EVENT] if index > 0 else columns.ENDED_BY_IMPACT
+        same_flight = (
+            before == columns.ENDED_BY_SPAN
+            and rows[index - 1, columns.ROW_SIDE] == rows[index, columns.ROW_SIDE]
+        )
         if not same_flight:
             return index, 0.0
         index -= 1
@@ -256,12 +244,12 @@ def recorded_peaks_in(
     """Do what `recorded_peaks` does; `series` as for `shares_in`."""
     positive = negative = speed = 0.0
     for index in range(len(rows)):
-        if rows[index, ROW_SIDE] == 0.0:
+        if rows[index, columns.ROW_SIDE] == 0.0:
             continue
-        above = rows[index, ROW_SIDE] > 0.0
+        above = rows[index, columns.ROW_SIDE] > 0.0
         angle = positive if above else negative
-        duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
-        segment = int(rows[index, ROW_SEGMENT])
+        duration = last_duration if index == len(rows) - 1 else rows[index, columns.ROW_DURATION]
+        segment = int(rows[index, columns.ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
             stepped, lean, rate = row_start(segments, sides, rows, index, duration)
             fast = speed / (lean * rate)
@@ -301,7 +289,7 @@ def peaks_until_overturning_in(
     """Do what `peaks_until_overturning` does; `series` as for `shares_in`."""
     row, since = last_crossing_in(segments, sides, rows, 1.0, series)
     positive, negative, speed = recorded_peaks_in(segments, sides, rows[: row + 1], since, series)
-    if rows[row, ROW_SIDE] > 0.0:  # it passes 1, to rounding
+    if rows[row, columns.ROW_SIDE] > 0.0:  # it passes 1, to rounding
         return max(positive, 1.0), negative, speed
     return positive, max(negative, 1.0), speed
 
@@ -315,7 +303,7 @@ def shares_in(segments: Floats, index: int, series: Floats | None) -> Floats | N
     """
     if series is None:
         return None
-    return segments[index, SHARES:]
+    return segments[index, columns.SHARES :]
 
 
 @compiled

@@ -5,22 +5,11 @@ import math
 import numpy as np
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment, note_in_lanes, start_of
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
 from rocksteady.kernels.core.queue import queue_of, take
 from rocksteady.kernels.core.scatter import largest_restitution
-from rocksteady.kernels.core.tables import (
-    FREQUENCY,
-    LEAN,
-    NONLINEAR_SEGMENT_COLUMNS,
-    OVERTURNED,
-    RATE,
-    ROCKING,
-    ROW_COLUMNS,
-    UNDECIDED,
-    Floats,
-    March,
-    free_side,
-)
+from rocksteady.kernels.core.tables import Floats, March, free_side
 from rocksteady.kernels.core.tuples import Cells, Fates, Kept, Starts, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
@@ -82,7 +71,7 @@ def queued_nonlinear_lane_fates(
     """Do what `nonlinear_lane_fates` does, for the cells that this worker takes from a queue."""
     amplitude, frequency_ratio, sides = cells
     angle, velocity, phase = starts
-    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
+    segments = np.zeros((1, columns.NONLINEAR_SEGMENT_COLUMNS))
     room = np.zeros(SIZE + ALIGNMENT // 8)
     ahead = (-room.ctypes.data % ALIGNMENT) // 8
     lanes = room[ahead : ahead + SIZE]
@@ -107,7 +96,7 @@ def queued_nonlinear_lane_fates(
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
                     tables = Tables(segments, sides[cell])
                     code, state = settled(lanes, k, tables, end_half, stop, most)
-                    if code == UNDECIDED and state.impacts <= most:
+                    if code == columns.UNDECIDED and state.impacts <= most:
                         put_lane(lanes, k, state, end_half)
                     else:
                         note_in_lanes(fates, cell, code, state, most)
@@ -122,7 +111,7 @@ def queued_nonlinear_lane_fates(
                     start = start_of(angle[cell], velocity[cell], phase[cell])
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
                     # On a still base energy proves an overturning, which only the march looks at.
-                    slowest = min(sides[cell, 0, RATE], sides[cell, 1, RATE])
+                    slowest = min(sides[cell, 0, columns.RATE], sides[cell, 1, columns.RATE])
                     # A block against a wall keeps its side, which no lane does.
                     alone = (
                         frequency_ratio[cell] > FASTEST * slowest
@@ -132,14 +121,14 @@ def queued_nonlinear_lane_fates(
                     flights = most if alone else ZERO
                     tables = Tables(segments, sides[cell])
                     code, state = onwards(tables, start, end_half, stop, most, flights, FALSE)
-                    if code != UNDECIDED or alone or state.impacts > most:
+                    if code != columns.UNDECIDED or alone or state.impacts > most:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
                     load(lanes, k, cell, amplitude[cell], frequency_ratio[cell], sides[cell], stop)
                     two_sided = two_sided or lanes[lane.APART + k] > 0.0
                     put_lane(lanes, k, state, end_half)
                     if lanes[lane.STAGE + k] == lane.FALLEN:
-                        note_in_lanes(fates, cell, OVERTURNED, state, most)
+                        note_in_lanes(fates, cell, columns.OVERTURNED, state, most)
                         lanes[lane.STAGE + k] = lane.EMPTY
                         continue
                     busy += 1
@@ -167,11 +156,11 @@ def settled(
     stage = lanes[lane.STAGE + k]
     state = taken(lanes, k, end_half)
     if stage == lane.FALLEN:
-        return OVERTURNED, state
+        return columns.OVERTURNED, state
     if stage == lane.ENDED:
-        return ROCKING, at_the_end(lanes, k, end_half)
+        return columns.ROCKING, at_the_end(lanes, k, end_half)
     if stage == lane.GIVEN_UP:
-        return UNDECIDED, state
+        return columns.UNDECIDED, state
     flights = 1 if stage == lane.LEAVE else 0
     return onwards(tables, state, end_half, stop, most, flights, stage == lane.SLOW)
 
@@ -208,7 +197,7 @@ def onwards(
     tuple
         Status and state.
     """
-    kept = Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     state, lifting = start, False
     while state.impacts <= most:
         if bounced and comes_to_rest(tables, state, end_half, stop):
@@ -220,15 +209,15 @@ def onwards(
         before = state
         until = Until(end_half, stop, math.inf, limit)
         code, state = nonlinear_march(tables, before, until, kept)
-        if code != UNDECIDED:
+        if code != columns.UNDECIDED:
             return code, state
         if state.flights < limit:  # a flight that comes to no end, so that no lane may take it up
             half, phase = state.half_cycles, state.phase
-            return UNDECIDED, March(0, 0.0, 0.0, 0, half, phase, most + 1, state.flights)
+            return columns.UNDECIDED, March(0, 0.0, 0.0, 0, half, phase, most + 1, state.flights)
         bounced = state.impacts > before.impacts
         lifting = before.side == 0 and not bounced
         flights = 0
-    return UNDECIDED, state
+    return columns.UNDECIDED, state
 
 
 @compiled
@@ -236,9 +225,9 @@ def comes_to_rest(tables: Tables, state: March, end_half: int, stop: float) -> b
     """Return whether the march would find that the bounces which follow an impact die out."""
     half, phase, side = state.half_cycles, state.phase, state.side
     row, speed = 0 if side > 0 else 1, abs(state.velocity)
-    if speed < STILL * tables.sides[row, LEAN] * tables.sides[row, RATE]:
+    if speed < STILL * tables.sides[row, columns.LEAN] * tables.sides[row, columns.RATE]:
         return True
-    frequency = tables.segments[0, FREQUENCY]
+    frequency = tables.segments[0, columns.FREQUENCY]
     phase_here, _ = side_phase(half, phase, side, frequency)
     phase_there, _ = side_phase(half, phase, -side, frequency)
     next_side = -side if free_side(tables.sides) == 0 else side

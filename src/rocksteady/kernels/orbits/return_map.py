@@ -178,8 +178,7 @@ def lifts_in(system: EitherSystem, shares: Floats | None, row: int, phase: float
 def first_passage(system: System, state: AnyState) -> Passage:
     """Return the passage from any state.
 
-    The derivative is that by phase and speed at angle 0 and means nothing for
-    another angle.
+    The derivative is that by phase and speed at angle 0 and means nothing for another angle.
     """
     side, half_cycles, phase, angle, velocity = state
     if side == 0:
