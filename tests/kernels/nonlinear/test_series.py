@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration, foot_forcing
+from rocksteady.kernels.nonlinear.drive import Drive, Instant, acceleration, foot_forcing
 from rocksteady.kernels.nonlinear.series import (
     TERMS,
     WORK_ROWS,
@@ -39,9 +39,8 @@ def drawn(seed: int) -> tuple[Drive, float, float, float]:
 def test_a_step_is_as_exact_as_asked_for(seed: int) -> None:
     drive, angle, velocity, phase = drawn(seed)
     work = np.zeros((WORK_ROWS, TERMS))
-    degree, step = expand(
-        drive, 0.0, angle, velocity, math.sin(phase), math.cos(phase), False, 10.0, 1e-15, work
-    )
+    at = Instant(0.0, angle, velocity, math.sin(phase), math.cos(phase), False)
+    degree, step = expand(drive, at, 10.0, 1e-15, work)
     assert 0.0 < step < 10.0
 
     def motion(t: mpmath.mpf, y: list[mpmath.mpf]) -> list[mpmath.mpf]:
@@ -65,7 +64,8 @@ def test_the_first_curvature_is_the_equation_of_motion(seed: int) -> None:
     drive, angle, velocity, phase = drawn(seed)
     work = np.zeros((WORK_ROWS, TERMS))
     sine = math.sin(phase)
-    expand(drive, 0.0, angle, velocity, sine, math.cos(phase), False, 1.0, 1e-15, work)
+    at = Instant(0.0, angle, velocity, sine, math.cos(phase), False)
+    expand(drive, at, 1.0, 1e-15, work)
     assert 2.0 * work[0, 2] == pytest.approx(acceleration(drive, 0.0, angle, sine), rel=1e-14)
     r = foot_forcing(drive)
     assert r.constant + r.amplitude * sine == pytest.approx(
@@ -76,7 +76,7 @@ def test_the_first_curvature_is_the_equation_of_motion(seed: int) -> None:
 def test_short_steps_take_few_terms() -> None:
     drive = Drive(0.3, -0.4, 30.0, 0.0, 0.0, 0.0, 0.0)
     work = np.zeros((WORK_ROWS, TERMS))
-    degree, step = expand(drive, 0.0, 0.5, 0.3, 0.0, 1.0, False, 0.01, 1e-15, work)
+    degree, step = expand(drive, Instant(0.0, 0.5, 0.3, 0.0, 1.0, False), 0.01, 1e-15, work)
     assert step == 0.01
     assert degree <= 9
 
@@ -87,7 +87,8 @@ def test_a_step_from_an_acceleration_of_zero_leads_on(velocity: float, angle: fl
     """What leaves the floor without acceleration has no parabola that leads back to it."""
     drive = Drive(0.24497866312686414, 1.0204970376156208, -0.08484947470971271, 0.0, 0.0, 0.0, 0.0)
     work = np.zeros((WORK_ROWS, TERMS))
-    degree, step = expand(drive, 0.0, angle, velocity, 0.0, 1.0, False, 0.0267, 1e-15, work)
+    at = Instant(0.0, angle, velocity, 0.0, 1.0, False)
+    degree, step = expand(drive, at, 0.0267, 1e-15, work)
     assert work[0, 2] == 0.0
     assert degree >= 2
     assert 0.0 < step <= 0.0267

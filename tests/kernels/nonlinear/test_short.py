@@ -18,7 +18,7 @@ from rocksteady.kernels.nonlinear._short import (
     state_after,
     third_of,
 )
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
 from tests.every import every
 from tests.strategies import inner_sample_size
@@ -156,7 +156,8 @@ def test_a_slender_side_without_vertical_motion_moves_by_the_linear_closed_form(
 def left_out_of(drive: Drive, angle: float, velocity: float, short: ShortStep, h: float) -> float:
     """Return what a short step leaves out of y, by the whole series to its highest term."""
     work = np.zeros((WORK_ROWS, TERMS))
-    degree, _ = expand_series(drive, 0.0, angle, velocity, 0.0, 1.0, False, h, 1e-30, work)
+    at = Instant(0.0, angle, velocity, 0.0, 1.0, False)
+    degree, _ = expand_series(drive, at, h, 1e-30, work)
     whole = np.where(np.arange(TERMS) <= degree, work[0], 0.0)
     # The first seven are those of both, but for rounding.
     rest = whole[7:].copy()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.nonlinear._short import DEGREE
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest, last_rise
-from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
+from rocksteady.kernels.nonlinear.drive import Drive, Instant, hardest_pull
 from rocksteady.kernels.nonlinear.series import (
     HIGHEST,
     TERMS,
@@ -223,7 +223,8 @@ def test_first_zeros_of_flights_are_the_proved_ones(seed: int) -> None:
     for _ in range(inner_sample_size(600, 30)):
         drive, angle, velocity, swing, reach, left_out = drawn_step(rng, rng.random() < 0.5)
         work = np.zeros((WORK_ROWS, TERMS))
-        degree, step = expand(drive, 0.0, angle, velocity, *swing, False, reach, left_out, work)
+        at = Instant(0.0, angle, velocity, *swing, False)
+        degree, step = expand(drive, at, reach, left_out, work)
         degrees.add(degree)
         for pull in (math.inf, hardest_pull(drive, 0.0, step)):
             verdict = verdict_is_exact(work, degree, step, pull)
@@ -243,7 +244,8 @@ def test_flights_that_graze_touch_or_pass_as_their_polynomials_do(depth: float) 
         degree, step = DEGREE, reach
         aim = depth * abs(velocity) * reach * (-1.0 if case % 2 else 1.0)
         for _ in range(6):  # set it down by as much as its lowest point misses the aim
-            degree, step = expand(drive, 0.0, angle, velocity, *swing, False, reach, left_out, work)
+            at = Instant(0.0, angle, velocity, *swing, False)
+            degree, step = expand(drive, at, reach, left_out, work)
             angle += aim - lowest(work, degree, step)
         if angle <= 0.0:
             continue

@@ -6,7 +6,7 @@ import numba
 import numpy as np
 import pytest
 
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.nonlinear.series import ANGLE as Y
 from rocksteady.kernels.nonlinear.series import WORK_ROWS
 from rocksteady.kernels.nonlinear.series import expand as expand_one
@@ -39,7 +39,8 @@ def test_each_lane_has_the_coefficients_of_its_flight() -> None:
         )
         drive = Drive(alpha, 0.0, 0.0, amplitude, frequency, 0.0, 0.0)
         work = np.zeros((WORK_ROWS, TERMS))
-        expand_one(drive, 0.0, angle, speed, np.sin(phase), np.cos(phase), False, 1e3, PART, work)
+        at = Instant(0.0, angle, speed, np.sin(phase), np.cos(phase), False)
+        expand_one(drive, at, 1e3, PART, work)
         own = speeds[:, k] / np.arange(1, TERMS)
         # Cancellation leaves an error in the scale of what the terms are made of.
         scale = np.max(np.abs(work[Y, 1:]) ** (1.0 / np.arange(1, TERMS)))

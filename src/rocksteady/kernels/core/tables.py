@@ -132,24 +132,26 @@ def end_of_run(segments: Floats, index: int) -> int:
     return last + 1
 
 
+class Rise(NamedTuple):
+    """A flight that may rise above its slenderness, in the units of its side."""
+
+    angle: float  # at its start
+    velocity: float
+    later_angle: float  # at its end
+    span: float
+    ceiling: float  # the largest |a| of the base while it lasts
+
+
 @inlined
 def keep_passage(
-    peaks: Floats,
-    state: March,
-    top_angle: float,
-    top_speed: float,
-    angle: float,
-    velocity: float,
-    later_angle: float,
-    span: float,
-    ceiling: float,
+    peaks: Floats, state: March, top_angle: float, top_speed: float, rise: Rise
 ) -> None:
     """Keep a flight that rises above its slenderness, and the peaks before it.
 
-    Angle and velocity at its start, its angle at the end, its duration and the largest |a| of the
-    base while it lasts are in units of the side.  Above the slenderness y'' >= -|a| in either
-    model, so that a flight which begins there with at least |a| times its duration does not turn.
+    Above the slenderness y'' >= -|a| in either model, so that a flight which begins there with at
+    least |a| times its duration does not turn.
     """
+    angle, velocity, later_angle, span, ceiling = rise
     if later_angle <= 1.0:
         return
     if angle <= 1.0:

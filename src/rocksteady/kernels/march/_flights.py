@@ -45,6 +45,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     Floats,
     March,
+    Rise,
     end_of_run,
     free_side,
     is_series,
@@ -312,18 +313,10 @@ def march_in_model(
             write_row(rows, state, duration, zero.event)
         flights += 1
         if keeps and zero.event != FOUND:
-            falls = zero.event == NO_RETURN
-            keep_passage(
-                peaks,
-                state,
-                top_angle,
-                top_speed,
-                side * angle / lean,
-                side * velocity,
-                math.inf if falls else zero.angle,
-                span * rate,
-                segments[segment, CEILING] / lean,
-            )
+            later = math.inf if zero.event == NO_RETURN else zero.angle
+            ceiling = segments[segment, CEILING] / lean
+            rise = Rise(side * angle / lean, side * velocity, later, span * rate, ceiling)
+            keep_passage(peaks, state, top_angle, top_speed, rise)
         if zero.event == NO_RETURN:
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
 

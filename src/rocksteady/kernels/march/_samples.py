@@ -32,6 +32,7 @@ from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import (
     Floats,
     March,
+    Rise,
     end_of_run,
     free_side,
     keep_passage,
@@ -121,17 +122,9 @@ def fly_through(
             if record:
                 write_row(rows, now, duration, columns.ENDED_BY_SPAN)
             if rises:
-                keep_passage(
-                    peaks,
-                    now,
-                    top_angle,
-                    max(peaks[columns.PEAK_SPEED], top_speed * lean * rate),
-                    y,
-                    v,
-                    later_y,
-                    h,
-                    segments[segment, columns.CEILING] / lean,
-                )
+                top = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
+                rise = Rise(y, v, later_y, h, segments[segment, columns.CEILING] / lean)
+                keep_passage(peaks, now, top_angle, top, rise)
         if watch:
             here, there = y + start, later_y + (start + change)
             speed = max(abs(v), abs(later_v))

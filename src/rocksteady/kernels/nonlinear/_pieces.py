@@ -16,7 +16,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.nonlinear.series import (
     COSINE,
     HIGHEST,
@@ -119,16 +119,13 @@ def taylor_step(
 ) -> tuple[int, float, float]:
     """Fill the coefficients of a step; return their degree, its length, and the time after it."""
     sine, cosine = sincos_near(first + drive.frequency * time)
+    at = Instant(0.0, angle, velocity, sine, cosine, FALSE)
     if drive.alpha == 0.0:
         work[SINE, :], work[COSINE, :] = 0.0, 0.0
         work[COSINE, 0] = 1.0
-        degree, step = expand_linear(
-            drive, angle, velocity, sine, cosine, FALSE, end - time, LEFT_OUT, work
-        )
+        degree, step = expand_linear(drive, at, end - time, LEFT_OUT, work)
     else:
-        degree, step = expand_series(
-            drive, 0.0, angle, velocity, sine, cosine, FALSE, end - time, LEFT_OUT, work
-        )
+        degree, step = expand_series(drive, at, end - time, LEFT_OUT, work)
     after = time + step
     return degree, step, end if step >= end - time else after
 

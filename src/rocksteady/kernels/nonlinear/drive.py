@@ -46,6 +46,17 @@ class Drive(NamedTuple):
     series: float = 0.0
 
 
+class Instant(NamedTuple):
+    """State of a flight at the start of a step."""
+
+    time: float  # side time since the start of the flight
+    angle: float
+    velocity: float
+    sine: float  # of the sinusoid's phase
+    cosine: float
+    lifting: bool  # off from rest just now, so that it does not sink, whatever rounding says
+
+
 class SteppedFlight(NamedTuple):
     """A flight in steps, in the units of its side."""
 

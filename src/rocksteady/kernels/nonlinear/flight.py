@@ -10,7 +10,7 @@ from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear._variation import advance, begin
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
-from rocksteady.kernels.nonlinear.drive import Drive, SteppedFlight, hardest_pull
+from rocksteady.kernels.nonlinear.drive import Drive, Instant, SteppedFlight, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
 from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand, third_bound
 
@@ -152,18 +152,8 @@ def fly(
         if is_stuck(drive, steps, time):
             return Zero(tables.STALLED, time, cycle, here, sine, cosine, angle, velocity)
         steps += 1
-        degree, step = expand(
-            drive,
-            time,
-            angle,
-            velocity,
-            sine,
-            cosine,
-            lifting and time == 0.0,
-            reach_of(velocity, left),
-            left_out,
-            work,
-        )
+        at = Instant(time, angle, velocity, sine, cosine, lifting and time == 0.0)
+        degree, step = expand(drive, at, reach_of(velocity, left), left_out, work)
         event = tables.SPAN_END
         third, step = third_and_step(work, degree, step, FAR * flat)
         zero = first_zero(work, degree, step, third, hardest_pull(drive, time, step))

@@ -11,7 +11,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
-from rocksteady.kernels.nonlinear.drive import SteppedFlight
+from rocksteady.kernels.nonlinear.drive import Instant, SteppedFlight
 from rocksteady.kernels.nonlinear.flight import is_stuck, phase_at, reach_of
 from rocksteady.kernels.nonlinear.series import angle_at, expand, make_work, third_bound
 
@@ -39,18 +39,9 @@ def leg_from(
     drive = flight.drive
     _, turned = phase_at(drive, flight.phase, start)
     sine, cosine = sincos_near(turned)
-    degree, step = expand(
-        drive,
-        start,
-        angle,
-        velocity,
-        sine,
-        cosine,
-        angle == 0.0 and velocity == 0.0,
-        reach_of(velocity, flight.span - start),
-        flight.left_out,
-        work,
-    )
+    at = Instant(start, angle, velocity, sine, cosine, angle == 0.0 and velocity == 0.0)
+    reach = reach_of(velocity, flight.span - start)
+    degree, step = expand(drive, at, reach, flight.left_out, work)
     return Leg(start, step, degree, angle, velocity)
 
 

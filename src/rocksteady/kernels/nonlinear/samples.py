@@ -28,6 +28,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     Floats,
     March,
+    Rise,
     end_of_run,
     free_side,
     keep_passage,
@@ -45,7 +46,7 @@ from rocksteady.kernels.nonlinear._short import (
     third_of,
 )
 from rocksteady.kernels.nonlinear._zeros import MARGIN, largest, stays_above
-from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive, Instant
 from rocksteady.kernels.nonlinear.flight import reach_of
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, point_of_no_return
 from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, third_bound
@@ -95,9 +96,8 @@ def fly_through(
             if y + h * (v + h * (short.second + h * short.third)) <= 0.0:
                 break  # it lands
             drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
-            degree, step = expand_series(
-                drive, 0.0, y, v, 0.0, 1.0, FALSE, reach_of(v, h), left_out, work
-            )
+            at = Instant(0.0, y, v, 0.0, 1.0, FALSE)
+            degree, step = expand_series(drive, at, reach_of(v, h), left_out, work)
             if step < h:
                 break
             bend, third = 2.0 * work[ANGLE, 2], third_bound(work, degree, h)
@@ -114,17 +114,9 @@ def fly_through(
             if record:
                 write_row(rows, now, segments[segment, DURATION], ENDED_BY_SPAN)
             if rises:
-                keep_passage(
-                    peaks,
-                    now,
-                    top_angle,
-                    max(peaks[PEAK_SPEED], top_speed * lean * rate),
-                    y,
-                    v,
-                    later_y,
-                    h,
-                    segments[segment, CEILING] / lean,
-                )
+                top = max(peaks[PEAK_SPEED], top_speed * lean * rate)
+                rise = Rise(y, v, later_y, h, segments[segment, CEILING] / lean)
+                keep_passage(peaks, now, top_angle, top, rise)
         if watch and (fastest > top_speed or highest > top_angle):
             if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):
                 if short.exact:

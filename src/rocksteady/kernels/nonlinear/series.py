@@ -28,7 +28,7 @@ from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.nonlinear._short import DEGREE, fill_short, short_step
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, Instant
 
 TERMS = 24
 HIGHEST = TERMS - 1  # degree of the longest polynomial
@@ -93,23 +93,15 @@ def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) 
 
 @compiled
 def expand(
-    drive: Drive,
-    time: float,
-    angle: float,
-    velocity: float,
-    sine: float,
-    cosine: float,
-    lifting: bool,
-    reach: float,
-    left_out: float,
-    work: Floats,
+    drive: Drive, at: Instant, reach: float, left_out: float, work: Floats
 ) -> tuple[int, float]:
     """Fill the coefficients of y by a short step where one does, or else by the series.
 
     Parameters and results are those of `expand_series`, which fills all rows.
     """
     if drive.alpha == 0.0:
-        return expand_linear(drive, angle, velocity, sine, cosine, lifting, reach, left_out, work)
+        return expand_linear(drive, at, reach, left_out, work)
+    time, angle, velocity, _, _, lifting = at
     if drive.frequency == 0.0:
         shaking = drive.constant + drive.slope * time
         weight = 1.0 + drive.lift + drive.lift_slope * time
@@ -134,36 +126,21 @@ def expand(
             step = BEYOND * root_of_parabola(angle, velocity, 2.0 * short.second, TRUE)
             if not 0.0 < step < reach:
                 break
-    return expand_series(drive, time, angle, velocity, sine, cosine, lifting, reach, left_out, work)
+    return expand_series(drive, at, reach, left_out, work)
 
 
 @compiled
 def expand_series(
-    drive: Drive,
-    time: float,
-    angle: float,
-    velocity: float,
-    sine: float,
-    cosine: float,
-    lifting: bool,
-    reach: float,
-    left_out: float,
-    work: Floats,
+    drive: Drive, at: Instant, reach: float, left_out: float, work: Floats
 ) -> tuple[int, float]:
-    """Fill the coefficients of y from `time` on; return their degree and the step that they take.
+    """Fill the coefficients of y from an instant on; return their degree and the step they take.
 
     Parameters
     ----------
     drive
         The side and its base motion.
-    time
-        Side time since the start of the flight.
-    angle, velocity
-        y and y' there.
-    sine, cosine
-        Of the sinusoid's phase there.
-    lifting
-        The block is just lifting off from rest, so that it does not sink, whatever rounding says.
+    at
+        The instant.
     reach
         The longest step of use.
     left_out
@@ -176,6 +153,7 @@ def expand_series(
     tuple
         Degree of the polynomial and length of the step, `reach` at most.
     """
+    time, angle, velocity, sine, cosine, lifting = at
     square = drive.alpha * drive.alpha
     tilt = drive.alpha * (1.0 - angle)
     weight = 1.0 + drive.lift + drive.lift_slope * time
@@ -266,21 +244,14 @@ def fill_shaking(drive: Drive, sine: float, cosine: float, work: Floats) -> None
 
 @compiled
 def expand_linear(
-    drive: Drive,
-    angle: float,
-    velocity: float,
-    sine: float,
-    cosine: float,
-    lifting: bool,
-    reach: float,
-    left_out: float,
-    work: Floats,
+    drive: Drive, at: Instant, reach: float, left_out: float, work: Floats
 ) -> tuple[int, float]:
     """Fill the coefficients of the linear y under a Fourier series: ``y'' = y - 1 + h``.
 
     Parameters and results are those of `expand_series`, which needs the time of a slope too; the
     rows of S and C stay as they are.
     """
+    _, angle, velocity, sine, cosine, lifting = at
     fill_shaking(drive, sine, cosine, work)
     work[ANGLE, 0], work[ANGLE, 1] = angle, velocity
     power = reach
