@@ -149,7 +149,8 @@ def simulate(
     else:
         stop_half = 0
         stop_phase = ELASTIC_TIME if bare.lossless else LONGEST_REST
-    tables, until = Tables(segments, sides), Until(stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
+    tables = Tables(segments, sides)
+    until = Until(stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
     _, end = march(tables, begin, until, Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     status, _ = march(tables, begin, until, Kept(rows, np.zeros(0)))
