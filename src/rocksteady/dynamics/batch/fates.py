@@ -97,7 +97,7 @@ def ends_of(
 
 
 def _room(count: int) -> Fates:
-    """Return what a kernel fills of so many motions."""
+    """Return the outcomes of a number of motions, which a kernel fills."""
     status, impacts = np.empty((2, count), dtype=np.int64)
     return Fates(status, impacts, np.empty((count, 3)))
 

@@ -162,7 +162,7 @@ def shaken_fates(
 
 
 def _room(count: int, columns: int) -> PeakFates:
-    """Return what a kernel fills of so many blocks."""
+    """Return the results of a number of blocks, which a kernel fills."""
     status, impacts = np.empty((2, count), dtype=np.int64)
     return PeakFates(status, impacts, np.empty((count, columns)))
 
