@@ -19,7 +19,7 @@ from rocksteady.kernels.machine_code import programs
 from rocksteady.kernels.machine_code.gpu import gpu
 from rocksteady.kernels.machine_code.sources import sources_hash
 from tests.kernels.machine_code.in_memory.gpu import write_program
-from tests.kernels.machine_code.test_gpu import FORM
+from tests.kernels.machine_code.test_gpu import FORM, Squares
 
 folder = Path(sys.argv[1])
 write_program(folder, (8, 0), "queued_squares", sources_hash())
@@ -30,10 +30,10 @@ with gpu().stream() as stream, gpu().stream() as another:
         values, status = np.linspace(0.0, 3.0, cells), np.zeros(cells, dtype=np.int64)
         squares = np.zeros((cells, 2))
         for each in (stream, another):
-            each.run(FORM, (values, status, squares))
+            each.run(FORM, (values, Squares(status, squares)))
         print(status.max(), np.array_equal(squares[:, 1], values * values))
     try:
-        stream.run(FORM, (-values - 1.0, status, squares))
+        stream.run(FORM, (-values - 1.0, Squares(status, squares)))
     except UnfinishedError as error:
         print(error)
 """
