@@ -3,9 +3,12 @@
 import ast
 import importlib
 import re
+import subprocess
 from collections import defaultdict
 from functools import cache
 from pathlib import Path
+
+import pytest
 
 from tests.every import every
 
@@ -20,6 +23,14 @@ TWICE = {
     frozenset({"show/plots", "show/figures"}),  # a thing and its figure
 }
 """Folders of one layer that may have files of one name."""
+
+
+ROOTS = {
+    *(".ci", ".gitignore", "CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md"),
+    *("LICENSE", "Makefile", "README.md", "bench", "constraints.txt", "docs", "examples"),
+    *("paper", "pyproject.toml", "src", "tests", "tools"),
+}
+"""What stands in the root of the repository."""
 
 
 def name_of(file: Path) -> str:
@@ -207,3 +218,11 @@ def resolved(name: str) -> bool:
 @every("page", [page for page, text in TEXTS.items() if REFERENCE.search(text)])
 def test_what_a_text_names_is_there(page: str) -> None:
     assert [name for name in REFERENCE.findall(TEXTS[page]) if not resolved(name)] == []
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="this is no checkout")
+def test_nothing_that_a_run_left_is_in_the_repository() -> None:
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    assert {Path(name).parts[0] for name in listed.stdout.splitlines()} <= ROOTS
