@@ -67,7 +67,8 @@ test: .venv ## run every check, the tests marked slow excepted
 
 .PHONY: test-all
 test-all: .venv ## run every check, the tests marked slow and the lower bounds included
-	@$(call ahead,library) $(call run-in-turn,$(patsubst pages,docs tests-jit,$(patsubst programs,ptx,$(CHECKS))) tests-floor frozen,$(MAKE) MARKS=)
+	@$(call ahead,library) $(call ahead,warm) \
+		$(call run-in-turn,$(patsubst pages,docs,$(patsubst programs,ptx,$(CHECKS))) tests-jit tests-floor frozen,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -116,15 +117,15 @@ pages: .venv ## the manual, where its pages have changed since it was built (doc
 	@$(BIN)/python -m tools.done manual || $(MAKE) --no-print-directory docs
 
 .PHONY: tests-jit
-tests-jit: .venv ## the kernels' tests, kernels compiled by numba; tests-floor runs the others so
-	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
+tests-jit: warm ## the kernels' tests, kernels compiled by numba
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -q -m slow tests/kernels/test_entries.py
 	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS) tests/kernels
 
 .PHONY: tests-floor
-tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]
-	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m rocksteady.kernels.entries
-	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
+tests-floor: $(FLOOR_STAMP) library ## pytest with every dependency at its lower bound, the slow tests excepted [+ build/floor]
+	@# numba at its bound compiles the march alone: all entries would take six minutes.
+	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -o cache_dir=$(FLOOR)/pytest tests/kernels/march
+	$(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
 
@@ -132,6 +133,10 @@ tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, 
 library: .venv ## compile the kernels into a library for this machine, unless that is done
 	@$(BIN)/python -m tools.aot host --page
 	@$(BIN)/python -m tools.aot.web.program
+
+.PHONY: warm
+warm: .venv ## compile the kernels with numba once, so that each worker of tests-jit loads them
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m rocksteady.kernels.entries
 
 .PHONY: gpu
 gpu: .venv ## compile the kernels for GPUs, for the executor "gpu"
