@@ -62,3 +62,16 @@ def counted_otherwise(probability: float, counted: float) -> bool:
     (True, False)
     """
     return math.isfinite(counted) and abs(probability - counted) > MOST_MISFIT
+
+
+def judged_share(probability: float | None, counted: float | None) -> float | None:
+    """Return what a verdict is from: a curve's probability, or the share counted where far above.
+
+    Examples
+    --------
+    >>> judged_share(0.04, 0.5), judged_share(0.7, 0.5), judged_share(0.36, 0.4)
+    (0.5, 0.7, 0.36)
+    """
+    if probability is None or counted is None or not counted_otherwise(probability, counted):
+        return probability
+    return max(probability, counted)

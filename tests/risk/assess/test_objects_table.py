@@ -7,6 +7,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
+from rocksteady.risk.assess.assessment import assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
 from rocksteady.risk.assess.two_numbers import assess_two_numbers
@@ -91,6 +92,38 @@ def test_a_colour_is_its_probability_and_has_a_word(table: ObjectsTable) -> None
     assert (rows["smooth"]["verdict"], rows["smooth"]["probability"]) == ("slides", None)
     assert (rows["chest"]["verdict"], rows["chest"]["probability"]) == ("stands", 0.0)
     assert {"red", "green", "grey"} <= {row["colour"] for row in table.rows}
+
+
+def test_no_object_meets_its_target_where_far_more_runs_fall_than_its_curve_allows() -> None:
+    """Of few records a curve was amber, at 4 %, where 2 of 4 runs fall at the demand."""
+    bodies = [
+        ObjectFile(
+            values={
+                "name": f"{h:g}",
+                "geometry": {"width_m": b, "height_m": h},
+                "assessment": {"draws": 1},
+            }
+        )
+        for b, h in ((0.2, 1.2), (0.25, 1.2), (0.4, 1.6), (0.5, 2.0))
+    ]
+    far = 0
+    for count, pga, pgv in ((3, 0.4, 0.3), (4, 0.4, 0.45), (5, 0.5, 0.2)):
+        suite = make_synthetic_suite(count)
+        table = assess_objects(bodies, suite, pga_g=pga, pgv_m_s=pgv)
+        for body, row in zip(bodies, table.rows, strict=True):
+            share, counted = row["probability"], row["counted"]
+            if row["basis"] != "curve" or not counted > max(share + 0.1, 0.1):
+                continue
+            assert (row["colour"], row["verdict"]) == ("red", "above target")
+            if share <= 0.1 and not far:
+                found = assess_object(body.with_peaks(pga_g=pga, pgv_m_s=pgv), suite)
+                assert found.probability == share
+                assert (found.colour, found.meets_target) == ("red", False)
+                assert f"but {row['fell']} of its {row['tried']} runs that lift" in found.sentence
+                assert found.remedies
+            far += share <= 0.1
+        assert table.meets_target == all(row["verdict"] == "below target" for row in table.rows)
+    assert far >= 3
 
 
 def test_further_columns_are_kept_and_overwrite_none(table: ObjectsTable) -> None:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.doubts import judged_share
+from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
@@ -87,12 +88,20 @@ class Probability:
         "curve", "count" or "statics"; None of an object that slides.
     method
         The same in words, with the restitutions.
+    counted
+        Share of the runs at the demand that fall; None of what is not run.
     """
 
     value: float | None
     band: tuple[float, float] | None = None
     basis: Basis | None = None
     method: str = "none: it slides"
+    counted: float | None = None
+
+    @property
+    def judged(self) -> float | None:
+        """What verdict and colour are from: the share counted where it is far above the curve."""
+        return judged_share(self.value, self.counted)
 
 
 NO_ANSWER = Probability(value=None)
@@ -135,6 +144,7 @@ def probability_of(
         band=None if band is None else (float(band[0][0]), float(band[1][0])),
         basis="curve",
         method=f"curve through the runs at {levels}, {_restitutions(described, draws)}",
+        counted=number_or_none(counted),
     )
 
 

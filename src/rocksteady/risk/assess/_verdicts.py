@@ -19,6 +19,10 @@ WORDS = {"green": "low", "amber": "raised", "red": "high", "grey": "no answer"}
 """What a colour stands for, for those who do not see it."""
 
 
+MET = ("stands", "below target")
+"""Verdicts on an object that meets its target."""
+
+
 class Answer(NamedTuple):
     """What a client reads first."""
 
@@ -76,7 +80,7 @@ def verdict_of(answer: Probability, target: float) -> str:
         return "slides" if answer.basis is None else "undecided"
     if answer.basis == "statics":
         return "stands"
-    return "above target" if answer.value > target else "below target"
+    return "above target" if (answer.judged or 0.0) > target else "below target"
 
 
 def colour_of(probability: float | None, target: float) -> str:
@@ -99,7 +103,7 @@ def answer_of(findings: Findings) -> Answer:
     facts, remedy, target = findings.facts, findings.remedy, findings.target
     answer, need = findings.answer, findings.onset.friction_needed
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
-    verdict, colour = verdict_of(answer, target), colour_of(answer.value, target)
+    verdict, colour = verdict_of(answer, target), colour_of(answer.judged, target)
     if verdict == "slides":
         assert need is not None  # without a PGA nothing is known to slide
         low = facts.friction[0] if facts.friction else 0.0
@@ -129,13 +133,17 @@ def answer_of(findings: Findings) -> Answer:
             f"{with_article(findings.level.words)}.",
             f"{lifts}; the demand is {findings.demand}. Give motions of a higher PGA at this PGV.",
         )
-    side = "more than" if answer.value > target else "within"
+    side = "more than" if verdict == "above target" else "within"
+    base = findings.cases[0]
+    runs = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
     share = f"{share_words(answer.value)} objects of this shape and size would fall"
     if answer.basis == "count":  # a share is no smaller than one of the runs
-        base = findings.cases[0]
-        share = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
+        share = runs
+    percents = percent(answer.value)
+    if answer.judged != answer.value:
+        percents += f"), but {runs} there ({percent(answer.judged)}"
     sentence = (
-        f"{share} at {with_article(findings.level.words)} ({percent(answer.value)}): {side} the "
+        f"{share} at {with_article(findings.level.words)} ({percents}): {side} the "
         f"target of {number(100.0 * target)} %."
     )
     if remedy is not None:

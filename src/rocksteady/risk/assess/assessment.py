@@ -33,7 +33,7 @@ from rocksteady.risk.assess._sensitivity import (
     tornado,
     vary,
 )
-from rocksteady.risk.assess._verdicts import Findings, answer_of
+from rocksteady.risk.assess._verdicts import MET, Findings, answer_of
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
@@ -139,6 +139,11 @@ class Assessment(Result):
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
         return tuple(sentences)
+
+    @property
+    def meets_target(self) -> bool:
+        """Whether the object stands, or is below the target."""
+        return self.verdict in MET
 
     @property
     def pgv_percentile(self) -> float | None:
@@ -387,16 +392,16 @@ def assess_object(
         motions=tuple(suite),
     )
     if not onset.slides:
-        assessment = _rocking(assessment, suite, intensity, findings, run)
+        assessment, answer = _rocking(assessment, suite, intensity, findings, run)
         assessment = replace(assessment, risks=_risks(assessment, suite, curves))
         findings = replace(
             findings,
-            answer=Probability(value=assessment.probability, basis=assessment.basis),
+            answer=answer,
             cases=assessment.cases,
             remedy=cheapest(assessment.remedies),
         )
-    answer = answer_of(findings)._asdict()
-    return replace(assessment, **answer, seconds=time.perf_counter() - began)
+    words = answer_of(findings)._asdict()
+    return replace(assessment, **words, seconds=time.perf_counter() - began)
 
 
 def _rocking(
@@ -405,8 +410,8 @@ def _rocking(
     intensity: Intensity,
     findings: Findings,
     run: Run | None,
-) -> Assessment:
-    """Return the assessment with its ensemble, fragility, sensitivity and remedies."""
+) -> tuple[Assessment, Probability]:
+    """Return the assessment with its ensemble, fragility, sensitivity, remedies; and its answer."""
     described, level = assessment.described, findings.level
     inner = None if run is None else replace(run, store=None, progress=None)
     fitting = _fitting(described.given.assessment)
@@ -414,11 +419,11 @@ def _rocking(
     cases = vary(described, suite, level, run=inner)
     answer = probability_of(described, findings.onset, fragility, level, cases[0].counted)
     remedies: tuple[Remedy, ...] = ()
-    if answer.value and answer.value > findings.target:
-        # Where the runs about the demand give less than the curve, remedies owe the same factor.
-        goal = findings.target * min(1.0, cases[0].probability / answer.value)
+    if answer.judged and answer.judged > findings.target:
+        # Where the runs about the demand give less than the answer, remedies owe the same factor.
+        goal = findings.target * min(1.0, cases[0].probability / answer.judged)
         remedies = find_remedies(Search(described, suite, level, goal, inner))
-    return replace(
+    assessed = replace(
         assessment,
         fragility=fragility,
         cases=cases,
@@ -428,6 +433,7 @@ def _rocking(
         method=answer.method,
         remedies=remedies,
     )
+    return assessed, answer
 
 
 def _fitting(options: Options) -> Fitting:

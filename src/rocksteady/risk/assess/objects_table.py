@@ -12,6 +12,7 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.doubts import MOST_MISFIT
 from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
@@ -27,6 +28,7 @@ from rocksteady.risk.assess._probability import (
 )
 from rocksteady.risk.assess._verdicts import (
     AMBER,
+    MET,
     WORDS,
     colour_of,
     peak_words,
@@ -84,6 +86,11 @@ class ObjectsTable(Result):
     records: int
     seconds: float
 
+    @property
+    def meets_target(self) -> bool:
+        """Whether every object stands, or is below the target."""
+        return all(row["verdict"] in MET for row in self.rows)
+
     def sorted_by(self, column: str, *, descending: bool = True) -> tuple[dict[str, Any], ...]:
         """Return the rows in the order of a column; those without a value come last.
 
@@ -138,8 +145,9 @@ class ObjectsTable(Result):
         ]
         colours_mean = (
             f"Red is a probability above {number(target)} %, amber one above "
-            f"{number(AMBER * target)} %, green one below; grey is no answer, because the object "
-            "slides or its friction is too low for rocking alone."
+            f"{number(AMBER * target)} %, green one below, or so great a share of the runs at the "
+            f"demand where it is more than {100.0 * MOST_MISFIT:g} points above the curve; grey is "
+            "no answer, because the object slides or its friction is too low for rocking alone."
         )
         return Description(
             headline=f"{plural(len(self.rows), 'object')} at {demand}: {words}",
@@ -304,7 +312,7 @@ def _row(
             vertical_g=demand.vertical_g,
             vertical_share=demand.vertical_share,
         ).probability
-    colour = colour_of(answer.value, target)
+    colour = colour_of(answer.judged, target)
     side, need = first_side(block), onset.friction_needed
     row = {
         "name": described.name,
