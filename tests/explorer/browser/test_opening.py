@@ -37,6 +37,25 @@ def test_each_tab_opens_with_a_result(tab: str, explorer: Explorer) -> None:
         assert page.locator(f"[data-panel='{name}'].failed").count() == 0
 
 
+NO_FRAMES = "window.requestAnimationFrame = () => 1;"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tab", TABS)
+def test_panels_are_described_and_take_keys_before_their_first_frame(
+    tab: str, explorer: Explorer
+) -> None:
+    """A panel was asked for its sentence before it had been given a block."""
+    page = explorer.context().new_page()
+    page.add_init_script(NO_FRAMES)
+    page.goto(explorer.file.as_uri() + f"#v=1&tab={tab}")
+    page.locator(".panel:visible .canvas canvas").first.wait_for()
+    for canvas in page.locator(".panel:visible .canvas canvas").all():
+        until(page, "canvas => canvas.getAttribute('aria-label')", canvas.element_handle())
+    page.keyboard.press("]")
+    page.keyboard.press("+")
+
+
 @pytest.mark.slow
 def test_the_first_view_says_what_to_drag_and_what_it_shows(explorer: Explorer) -> None:
     page = explorer.open()

@@ -42,6 +42,7 @@ import { defaultState, patched } from './state.mjs';
  * @property {boolean} still  whether the reader wants no motion
  * @property {(patch: Record<string, unknown>, how?: { settled?: boolean, push?: boolean }) => string[]} set
  * @property {(panel: Panel) => void} redraw
+ * @property {(panel: Panel, settled?: boolean) => void} bring  updates a panel, if it has to be
  * @property {() => void} paintAll  draws what is seen at once, as printing needs
  * @property {(...names: string[]) => void} touch  has panels updated that use `shared` things of these names
  * @property {(text: string) => void} say
@@ -91,6 +92,15 @@ export function makeApp(kernels, pool, first) {
       change(state, settled);
       if (settled) write(push);
       return refused;
+    },
+    bring(panel, settled = settling) {
+      const changed = owed.get(panel);
+      if (!changed?.size) return;
+      owed.delete(panel);
+      updating = panel; // what it touches itself it knows
+      guarded(app, panel, () => panel.update(app.state, { changed, settled }));
+      updating = null;
+      dirty.add(panel);
     },
     paintAll() {
       for (const panel of app.panels) {
@@ -170,17 +180,12 @@ export function makeApp(kernels, pool, first) {
     // During a drag what is scrolled away waits.
     const seen = app.panels.filter(({ root, away }) => root && !root.hidden && !(away && dragging));
     for (const panel of seen) {
-      const changed = owed.get(panel);
-      if (!changed?.size) continue;
+      if (!owed.get(panel)?.size) continue;
       if (settled && performance.now() - began > SETTLED_MS) {
         settling = true;
         break;
       }
-      owed.delete(panel);
-      updating = panel; // what it touches itself it knows
-      guarded(app, panel, () => panel.update(app.state, { changed, settled }));
-      updating = null;
-      dirty.add(panel);
+      app.bring(panel, settled);
     }
     const limit = dragging ? began + DRAG_MS : performance.now() + SETTLED_MS;
     const waiting = seen.filter((panel) => dirty.has(panel));

@@ -95,6 +95,7 @@ export function keepFile(name, content) {
  */
 export async function exportPanel(app, panel, kind) {
   const name = fileName(panel.name, app.state, kind);
+  app.bring(panel);
   if (kind === 'png') keepFile(name, await pngOf(app, panel));
   else if (kind === 'svg') keepFile(name, new Blob([svgOf(app, panel)], { type: 'image/svg+xml' }));
   else if (panel.table) {

@@ -83,6 +83,7 @@ function othersKey(app, event, target) {
   const seen = seenPanels(app).filter((panel) => panel.keys && panel.canvas !== target);
   const first = mainPanel(app);
   const ordered = [...seen.filter((panel) => panel === first), ...seen];
+  for (const panel of ordered) app.bring(panel);
   return ordered.some((panel) => panel.keys?.(event) === true);
 }
 

@@ -71,6 +71,7 @@ export function place(app, panel, tabs) {
       canvas.setAttribute('role', 'application');
       canvas.addEventListener('keydown', (event) => {
         if (app.shared.keysOff || event.ctrlKey || event.metaKey || event.altKey) return;
+        app.bring(panel);
         if (panel.keys?.(event)) {
           event.preventDefault();
           event.stopPropagation();

@@ -62,6 +62,7 @@ export function describePanels(app) {
     waiting = 0;
     for (const panel of app.panels) {
       if (!panel.root || panel.root.hidden) continue;
+      app.bring(panel); // its first frame may be late
       panel.canvas?.setAttribute('aria-label', `${panel.title}. ${panel.sentence()}`);
       fillTable(panel);
     }
