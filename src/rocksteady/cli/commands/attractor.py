@@ -1,6 +1,6 @@
 """`rocksteady attractor`: long-term motion of a block under harmonic shaking."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
@@ -38,14 +38,12 @@ def attractor(
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
-    cycles: Annotated[
-        int,
-        options.start_flag(
-            "--cycles N",
-            "Periods of the shaking after which a motion counts as aperiodic or undecided.",
-        ),
-    ] = 2000,
-    model: options.Model = "linear",
+    cycles: int = options.start_flag(
+        "--cycles N",
+        "Periods of the shaking after which a motion counts as aperiodic or undecided.",
+        default=2000,
+    ),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady attractor`; `HELP` is what its users read."""
     output.check()

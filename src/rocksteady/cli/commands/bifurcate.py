@@ -2,7 +2,6 @@
 
 import sys
 from dataclasses import replace
-from typing import Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
@@ -14,7 +13,7 @@ from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
 
-branch_flag = options.flags_in("Branches")
+branch_flag = options.Panel("Branches")
 LONGEST_AXIS = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 
@@ -50,65 +49,48 @@ def bifurcate(
     block: BlockFlags,
     output: OutputFlags,
     start: SweepStart,
-    no_sweeps: Annotated[
-        bool,
-        options.start_flag("--no-sweeps", "Follow branches only, without sweeps."),
-    ] = False,
-    cycles: Annotated[
-        int,
-        options.start_flag(
-            "--cycles N",
-            "Periods of the shaking at each value of a sweep, after which a motion counts as "
-            "aperiodic or undecided.",
-        ),
-    ] = 2000,
-    max_period: Annotated[
-        int | None,
-        branch_flag(
-            "--max-period N",
-            "Longest motions that are branched off to, in periods of the shaking; default 4 times "
-            "the largest order -n.",
-        ),
-    ] = None,
-    max_impacts: Annotated[
-        int,
-        branch_flag(
-            "--max-impacts N", "Most impacts in a period of the motions that are branched off to."
-        ),
-    ] = 12,
-    max_branches: Annotated[
-        int,
-        branch_flag(
-            "--max-branches N",
-            "Number of branches after which no further one begins at a bifurcation.",
-        ),
-    ] = 100,
-    search: Annotated[
-        bool,
-        branch_flag(
-            "--search",
-            "Start also from every motion that rocksteady orbits finds at both ends and in the "
-            "middle of the range; they may be many.",
-        ),
-    ] = False,
-    cascade: Annotated[
-        bool,
-        branch_flag(
-            "--cascade",
-            "Follow a cascade of period doublings, each on the branch of the one before.",
-        ),
-    ] = False,
-    doublings: Annotated[
-        int | None,
-        branch_flag("--doublings N", "Doublings of --cascade, up to 8; default 6."),
-    ] = None,
-    top: Annotated[
-        float | None,
-        options.output_flag(
-            "--top U", "Upper end of the axis of angles of --plot, in units of alpha."
-        ),
-    ] = None,
-    model: options.Model = "linear",
+    no_sweeps: bool = options.start_flag(
+        "--no-sweeps", "Follow branches only, without sweeps.", default=False
+    ),
+    cycles: int = options.start_flag(
+        "--cycles N",
+        "Periods of the shaking at each value of a sweep, after which a motion counts as "
+        "aperiodic or undecided.",
+        default=2000,
+    ),
+    max_period: int | None = branch_flag(
+        "--max-period N",
+        "Longest motions that are branched off to, in periods of the shaking; default 4 times "
+        "the largest order -n.",
+    ),
+    max_impacts: int = branch_flag(
+        "--max-impacts N",
+        "Most impacts in a period of the motions that are branched off to.",
+        default=12,
+    ),
+    max_branches: int = branch_flag(
+        "--max-branches N",
+        "Number of branches after which no further one begins at a bifurcation.",
+        default=100,
+    ),
+    search: bool = branch_flag(
+        "--search",
+        "Start also from every motion that rocksteady orbits finds at both ends and in the "
+        "middle of the range; they may be many.",
+        default=False,
+    ),
+    cascade: bool = branch_flag(
+        "--cascade",
+        "Follow a cascade of period doublings, each on the branch of the one before.",
+        default=False,
+    ),
+    doublings: int | None = branch_flag(
+        "--doublings N", "Doublings of --cascade, up to 8; default 6."
+    ),
+    top: float | None = options.output_flag(
+        "--top U", "Upper end of the axis of angles of --plot, in units of alpha."
+    ),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
     output.check()

@@ -1,7 +1,6 @@
 """`rocksteady curves`: bifurcation curves in the plane of two parameters."""
 
 import sys
-from typing import Annotated
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
@@ -10,7 +9,7 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equ
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import plane_of
 
-curve_flag = options.flags_in("Curves")
+curve_flag = options.Panel("Curves")
 
 HELP = (
     "Bifurcation curves in the plane of two parameters, with their points of codimension two.\n\n"
@@ -37,38 +36,26 @@ def curves(
     shaking: ShakingFlags,
     block: BlockFlags,
     output: OutputFlags,
-    order: Annotated[
-        list[int] | None,
-        options.motion_flag(
-            "--order -n N",
-            "Set the half periods of the shaking in one half cycle of the symmetric motions to "
-            "start from, odd; default 1; may be repeated.",
-        ),
-    ] = None,
-    max_period: Annotated[
-        int | None,
-        curve_flag(
-            "--max-period N",
-            "Set the longest period of the motions whose bifurcations are followed, in periods of "
-            "the shaking; default twice the largest order -n.",
-        ),
-    ] = None,
-    max_impacts: Annotated[
-        int,
-        curve_flag(
-            "--max-impacts N",
-            "Set the most impacts in a period of the motions whose bifurcations are followed.",
-        ),
-    ] = 6,
-    max_branches: Annotated[
-        int,
-        curve_flag("--max-branches N", "Largest number of branches on each line across the plane."),
-    ] = 20,
-    max_curves: Annotated[
-        int,
-        curve_flag("--max-curves N", "Largest number of curves."),
-    ] = 40,
-    model: options.Model = "linear",
+    order: list[int] | None = options.motion_flag(
+        "--order -n N",
+        "Set the half periods of the shaking in one half cycle of the symmetric motions to "
+        "start from, odd; default 1; may be repeated.",
+    ),
+    max_period: int | None = curve_flag(
+        "--max-period N",
+        "Set the longest period of the motions whose bifurcations are followed, in periods of "
+        "the shaking; default twice the largest order -n.",
+    ),
+    max_impacts: int = curve_flag(
+        "--max-impacts N",
+        "Set the most impacts in a period of the motions whose bifurcations are followed.",
+        default=6,
+    ),
+    max_branches: int = curve_flag(
+        "--max-branches N", "Largest number of branches on each line across the plane.", default=20
+    ),
+    max_curves: int = curve_flag("--max-curves N", "Largest number of curves.", default=40),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady curves`; `HELP` is what its users read."""
     output.check()

@@ -1,10 +1,8 @@
 """`rocksteady doctor`: what runs the kernels here, and whether it computes the right bits."""
 
-from typing import Annotated
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 
 HELP = (
     "Check this installation: repeat recorded calls of every kernel, and compare all bits.\n\n"
@@ -18,12 +16,12 @@ DIFFERENT = 1
 """Exit code with --check where a value differs."""
 
 
+@grouped
 def doctor(
-    check: Annotated[
-        bool,
-        options.output_flag("--check", "Leave with exit code 1 where a value differs."),
-    ] = False,
-    as_json: options.Json = False,
+    check: bool = options.output_flag(
+        "--check", "Leave with exit code 1 where a value differs.", default=False
+    ),
+    as_json: bool = options.as_json(),
 ) -> int:
     """Run `rocksteady doctor`; `HELP` is what its users read."""
     announce_compilation("attractors.settle_cells")

@@ -1,7 +1,7 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -49,40 +49,29 @@ def maps(
     start: MapStartFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    fate: Annotated[
-        bool,
-        options.start_flag(
-            "--fate",
-            "Compute whether the block still rocks, rests or has fallen after --cycles periods, "
-            "instead of its attractor.",
-        ),
-    ] = False,
-    cycles: Annotated[
-        int | None,
-        options.start_flag(
-            "--cycles N",
-            "Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
-            "by default; with --fate the largest number of them, 200 by default.",
-        ),
-    ] = None,
-    refine: Annotated[
-        int | None,
-        sweep_flag(
-            "--refine N",
-            "Compute every Nth cell along each axis (8 is usual), and of the others only those "
-            "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. "
-            "Not with --out.",
-        ),
-    ] = None,
-    by: Annotated[
-        str | None,
-        options.output_flag(
-            "--by NAME",
-            "Colour the cells of --plot by class (default), period, lyapunov (exponent per "
-            "forcing period) or peak (of the angle over alpha); with --fate by class alone.",
-        ),
-    ] = None,
-    model: options.Model = "linear",
+    fate: bool = options.start_flag(
+        "--fate",
+        "Compute whether the block still rocks, rests or has fallen after --cycles periods, "
+        "instead of its attractor.",
+        default=False,
+    ),
+    cycles: int | None = options.start_flag(
+        "--cycles N",
+        "Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
+        "by default; with --fate the largest number of them, 200 by default.",
+    ),
+    refine: int | None = sweep_flag(
+        "--refine N",
+        "Compute every Nth cell along each axis (8 is usual), and of the others only those "
+        "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. "
+        "Not with --out.",
+    ),
+    by: str | None = options.output_flag(
+        "--by NAME",
+        "Colour the cells of --plot by class (default), period, lyapunov (exponent per "
+        "forcing period) or peak (of the angle over alpha); with --fate by class alone.",
+    ),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)

@@ -1,14 +1,12 @@
 """`rocksteady orbits`: stable and unstable periodic motions at one amplitude and frequency."""
 
-from typing import Annotated
-
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
 
-search_flag = options.flags_in("Search")
+search_flag = options.Panel("Search")
 
 HELP = (
     "The periodic motions under harmonic shaking, stable and unstable, with their multipliers.\n\n"
@@ -32,21 +30,18 @@ def orbits(
     series: SeriesFlags,
     block: BlockFlags,
     output: OutputFlags,
-    max_period: Annotated[
-        int,
-        search_flag("--max-period N", "Longest motions, in periods of the shaking."),
-    ] = 3,
-    max_impacts: Annotated[
-        int,
-        search_flag("--max-impacts N", "Most impacts in a period of the motion."),
-    ] = 6,
-    seeds: Annotated[
-        int,
-        search_flag(
-            "--seeds N", "The search starts from N x N states; more find more, and take longer."
-        ),
-    ] = 96,
-    model: options.Model = "linear",
+    max_period: int = search_flag(
+        "--max-period N", "Longest motions, in periods of the shaking.", default=3
+    ),
+    max_impacts: int = search_flag(
+        "--max-impacts N", "Most impacts in a period of the motion.", default=6
+    ),
+    seeds: int = search_flag(
+        "--seeds N",
+        "The search starts from N x N states; more find more, and take longer.",
+        default=96,
+    ),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady orbits`; `HELP` is what its users read."""
     output.check()

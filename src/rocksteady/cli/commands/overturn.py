@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Annotated, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import typer
 
@@ -71,70 +71,46 @@ def overturn(
     recorded: RecordFlags,
     suite: SuiteFlags,
     reading: ReadingFlags,
-    amplitude: Annotated[
-        str | None,
-        options.motion_flag(
-            "--amplitude -A RANGE",
-            "Largest acceleration over alpha g up to which windows are searched, or low:high; "
-            "default 1:20. Below 1 no block lifts.",
-        ),
-    ] = None,
-    frequency_ratio: Annotated[
-        str | None,
-        options.motion_flag(
-            "--frequency-ratio -W W",
-            "Omega = omega/p with omega = 2 pi over the pulse's period: a number or an axis, "
-            "start:stop:count or log:start:stop:count.",
-        ),
-    ] = None,
-    accel_g: Annotated[
-        str | None,
-        options.motion_flag("--accel-g RANGE", "The same in g; needs a block, instead of -A."),
-    ] = None,
-    freq_hz: Annotated[
-        str | None,
-        options.motion_flag(
-            "--freq-hz F", "One over the pulse's period in Hz; needs a block, instead of -W."
-        ),
-    ] = None,
-    phase: Annotated[
-        float | None,
-        options.motion_flag(
-            "--phase RAD", "nu of --pulse mavroeidis-papageorgiou \\[rad], default 0."
-        ),
-    ] = None,
-    resolution: Annotated[
-        float | None,
-        options.motion_flag(
-            "--resolution PART",
-            "Largest step of the first amplitudes that are tried, as a part of them, default "
-            "0.002, of a record 0.0005. In doubtful places it becomes much smaller by itself.",
-        ),
-    ] = None,
-    scales: Annotated[
-        str | None,
-        options.motion_flag(
-            "--scales LOW:HIGH",
-            "Set the limits of the factor of --record or --records; default 0.1:10.",
-        ),
-    ] = None,
-    kick: Annotated[
-        bool,
-        options.motion_flag(
-            "--kick",
-            "Find the least sudden change of the base velocity that overturns the block, from "
-            "--start, on a still base or added to --record at --at-s.",
-        ),
-    ] = False,
-    start: options.Start = "rest",
-    at_s: Annotated[
-        str | None,
-        options.motion_flag(
-            "--at-s T",
-            "Set the time of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
-        ),
-    ] = None,
-    model: options.Model = None,
+    amplitude: str | None = options.motion_flag(
+        "--amplitude -A RANGE",
+        "Largest acceleration over alpha g up to which windows are searched, or low:high; "
+        "default 1:20. Below 1 no block lifts.",
+    ),
+    frequency_ratio: str | None = options.motion_flag(
+        "--frequency-ratio -W W",
+        "Omega = omega/p with omega = 2 pi over the pulse's period: a number or an axis, "
+        "start:stop:count or log:start:stop:count.",
+    ),
+    accel_g: str | None = options.motion_flag(
+        "--accel-g RANGE", "The same in g; needs a block, instead of -A."
+    ),
+    freq_hz: str | None = options.motion_flag(
+        "--freq-hz F", "One over the pulse's period in Hz; needs a block, instead of -W."
+    ),
+    phase: float | None = options.motion_flag(
+        "--phase RAD", "nu of --pulse mavroeidis-papageorgiou \\[rad], default 0."
+    ),
+    resolution: float | None = options.motion_flag(
+        "--resolution PART",
+        "Largest step of the first amplitudes that are tried, as a part of them, default "
+        "0.002, of a record 0.0005. In doubtful places it becomes much smaller by itself.",
+    ),
+    scales: str | None = options.motion_flag(
+        "--scales LOW:HIGH",
+        "Set the limits of the factor of --record or --records; default 0.1:10.",
+    ),
+    kick: bool = options.motion_flag(
+        "--kick",
+        "Find the least sudden change of the base velocity that overturns the block, from "
+        "--start, on a still base or added to --record at --at-s.",
+        default=False,
+    ),
+    start: str = options.start(),
+    at_s: str | None = options.motion_flag(
+        "--at-s T",
+        "Set the time of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
+    ),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output, [*recorded.files, *(suite.files if suite.records else [])])

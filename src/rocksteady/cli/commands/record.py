@@ -54,28 +54,20 @@ def record(
     reading: ReadingFlags,
     block: BlockFlags,
     output: OutputFlags,
-    periods_s: Annotated[
-        str | None,
-        options.output_flag(
-            "--periods-s AXIS",
-            "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
-            "log:0.05:10:100; printed for one record, and in --json; default of --plot "
-            "log:0.02:10:200.",
-        ),
-    ] = None,
-    damping: Annotated[
-        float,
-        options.output_flag(
-            "--damping ZETA", "Set the damping of its oscillators, 1 being critical; default 0.05."
-        ),
-    ] = 0.05,
-    units_out: Annotated[
-        str | None,
-        options.output_flag(
-            "--units-out UNIT",
-            "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
-        ),
-    ] = None,
+    periods_s: str | None = options.output_flag(
+        "--periods-s AXIS",
+        "Compute the response spectrum at these periods \\[s], as 0.1:4:40 or log:0.05:10:100; "
+        "printed for one record, and in --json; default of --plot log:0.02:10:200.",
+    ),
+    damping: float = options.output_flag(
+        "--damping ZETA",
+        "Set the damping of its oscillators, 1 being critical; default 0.05.",
+        default=0.05,
+    ),
+    units_out: str | None = options.output_flag(
+        "--units-out UNIT",
+        "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
+    ),
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
     output.check(files)

@@ -1,7 +1,7 @@
 """`rocksteady simulate`: time history of one block."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import announce_compilation, write_film
 from rocksteady.cli.console.refusals import FlagError, refuse
@@ -67,20 +67,17 @@ def simulate(
     output: OutputFlags,
     film: AnimationFlags,
     start: StartFlags,
-    cycles: Annotated[
-        float | None,
-        options.start_flag("--cycles N", "Periods of the shaking to follow, default 50."),
-    ] = None,
-    samples: Annotated[
-        int,
-        options.output_flag(
-            "--samples N",
-            "Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
-            "a pulse and under a record); impacts are always rows.",
-        ),
-    ] = 100,
-    model: options.Model = None,
-    tolerance: options.Tolerance = None,
+    cycles: float | None = options.start_flag(
+        "--cycles N", "Periods of the shaking to follow, default 50."
+    ),
+    samples: int = options.output_flag(
+        "--samples N",
+        "Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
+        "a pulse and under a record); impacts are always rows.",
+        default=100,
+    ),
+    model: str | None = options.model(),
+    tolerance: float | None = options.tolerance(),
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check(recorded.files)

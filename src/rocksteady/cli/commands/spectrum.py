@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import typer
 
@@ -61,62 +61,39 @@ def spectrum(
     reading: ReadingFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    alpha_rad: Annotated[
-        str | None,
-        options.block_flag(
-            "--alpha-rad AXIS",
-            "Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
-        ),
-    ] = None,
-    alpha_deg: Annotated[
-        str | None,
-        options.block_flag(
-            "--alpha-deg AXIS", "Set the slenderness in degrees, instead of --alpha-rad."
-        ),
-    ] = None,
-    periods_s: Annotated[
-        str | None,
-        options.block_flag(
-            "--periods-s AXIS",
-            f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
-            f"{DEFAULT_PERIODS}.",
-        ),
-    ] = None,
-    p_rad_s: Annotated[
-        str | None,
-        options.block_flag(
-            "--p-rad-s AXIS",
-            "Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
-        ),
-    ] = None,
-    width_m: Annotated[
-        str | None,
-        options.block_flag(
-            "--width-m AXIS",
-            "Set the full width \\[m], with --height-m, instead of slenderness and period: a "
-            "number or an axis.",
-        ),
-    ] = None,
-    height_m: Annotated[
-        str | None,
-        options.block_flag(
-            "--height-m AXIS",
-            "Set the full height \\[m]: a number or an axis, each with every width.",
-        ),
-    ] = None,
-    restitution: Annotated[
-        str | None,
-        options.block_flag(
-            "--restitution -r R",
-            "Set the ratio of angular velocities after and before an impact, in (0, 1], "
-            "'housner' (default) for that of each slenderness, or 'housner*0.965' for a factor of "
-            "it.",
-        ),
-    ] = None,
-    one_sided: options.OneSided = None,
-    model: options.Model = None,
-    gravity_m_s2: options.GravityMS2 = None,
-    tolerance: options.Tolerance = None,
+    alpha_rad: str | None = options.block_flag(
+        "--alpha-rad AXIS",
+        "Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
+    ),
+    alpha_deg: str | None = options.block_flag(
+        "--alpha-deg AXIS", "Set the slenderness in degrees, instead of --alpha-rad."
+    ),
+    periods_s: str | None = options.block_flag(
+        "--periods-s AXIS",
+        f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+        f"{DEFAULT_PERIODS}.",
+    ),
+    p_rad_s: str | None = options.block_flag(
+        "--p-rad-s AXIS",
+        "Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
+    ),
+    width_m: str | None = options.block_flag(
+        "--width-m AXIS",
+        "Set the full width \\[m], with --height-m, instead of slenderness and period: a "
+        "number or an axis.",
+    ),
+    height_m: str | None = options.block_flag(
+        "--height-m AXIS", "Set the full height \\[m]: a number or an axis, each with every width."
+    ),
+    restitution: str | None = options.block_flag(
+        "--restitution -r R",
+        "Set the ratio of angular velocities after and before an impact, in (0, 1], 'housner' "
+        "(default) for that of each slenderness, or 'housner*0.965' for a factor of it.",
+    ),
+    one_sided: bool | None = options.one_sided(),
+    model: str | None = options.model(),
+    gravity_m_s2: float | None = options.gravity_m_s2(),
+    tolerance: float | None = options.tolerance(),
 ) -> None:
     """Run `rocksteady spectrum`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)

@@ -37,7 +37,10 @@ EXAMPLES = (
 
 @grouped
 def steady(
-    shaking: ShakingFlags, block: BlockFlags, output: OutputFlags, order: options.Orders = None
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    output: OutputFlags,
+    order: list[int] | None = options.orders(),
 ) -> None:
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Annotated, Any, cast
+from typing import Any, cast
 
 from rocksteady.cli.console.refusals import FlagError, both, needs, refuse
 from rocksteady.cli.flags import options
@@ -33,39 +33,23 @@ LENGTHS = ("width", "height", "radius")
 class ShakingFlags:
     """Harmonic shaking, dimensionless or, for a block, in g and Hz."""
 
-    amplitude: Annotated[
-        str | None,
-        options.motion_flag(
-            "--amplitude -A A",
-            "Set the peak base acceleration over alpha g; 1 just lifts a block at rest.",
-        ),
-    ] = None
-    frequency_ratio: Annotated[
-        str | None,
-        options.motion_flag(
-            "--frequency-ratio -W W",
-            "Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
-        ),
-    ] = None
-    accel_g: Annotated[
-        str | None,
-        options.motion_flag(
-            "--accel-g G", "Set the peak base acceleration in g, instead of -A; needs a block."
-        ),
-    ] = None
-    accel_m_s2: Annotated[
-        str | None,
-        options.motion_flag(
-            "--accel-m-s2 ACC",
-            "Set the peak base acceleration in m/s^2, instead of -A; needs a block.",
-        ),
-    ] = None
-    freq_hz: Annotated[
-        str | None,
-        options.motion_flag(
-            "--freq-hz F", "Set the frequency of the shaking in Hz, instead of -W; needs a block."
-        ),
-    ] = None
+    amplitude: str | None = options.motion_flag(
+        "--amplitude -A A",
+        "Set the peak base acceleration over alpha g; 1 just lifts a block at rest.",
+    )
+    frequency_ratio: str | None = options.motion_flag(
+        "--frequency-ratio -W W",
+        "Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
+    )
+    accel_g: str | None = options.motion_flag(
+        "--accel-g G", "Set the peak base acceleration in g, instead of -A; needs a block."
+    )
+    accel_m_s2: str | None = options.motion_flag(
+        "--accel-m-s2 ACC", "Set the peak base acceleration in m/s^2, instead of -A; needs a block."
+    )
+    freq_hz: str | None = options.motion_flag(
+        "--freq-hz F", "Set the frequency of the shaking in Hz, instead of -W; needs a block."
+    )
 
     @property
     def given(self) -> bool:
@@ -167,24 +151,17 @@ class ShakingFlags:
 class PulseFlags:
     """A pulse in place of endless shaking."""
 
-    pulse: Annotated[
-        str | None,
-        options.motion_flag(
-            "--pulse NAME",
-            "Shake with a single pulse, after which the base stands still; its size and frequency "
-            "are those of -A and -W, or --accel-g and --freq-hz. "
-            "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
-            "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
-            "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
-        ),
-    ] = None
-    oscillations: Annotated[
-        float | None,
-        options.motion_flag(
-            "--oscillations GAMMA",
-            "Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2.",
-        ),
-    ] = None
+    pulse: str | None = options.motion_flag(
+        "--pulse NAME",
+        "Shake with a single pulse, after which the base stands still; its size and frequency "
+        "are those of -A and -W, or --accel-g and --freq-hz. "
+        "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
+        "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
+        "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
+    )
+    oscillations: float | None = options.motion_flag(
+        "--oscillations GAMMA", "Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2."
+    )
 
     @property
     def given(self) -> bool:
@@ -230,85 +207,52 @@ def _felt(
 class BlockFlags:
     """A block, or its restitution alone."""
 
-    restitution: options.Restitution = None
-    one_sided: options.OneSided = None
-    block: Annotated[
-        str | None,
-        options.block_flag("--block NAME", f"Take a named block: {', '.join(SOURCES)}."),
-    ] = None
-    width_m: Annotated[
-        str | None,
-        options.block_flag("--width-m M", "Set the full width of the base \\[m]."),
-    ] = None
-    height_m: Annotated[
-        str | None,
-        options.block_flag("--height-m M", "Set the full height \\[m]."),
-    ] = None
-    offset_m: Annotated[
-        float | None,
-        options.block_flag(
-            "--offset-m M",
-            "Move the mass centre off the middle of --width-m \\[m], positive to the right, away "
-            "from the left edge, the pivot of positive rotation, as offset_m in files of objects; "
-            "default 0. The radius of gyration about the mass centre stays that of the homogeneous "
-            "outline.",
-        ),
-    ] = None
-    mass_centre_height_m: Annotated[
-        float | None,
-        options.block_flag(
-            "--mass-centre-height-m M",
-            "Set the height of the mass centre above the base \\[m], with --width-m and "
-            "--height-m; default half of --height-m. The radius of gyration about the mass centre "
-            "stays that of the homogeneous outline, unless --gyration-m is given.",
-        ),
-    ] = None
-    left_m: Annotated[
-        float | None,
-        options.block_flag(
-            "--left-m M",
-            "Set the distance from the left edge to the mass centre \\[m], with --right-m and "
-            "--height-m (twice the height of the mass centre): a block whose sides differ. The "
-            "left edge is the pivot of positive rotation, and its side the unit of angles and "
-            "times.",
-        ),
-    ] = None
-    right_m: Annotated[
-        float | None,
-        options.block_flag(
-            "--right-m M", "Set the distance from the right edge to the mass centre \\[m]."
-        ),
-    ] = None
-    gyration_m: Annotated[
-        float | None,
-        options.block_flag(
-            "--gyration-m M",
-            "Set the radius of gyration about the mass centre \\[m], with --left-m, --offset-m or "
-            "--mass-centre-height-m; default that of the homogeneous rectangle of this base and "
-            "height.",
-        ),
-    ] = None
-    alpha_rad: Annotated[
-        str | None,
-        options.block_flag(
-            "--alpha-rad RAD", "Set the slenderness, the tilt at which the block balances \\[rad]."
-        ),
-    ] = None
-    radius_m: Annotated[
-        str | None,
-        options.block_flag(
-            "--radius-m M",
-            "Set the distance from pivot to mass centre \\[m] of a homogeneous rectangle.",
-        ),
-    ] = None
-    p_rad_s: Annotated[
-        str | None,
-        options.block_flag(
-            "--p-rad-s P",
-            "Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
-        ),
-    ] = None
-    gravity_m_s2: options.GravityMS2 = None
+    restitution: str | None = options.restitution()
+    one_sided: bool | None = options.one_sided()
+    block: str | None = options.block_flag(
+        "--block NAME", f"Take a named block: {', '.join(SOURCES)}."
+    )
+    width_m: str | None = options.block_flag("--width-m M", "Set the full width of the base \\[m].")
+    height_m: str | None = options.block_flag("--height-m M", "Set the full height \\[m].")
+    offset_m: float | None = options.block_flag(
+        "--offset-m M",
+        "Move the mass centre off the middle of --width-m \\[m], positive to the right, away from "
+        "the left edge, the pivot of positive rotation, as offset_m in files of objects; default "
+        "0. The radius of gyration about the mass centre stays that of the homogeneous outline.",
+    )
+    mass_centre_height_m: float | None = options.block_flag(
+        "--mass-centre-height-m M",
+        "Set the height of the mass centre above the base \\[m], with --width-m and "
+        "--height-m; default half of --height-m. The radius of gyration about the mass centre "
+        "stays that of the homogeneous outline, unless --gyration-m is given.",
+    )
+    left_m: float | None = options.block_flag(
+        "--left-m M",
+        "Set the distance from the left edge to the mass centre \\[m], with --right-m and "
+        "--height-m (twice the height of the mass centre): a block whose sides differ. The left "
+        "edge is the pivot of positive rotation, and its side the unit of angles and times.",
+    )
+    right_m: float | None = options.block_flag(
+        "--right-m M", "Set the distance from the right edge to the mass centre \\[m]."
+    )
+    gyration_m: float | None = options.block_flag(
+        "--gyration-m M",
+        "Set the radius of gyration about the mass centre \\[m], with --left-m, --offset-m or "
+        "--mass-centre-height-m; default that of the homogeneous rectangle of this base and "
+        "height.",
+    )
+    alpha_rad: str | None = options.block_flag(
+        "--alpha-rad RAD", "Set the slenderness, the tilt at which the block balances \\[rad]."
+    )
+    radius_m: str | None = options.block_flag(
+        "--radius-m M",
+        "Set the distance from pivot to mass centre \\[m] of a homogeneous rectangle.",
+    )
+    p_rad_s: str | None = options.block_flag(
+        "--p-rad-s P",
+        "Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
+    )
+    gravity_m_s2: float | None = options.gravity_m_s2()
 
     @property
     def given(self) -> bool:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.refusals import both, missing, needs
 from rocksteady.cli.flags import options
@@ -16,48 +16,37 @@ from rocksteady.model.checks.validation import in_range
 if TYPE_CHECKING:
     from rocksteady.risk.screens.demand import Demand
 
-demand_flag = options.flags_in("Demand")
+demand_flag = options.Panel("Demand")
 
 
 @dataclass(frozen=True, kw_only=True)
 class PeakFlags:
     """Peak accelerations, peak velocity and friction."""
 
-    pga_g: Annotated[
-        float | None,
-        demand_flag(
-            "--pga-g G",
-            "Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
-            "record to it.",
-        ),
-    ] = None
-    pgv_m_s: Annotated[
-        float | None,
-        demand_flag("--pgv-m-s V", "Set the peak velocity of the ground or floor \\[m/s]."),
-    ] = None
-    friction: Annotated[
-        float | None,
-        demand_flag(
-            "--friction MU",
-            "Set the coefficient of friction between block and base; without, its need is shown.",
-        ),
-    ] = None
-    vertical_g: Annotated[
-        float,
-        demand_flag(
-            "--vertical-g G",
-            "Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
-            "worse direction counts.",
-        ),
-    ] = 0.0
-    vertical_share: Annotated[
-        float,
-        demand_flag(
-            "--vertical-share X",
-            "Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
-            "rule of ASCE 4.",
-        ),
-    ] = 1.0
+    pga_g: float | None = demand_flag(
+        "--pga-g G",
+        "Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
+        "record to it.",
+    )
+    pgv_m_s: float | None = demand_flag(
+        "--pgv-m-s V", "Set the peak velocity of the ground or floor \\[m/s]."
+    )
+    friction: float | None = demand_flag(
+        "--friction MU",
+        "Set the coefficient of friction between block and base; without, its need is shown.",
+    )
+    vertical_g: float = demand_flag(
+        "--vertical-g G",
+        "Set the peak vertical acceleration of the ground or floor \\[g], without a sign: the "
+        "worse direction counts.",
+        default=0.0,
+    )
+    vertical_share: float = demand_flag(
+        "--vertical-share X",
+        "Set the share of --vertical-g that acts at the horizontal peak; 0.4 by the 100-40-40 "
+        "rule of ASCE 4.",
+        default=1.0,
+    )
 
     @property
     def vertical(self) -> dict[str, float]:
@@ -98,32 +87,23 @@ class PeakFlags:
 class SpectrumFlags:
     """A spectrum or a record, and the ratio of vertical to horizontal spectra."""
 
-    spectrum: Annotated[
-        Path | None,
-        demand_flag(
-            "--spectrum FILE",
-            "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
-            "each damping; a comment '# damping 0.05' states it.",
-        ),
-    ] = None
-    damping: Annotated[
-        str | None,
-        demand_flag(
-            "--damping X",
-            "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
-        ),
-    ] = None
-    record: Annotated[
-        Path | None,
-        demand_flag("--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."),
-    ] = None
-    vertical_per_horizontal: Annotated[
-        float,
-        demand_flag(
-            "--vertical-per-horizontal X",
-            "Set the ratio of vertical to horizontal spectral acceleration.",
-        ),
-    ] = 0.0
+    spectrum: Path | None = demand_flag(
+        "--spectrum FILE",
+        "Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
+        "each damping; a comment '# damping 0.05' states it.",
+    )
+    damping: str | None = demand_flag(
+        "--damping X",
+        "Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
+    )
+    record: Path | None = demand_flag(
+        "--record FILE", "Measure PGA, PGV and spectrum of a ground-motion file."
+    )
+    vertical_per_horizontal: float = demand_flag(
+        "--vertical-per-horizontal X",
+        "Set the ratio of vertical to horizontal spectral acceleration.",
+        default=0.0,
+    )
 
     @property
     def files(self) -> list[Path]:
@@ -172,9 +152,9 @@ class SpectrumFlags:
 class RowFlags:
     """Output of a command whose result is a table."""
 
-    as_json: options.Json = False
-    csv: options.Csv = None
-    force: options.Force = False
+    as_json: bool = options.as_json()
+    csv: Path | None = options.csv()
+    force: bool = options.force()
 
     @property
     def files(self) -> OutputFlags:

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
     from rocksteady.seismic.measures.scalar import Intensity
 
-ensemble_flag = flags_in("Ensemble")
+ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
 
 
@@ -54,21 +54,16 @@ class Suite:
 class SuiteFlags:
     """A suite of recorded motions; a command takes `ReadingFlags` beside them."""
 
-    records: Annotated[
-        list[Path] | None,
-        ensemble_flag(
-            "--records DIR|FILE",
-            "Read ground motions: every file of a folder, or a file; several times for more. A "
-            "file that cannot be read is named and left out.",
-        ),
-    ] = None
-    pair: Annotated[
-        bool,
-        ensemble_flag(
-            "--pair",
-            "Pair the channels of each station, and run with its vertical one as well as without.",
-        ),
-    ] = False
+    records: list[Path] | None = ensemble_flag(
+        "--records DIR|FILE",
+        "Read ground motions: every file of a folder, or a file; several times for more. A "
+        "file that cannot be read is named and left out.",
+    )
+    pair: bool = ensemble_flag(
+        "--pair",
+        "Pair the channels of each station, and run with its vertical one as well as without.",
+        default=False,
+    )
 
     @property
     def given(self) -> dict[str, object]:
@@ -173,54 +168,36 @@ class SuiteFlags:
 class EnsembleFlags:
     """Levels of an ensemble, its band of restitutions and its signs."""
 
-    measure: Annotated[
-        str | None,
-        ensemble_flag(
-            "--measure NAME[:S]",
-            "Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, "
-            "pga_per_uplift, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default "
-            "2 pi/p.",
-        ),
-    ] = None
-    levels: Annotated[
-        str | None,
-        ensemble_flag(
-            "--levels AXIS",
-            "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
-            "default 20 that suit the block.",
-        ),
-    ] = None
-    scale: Annotated[
-        str | None,
-        ensemble_flag(
-            "--scale AXIS",
-            "Multiply all records by the same factors, an axis, in place of --levels.",
-        ),
-    ] = None
-    draws: Annotated[
-        int | None,
-        ensemble_flag(
-            "--draws N",
-            "Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
-            f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
-            "single value.",
-        ),
-    ] = None
-    scatter: Annotated[
-        float,
-        ensemble_flag(
-            "--scatter SD",
-            "Let the restitution scatter from impact to impact with this standard deviation.",
-        ),
-    ] = 0.0
-    no_reverse: Annotated[
-        bool,
-        ensemble_flag("--no-reverse", "Run the records as recorded only; by default reversed too."),
-    ] = False
-    seed: Annotated[
-        int,
-        ensemble_flag("--seed N", "Set the seed of the scatter and of the bands."),
-    ] = 0
+    measure: str | None = ensemble_flag(
+        "--measure NAME[:S]",
+        "Set what the levels are in: pgv_m_s (default), pga_g, p_pgv_per_uplift, pga_per_uplift, "
+        "sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default 2 pi/p.",
+    )
+    levels: str | None = ensemble_flag(
+        "--levels AXIS",
+        "Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
+        "default 20 that suit the block.",
+    )
+    scale: str | None = ensemble_flag(
+        "--scale AXIS", "Multiply all records by the same factors, an axis, in place of --levels."
+    )
+    draws: int | None = ensemble_flag(
+        "--draws N",
+        "Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
+        f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
+        "single value.",
+    )
+    scatter: float = ensemble_flag(
+        "--scatter SD",
+        "Let the restitution scatter from impact to impact with this standard deviation.",
+        default=0.0,
+    )
+    no_reverse: bool = ensemble_flag(
+        "--no-reverse", "Run the records as recorded only; by default reversed too.", default=False
+    )
+    seed: int = ensemble_flag(
+        "--seed N", "Set the seed of the scatter and of the bands.", default=0
+    )
 
     def stripes(self) -> "Stripes":
         """Return the levels.

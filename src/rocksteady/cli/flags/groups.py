@@ -7,7 +7,7 @@ collects them again when the command is called.
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import Field, dataclass, fields, is_dataclass
 from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
@@ -41,28 +41,18 @@ FIGURE_FORMATS = (".png", ".svg", ".pdf")
 class OutputFlags:
     """What a command leaves behind."""
 
-    as_json: options.Json = False
-    plot: Annotated[
-        Path | None,
-        options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf."),
-    ] = None
-    width: Annotated[
-        str | None,
-        options.output_flag(
-            "--width LENGTH",
-            "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
-        ),
-    ] = None
-    legend: Annotated[
-        str | None,
-        options.output_flag(
-            "--legend PLACE",
-            "Place the legends of --plot: inside, right, below or none; default where there "
-            "is room.",
-        ),
-    ] = None
-    csv: options.Csv = None
-    force: options.Force = False
+    as_json: bool = options.as_json()
+    plot: Path | None = options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf.")
+    width: str | None = options.output_flag(
+        "--width LENGTH",
+        "Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
+    )
+    legend: str | None = options.output_flag(
+        "--legend PLACE",
+        "Place the legends of --plot: inside, right, below or none; default where there is room.",
+    )
+    csv: Path | None = options.csv()
+    force: bool = options.force()
 
     def check(self, read: Sequence[Path] = (), *, out: Path | None = None) -> None:
         """Refuse, before anything is computed, what could not be written afterwards.
@@ -194,20 +184,14 @@ class OutputFlags:
 class AnimationFlags:
     """A film, and how fast it plays."""
 
-    animate: Annotated[
-        Path | None,
-        options.output_flag(
-            "--animate FILE", "Save a film of the block on its moving ground, to scale: .gif."
-        ),
-    ] = None
-    speed: Annotated[
-        float | None,
-        options.output_flag(
-            "--speed X",
-            "Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
-            "shaking, else pt, per second of film; default 1, or what shows the run well.",
-        ),
-    ] = None
+    animate: Path | None = options.output_flag(
+        "--animate FILE", "Save a film of the block on its moving ground, to scale: .gif."
+    )
+    speed: float | None = options.output_flag(
+        "--speed X",
+        "Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
+        "shaking, else pt, per second of film; default 1, or what shows the run well.",
+    )
 
     def check(self, output: OutputFlags, read: Sequence[Path] = ()) -> None:
         """Refuse, before anything is computed, what could not be written afterwards.
@@ -249,7 +233,7 @@ def in_columns(
     return columns, ([row[name] for name in columns] for row in rows)
 
 
-def grouped(command: Callable[..., None]) -> Callable[..., None]:
+def grouped(command: Callable[..., Any]) -> Callable[..., Any]:
     """Spread a command's parameters that are groups into one parameter for each of their flags."""
     signature = inspect.signature(command, eval_str=True)
     groups: dict[str, type[Any]] = {
@@ -260,19 +244,31 @@ def grouped(command: Callable[..., None]) -> Callable[..., None]:
     spread: list[inspect.Parameter] = []
     for name, parameter in signature.parameters.items():
         if name in groups:
-            spread += inspect.signature(groups[name], eval_str=True).parameters.values()
+            of = inspect.signature(groups[name], eval_str=True).parameters
+            spread += [_flag(of[each.name], each) for each in fields(groups[name])]
         else:
-            spread.append(parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY))
+            spread.append(_flag(parameter, parameter.default))
 
     @wraps(command)
-    def run(**values: Any) -> None:
+    def run(**values: Any) -> Any:
         collected = {
             name: group(**{field.name: values.pop(field.name) for field in fields(group)})
             for name, group in groups.items()
         }
-        command(**collected, **values)
+        return command(**collected, **values)
 
     # typer reads both.
     run.__signature__ = signature.replace(parameters=spread)  # type: ignore[attr-defined]
     run.__annotations__ = {parameter.name: parameter.annotation for parameter in spread}
     return run
+
+
+def _flag(parameter: inspect.Parameter, field: Any) -> inspect.Parameter:
+    """Return a parameter with the flag of its field, if that has one, where typer finds it."""
+    parameter = parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
+    if not isinstance(field, Field) or options.FLAG not in field.metadata:
+        return parameter
+    return parameter.replace(
+        annotation=Annotated[parameter.annotation, field.metadata[options.FLAG]],
+        default=field.default,
+    )

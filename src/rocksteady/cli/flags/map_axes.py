@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -33,32 +33,24 @@ FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
 class MapStartFlags:
     """Where the motions of a map begin; phase, state and kick may be axes."""
 
-    start: Annotated[
-        str,
-        options.start_flag(
-            "--start START",
-            "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
-            "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
-        ),
-    ] = "rest"
-    order: options.Order = 1
-    phase: Annotated[
-        str | None,
-        options.start_flag(
-            "--phase RAD",
-            "Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
-            "steady.",
-        ),
-    ] = None
-    side: options.Side = "+"
-    kick: Annotated[
-        str | None,
-        options.start_flag(
-            "--kick K",
-            "Distance from an unstable steady state at the start, default 1e-6, or an "
-            "axis: length of (phase \\[rad], velocity over the orbit's).",
-        ),
-    ] = None
+    start: str = options.start_flag(
+        "--start START",
+        "rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
+        "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
+        default="rest",
+    )
+    order: int = options.order()
+    phase: str | None = options.start_flag(
+        "--phase RAD",
+        "Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
+        "steady.",
+    )
+    side: str = options.side()
+    kick: str | None = options.start_flag(
+        "--kick K",
+        "Distance from an unstable steady state at the start, default 1e-6, or an "
+        "axis: length of (phase \\[rad], velocity over the orbit's).",
+    )
 
     @cached_property
     def parameters(self) -> dict[str, list[float]]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -183,14 +182,11 @@ def plane_of(shaking: ShakingFlags, block: BlockFlags) -> Plane:
 class SeriesFlags:
     """The harmonics of periodic shaking that is no single sinusoid."""
 
-    harmonic: Annotated[
-        list[str] | None,
-        options.motion_flag(
-            "--harmonic K,SIZE,PHASE",
-            "Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
-            "be repeated. -W is then that of the period. Default: a single sinusoid.",
-        ),
-    ] = None
+    harmonic: list[str] | None = options.motion_flag(
+        "--harmonic K,SIZE,PHASE",
+        "Add a harmonic of periodic shaking: order K, size relative to -A, phase \\[rad]; may "
+        "be repeated. -W is then that of the period. Default: a single sinusoid.",
+    )
 
     @property
     def given(self) -> bool:

@@ -2,14 +2,14 @@
 
 import re
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing, needs, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
-from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, flags_in, motion_flag
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, motion_flag
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -20,70 +20,53 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
 
-reading_flag = flags_in("Reading files")
+reading_flag = Panel("Reading files")
 
 MOST_USUAL_SCALE = 10.0
 """Factor of a record beyond which a wrong unit is more likely than a wish."""
 
-Scale = Annotated[
-    str | None,
-    motion_flag(
-        "--scale S",
-        "Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
-    ),
-]
-Units = Annotated[
-    str | None,
-    reading_flag(
-        "--units UNIT",
-        "Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
-    ),
-]
-DtS = Annotated[
-    float | None,
-    reading_flag(
-        "--dt-s DT", "Set the interval between samples \\[s] in files that do not state it."
-    ),
-]
+scale_flag = partial(
+    motion_flag,
+    "--scale S",
+    "Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
+)
+units_flag = partial(
+    reading_flag,
+    "--units UNIT",
+    "Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
+)
+dt_s_flag = partial(
+    reading_flag,
+    "--dt-s DT",
+    "Set the interval between samples \\[s] in files that do not state it.",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
 class ReadingFlags:
     """How ground-motion files are read."""
 
-    channel: Annotated[
-        str | None,
-        reading_flag(
-            "--channel NAME",
-            "Choose the channel of a file with several: its component, or its number from 1.",
-        ),
-    ] = None
-    format: Annotated[
-        str | None,
-        reading_flag(
-            "--format NAME", "Set the format of the files; default: recognised from their content."
-        ),
-    ] = None
-    units: Units = None
-    dt_s: DtS = None
-    column: Annotated[
-        str | None,
-        reading_flag(
-            "--column NAME",
-            "Choose the column of a table with the acceleration: its number from 1, or its name.",
-        ),
-    ] = None
-    resample: Annotated[
-        bool,
-        reading_flag("--resample", "Interpolate a table with uneven times to even ones."),
-    ] = False
-    baseline: Annotated[
-        str,
-        reading_flag(
-            "--baseline NAME",
-            "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
-        ),
-    ] = "none"
+    channel: str | None = reading_flag(
+        "--channel NAME",
+        "Choose the channel of a file with several: its component, or its number from 1.",
+    )
+    format: str | None = reading_flag(
+        "--format NAME", "Set the format of the files; default: recognised from their content."
+    )
+    units: str | None = units_flag()
+    dt_s: float | None = dt_s_flag()
+    column: str | None = reading_flag(
+        "--column NAME",
+        "Choose the column of a table with the acceleration: its number from 1, or its name.",
+    )
+    resample: bool = reading_flag(
+        "--resample", "Interpolate a table with uneven times to even ones.", default=False
+    )
+    baseline: str = reading_flag(
+        "--baseline NAME",
+        "Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
+        default="none",
+    )
 
     @property
     def given(self) -> dict[str, object]:
@@ -204,45 +187,32 @@ def warn(file: Path, words: str) -> None:
 class RecordFlags:
     """Recorded motions in place of harmonic shaking; a command takes `ReadingFlags` beside them."""
 
-    record: Annotated[
-        list[Path] | None,
-        motion_flag(
-            "--record FILE",
-            "Ground-motion file that shakes a block of known size; then the base stands still.",
-        ),
-    ] = None
-    scale: Scale = None
-    pga_g: Annotated[
-        float | None,
-        motion_flag(
-            "--pga-g G",
-            "Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
-            "same factor; instead of --scale.",
-        ),
-    ] = None
-    vertical: Annotated[
-        Path | None,
-        motion_flag(
-            "--vertical FILE",
-            "Add the vertical acceleration of a file, its vertical channel where it has several; "
-            "upwards is positive, and DWN is reversed. The linear model has no term for it.",
-        ),
-    ] = None
-    reverse: Annotated[
-        bool,
-        motion_flag(
-            "--reverse",
-            "Change the sign of --record or --pulse: positive values drive negative rotation.",
-        ),
-    ] = False
-    reverse_vertical: Annotated[
-        bool,
-        motion_flag(
-            "--reverse-vertical",
-            "Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
-            "PEER, positive downwards, is reversed without it.",
-        ),
-    ] = False
+    record: list[Path] | None = motion_flag(
+        "--record FILE",
+        "Ground-motion file that shakes a block of known size; then the base stands still.",
+    )
+    scale: str | None = scale_flag()
+    pga_g: float | None = motion_flag(
+        "--pga-g G",
+        "Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
+        "same factor; instead of --scale.",
+    )
+    vertical: Path | None = motion_flag(
+        "--vertical FILE",
+        "Add the vertical acceleration of a file, its vertical channel where it has several; "
+        "upwards is positive, and DWN is reversed. The linear model has no term for it.",
+    )
+    reverse: bool = motion_flag(
+        "--reverse",
+        "Change the sign of --record or --pulse: positive values drive negative rotation.",
+        default=False,
+    )
+    reverse_vertical: bool = motion_flag(
+        "--reverse-vertical",
+        "Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
+        "PEER, positive downwards, is reversed without it.",
+        default=False,
+    )
 
     @property
     def files(self) -> list[Path]:

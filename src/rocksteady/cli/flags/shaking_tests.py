@@ -1,57 +1,52 @@
 """Flags for tables of shaking tests, and how outcomes become draws."""
 
 from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
-from rocksteady.cli.flags.record_files import DtS, Units
+from rocksteady.cli.flags.record_files import dt_s_flag, units_flag
 from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.sampling import Sampling
     from rocksteady.risk.observations.observations import Observations
 
-test_flag = flags_in("Tests")
-sampling_flag = flags_in("Calibration")
+test_flag = Panel("Tests")
+sampling_flag = Panel("Calibration")
 
-Tests = Annotated[
-    Path | None,
-    test_flag(
-        "--tests FILE",
-        "Read a table of tests: test, record, object and outcome (fell or stood), further "
-        "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, channel, vertical, "
-        "vertical_channel.",
-    ),
-]
-Objects = Annotated[
-    Path | None,
-    test_flag(
-        "--objects FILE",
-        "Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
-        "beside --tests.",
-    ),
-]
-RecordsFolder = Annotated[
-    Path | None,
-    test_flag(
-        "--records DIR",
-        "Folder of the records; default records/ beside --tests, or its own folder.",
-    ),
-]
+tests_flag = partial(
+    test_flag,
+    "--tests FILE",
+    "Read a table of tests: test, record, object and outcome (fell or stood), further "
+    "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, channel, vertical, "
+    "vertical_channel.",
+)
+objects_flag = partial(
+    test_flag,
+    "--objects FILE",
+    "Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
+    "beside --tests.",
+)
+records_flag = partial(
+    test_flag,
+    "--records DIR",
+    "Folder of the records; default records/ beside --tests, or its own folder.",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
 class TableFlags:
     """Tables of tests and of objects, and the folder of their records."""
 
-    tests: Tests = None
-    objects: Objects = None
-    records: RecordsFolder = None
-    units: Units = None
-    dt_s: DtS = None
+    tests: Path | None = tests_flag()
+    objects: Path | None = objects_flag()
+    records: Path | None = records_flag()
+    units: str | None = units_flag()
+    dt_s: float | None = dt_s_flag()
 
     @property
     def given(self) -> dict[str, object]:
@@ -109,41 +104,27 @@ class TableFlags:
 class SamplingFlags:
     """Draws, gains and rounds; folds and temper."""
 
-    fold: Annotated[
-        str,
-        sampling_flag(
-            "--folds NAME", "Hold out together the tests of one record, test, session or group."
-        ),
-    ] = "group"
-    temper: Annotated[
-        str,
-        sampling_flag(
-            "--temper auto|T",
-            "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
-        ),
-    ] = "auto"
-    draws: Annotated[
-        int,
-        sampling_flag("--draws N", "Set the number of draws of each object."),
-    ] = 1500
-    gains: Annotated[
-        int,
-        sampling_flag(
-            "--gains N",
-            "Set the number of gains of each draw and test, over the error of its amplitude.",
-        ),
-    ] = 5
-    rounds: Annotated[
-        int | None,
-        sampling_flag(
-            "--rounds N",
-            "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
-        ),
-    ] = None
-    seed: Annotated[
-        int,
-        sampling_flag("--seed N", "Set the seed of all draws."),
-    ] = 0
+    fold: str = sampling_flag(
+        "--folds NAME",
+        "Hold out together the tests of one record, test, session or group.",
+        default="group",
+    )
+    temper: str = sampling_flag(
+        "--temper auto|T",
+        "Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
+        default="auto",
+    )
+    draws: int = sampling_flag("--draws N", "Set the number of draws of each object.", default=1500)
+    gains: int = sampling_flag(
+        "--gains N",
+        "Set the number of gains of each draw and test, over the error of its amplitude.",
+        default=5,
+    )
+    rounds: int | None = sampling_flag(
+        "--rounds N",
+        "Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
+    )
+    seed: int = sampling_flag("--seed N", "Set the seed of all draws.", default=0)
 
     def sampling(self) -> "Sampling":
         """Return how many draws are made.

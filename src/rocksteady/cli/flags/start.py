@@ -25,11 +25,11 @@ HINT = "write rest, steady, steady:2, U,V (V = du/d(pt)) or U,tau=DU (du/d(omega
 class StartFlags:
     """A state to begin with, and the side on which an unstable one is left."""
 
-    start: options.Start = "rest"
-    order: options.Order = 1
-    phase: options.Phase = None
-    side: options.Side = "+"
-    kick: options.Kick = None
+    start: str = options.start()
+    order: int = options.order()
+    phase: float | None = options.phase()
+    side: str = options.side()
+    kick: float | None = options.kick()
 
     @property
     def sign(self) -> int:

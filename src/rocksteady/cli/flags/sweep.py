@@ -5,8 +5,9 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import typer
 
@@ -26,25 +27,22 @@ if TYPE_CHECKING:
     from rocksteady.sweep.run import Run
     from rocksteady.sweep.store.store import Store
 
-sweep_flag = options.flags_in("Sweep")
+sweep_flag = options.Panel("Sweep")
 
-Executor = Annotated[
-    str,
-    sweep_flag(
-        "--executor NAME",
-        "threads (default), gpu for an NVIDIA GPU, dask for a cluster of processes on this "
-        "machine, the address of a dask scheduler as tcp://host:8786, or serial. All give the same "
-        "bytes.",
-    ),
-]
-Workers = Annotated[
-    int | None,
-    sweep_flag(
-        "--workers N",
-        "Threads or processes; by default as many as there are cores, or as a cluster has. "
-        "With gpu: launches in flight, 3 by default.",
-    ),
-]
+executor_flag = partial(
+    sweep_flag,
+    "--executor NAME",
+    "threads (default), gpu for an NVIDIA GPU, dask for a cluster of processes on this "
+    "machine, the address of a dask scheduler as tcp://host:8786, or serial. All give the same "
+    "bytes.",
+    default="threads",
+)
+workers_flag = partial(
+    sweep_flag,
+    "--workers N",
+    "Threads or processes; by default as many as there are cores, or as a cluster has. "
+    "With gpu: launches in flight, 3 by default.",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,36 +51,26 @@ class SweepFlags:
 
     STORE: ClassVar[str] = "--out"
 
-    out: Annotated[
-        Path | None,
-        sweep_flag(
-            "--out STORE",
-            "Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
-            "interruption. Without it they are kept in memory.",
-        ),
-    ] = None
-    resume: Annotated[
-        bool,
-        sweep_flag(
-            "--resume", "Continue the store of --out where it stopped; begin it if it is not there."
-        ),
-    ] = False
-    executor: Executor = "threads"
-    workers: Workers = None
-    chunk: Annotated[
-        int | None,
-        sweep_flag(
-            "--chunk CELLS",
-            "Cells that are written at once; by default a 64th of all, from 4096 to "
-            "65536, and of slow cells fewer.",
-        ),
-    ] = None
-    netcdf: Annotated[
-        Path | None,
-        options.output_flag(
-            "--netcdf FILE", "Save the data as NetCDF, .nc, with units and the meaning of classes."
-        ),
-    ] = None
+    out: Path | None = sweep_flag(
+        "--out STORE",
+        "Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
+        "interruption. Without it they are kept in memory.",
+    )
+    resume: bool = sweep_flag(
+        "--resume",
+        "Continue the store of --out where it stopped; begin it if it is not there.",
+        default=False,
+    )
+    executor: str = executor_flag()
+    workers: int | None = workers_flag()
+    chunk: int | None = sweep_flag(
+        "--chunk CELLS",
+        "Cells that are written at once; by default a 64th of all, from 4096 to "
+        "65536, and of slow cells fewer.",
+    )
+    netcdf: Path | None = options.output_flag(
+        "--netcdf FILE", "Save the data as NetCDF, .nc, with units and the meaning of classes."
+    )
 
     def check(
         self, output: OutputFlags, read: Sequence[Path] = (), *, out: Path | None = None
@@ -221,23 +209,18 @@ class _KeptRuns(SweepFlags):
 class RunsFlags:
     """Who computes the runs of an ensemble, and where they are kept, beside a folder of --out."""
 
-    runs: Annotated[
-        Path | None,
-        sweep_flag(
-            "--runs STORE",
-            "Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
-            "interruption. Without it they are kept in memory.",
-        ),
-    ] = None
-    resume: Annotated[
-        bool,
-        sweep_flag(
-            "--resume",
-            "Continue the store of --runs where it stopped; begin it if it is not there.",
-        ),
-    ] = False
-    executor: Executor = "threads"
-    workers: Workers = None
+    runs: Path | None = sweep_flag(
+        "--runs STORE",
+        "Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
+        "interruption. Without it they are kept in memory.",
+    )
+    resume: bool = sweep_flag(
+        "--resume",
+        "Continue the store of --runs where it stopped; begin it if it is not there.",
+        default=False,
+    )
+    executor: str = executor_flag()
+    workers: int | None = workers_flag()
 
     @property
     def sweep(self) -> SweepFlags:

@@ -1,7 +1,7 @@
 """Initial states of the sweeps in a bifurcation diagram."""
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -21,20 +21,17 @@ SINUSOID = SeriesFlags()
 class SweepStart:
     """Where each sweep begins; for several orders, the first is that of a steady state."""
 
-    start: Annotated[
-        str,
-        options.start_flag(
-            "--start START",
-            "Where a sweep begins, and begins again after a fall: auto (steady where its first "
-            "value has that, else rest), rest, steady or steady:2 (branch 1 or 2 of the first -n), "
-            "U,DU (u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from "
-            "rest.",
-        ),
-    ] = AUTO
-    order: options.Orders = None
-    phase: options.Phase = None
-    side: options.Side = "+"
-    kick: options.Kick = None
+    start: str = options.start_flag(
+        "--start START",
+        "Where a sweep begins, and begins again after a fall: auto (steady where its first value "
+        "has that, else rest), rest, steady or steady:2 (branch 1 or 2 of the first -n), U,DU (u "
+        "and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from rest.",
+        default=AUTO,
+    )
+    order: list[int] | None = options.orders()
+    phase: float | None = options.phase()
+    side: str = options.side()
+    kick: float | None = options.kick()
 
     @property
     def orders(self) -> tuple[int, ...]:

@@ -1,62 +1,45 @@
 """Flags for a window of initial states, and for the moment at which they are taken."""
 
 from dataclasses import dataclass
-from typing import Annotated
 
 from rocksteady.cli.console.refusals import FlagError, both
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
-window_flag = flags_in("Window")
+window_flag = Panel("Window")
 
 
 @dataclass(frozen=True, kw_only=True)
 class WindowFlags:
     """A window of angles and velocities: a state in each of its cells, at one moment."""
 
-    phase: Annotated[
-        str,
-        window_flag(
-            "--phase RAD",
-            "Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
-        ),
-    ] = "0"
-    angles: Annotated[
-        str | None,
-        window_flag(
-            "--angles AXIS",
-            "u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
-            "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back "
-            "falls; for an erosion up to 1.5.  With --one-sided from 0.",
-        ),
-    ] = None
-    velocities: Annotated[
-        str | None,
-        window_flag(
-            "--velocities AXIS",
-            "du/d(pt), start:stop:count; by default as many up to the same bound.",
-        ),
-    ] = None
-    seed: Annotated[
-        int | None,
-        window_flag(
-            "--seed N",
-            "Draw a random state in each cell of the window with this seed; default: its middle.",
-        ),
-    ] = None
-    time_pt: Annotated[
-        float | None,
-        window_flag(
-            "--at-pt PT",
-            "Pivot time p t of the record or the pulse at which the states are taken; default 0.",
-        ),
-    ] = None
-    time_s: Annotated[
-        float | None,
-        window_flag("--at-s T", "The same in seconds, for a block of known size."),
-    ] = None
+    phase: str = window_flag(
+        "--phase RAD",
+        "Phase of the shaking at which the states are taken, or an axis of it \\[rad].",
+        default="0",
+    )
+    angles: str | None = window_flag(
+        "--angles AXIS",
+        "u = theta/alpha, start:stop:count; by default 200 (of shares over an axis 100) up to "
+        "1 + A/sqrt(1 + W^2) on either side, beyond which a block that does not move back "
+        "falls; for an erosion up to 1.5.  With --one-sided from 0.",
+    )
+    velocities: str | None = window_flag(
+        "--velocities AXIS", "du/d(pt), start:stop:count; by default as many up to the same bound."
+    )
+    seed: int | None = window_flag(
+        "--seed N",
+        "Draw a random state in each cell of the window with this seed; default: its middle.",
+    )
+    time_pt: float | None = window_flag(
+        "--at-pt PT",
+        "Pivot time p t of the record or the pulse at which the states are taken; default 0.",
+    )
+    time_s: float | None = window_flag(
+        "--at-s T", "The same in seconds, for a block of known size."
+    )
 
     @property
     def axes(self) -> dict[str, list[float]]:

@@ -5,7 +5,7 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.commands.record import all_recordings
 from rocksteady.cli.console import terminal
@@ -21,7 +21,7 @@ from rocksteady.cli.flags.block_and_shaking import (
 )
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import single
-from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, Scale, warn
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, scale_flag, warn
 from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
@@ -58,37 +58,25 @@ def explore(
     block: BlockFlags,
     shaking: ShakingFlags,
     reading: ReadingFlags,
-    record: Annotated[
-        list[Path] | None,
-        options.motion_flag(
-            "--record FILE",
-            "Put the horizontal channels of a ground-motion file into the page, or the channel "
-            "named by --channel; may be repeated. The page then opens on them.",
-        ),
-    ] = None,
-    scale: Scale = None,
-    start: options.Start = "rest",
-    model: options.Model = None,
-    tab: Annotated[
-        str | None,
-        options.output_flag(
-            "--tab NAME",
-            "Open on explore, basins, pulse, quake or design; default quake with --record, else "
-            "explore.",
-        ),
-    ] = None,
-    out: Annotated[
-        Path | None,
-        options.output_flag("--out FILE", "Keep the page in this file: .html."),
-    ] = None,
-    no_browser: Annotated[
-        bool,
-        options.output_flag(
-            "--no-browser", "Write the page without opening it, as --json does too."
-        ),
-    ] = False,
-    force: options.Force = False,
-    as_json: options.Json = False,
+    record: list[Path] | None = options.motion_flag(
+        "--record FILE",
+        "Put the horizontal channels of a ground-motion file into the page, or the channel "
+        "named by --channel; may be repeated. The page then opens on them.",
+    ),
+    scale: str | None = scale_flag(),
+    start: str = options.start(),
+    model: str | None = options.model(),
+    tab: str | None = options.output_flag(
+        "--tab NAME",
+        "Open on explore, basins, pulse, quake or design; default quake with --record, else "
+        "explore.",
+    ),
+    out: Path | None = options.output_flag("--out FILE", "Keep the page in this file: .html."),
+    no_browser: bool = options.output_flag(
+        "--no-browser", "Write the page without opening it, as --json does too.", default=False
+    ),
+    force: bool = options.force(),
+    as_json: bool = options.as_json(),
 ) -> None:
     """Run `rocksteady explore`; `HELP` is what its users read."""
     files = record or []

@@ -1,7 +1,7 @@
 """`rocksteady paper`: every figure and statement of Tso and Wong (1989), recomputed."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -9,6 +9,7 @@ from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import announce_compilation, print_json
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
+from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.sweep import resumable_study
 
 if TYPE_CHECKING:
@@ -27,19 +28,16 @@ EXAMPLES = (
 )
 
 
+@grouped
 def paper(
     context: typer.Context,
-    out: options.OutFolder,
-    only: Annotated[
-        list[str] | None,
-        options.output_flag(
-            "--only FIGURE",
-            "Only this figure, as 12b, without statements and report; may be repeated.",
-        ),
-    ] = None,
-    force: options.Force = False,
-    resume: options.ResumeStudy = False,
-    as_json: options.Json = False,
+    out: Path = options.out_folder(),
+    only: list[str] | None = options.output_flag(
+        "--only FIGURE", "Only this figure, as 12b, without statements and report; may be repeated."
+    ),
+    force: bool = options.force(),
+    resume: bool = options.resume_study(),
+    as_json: bool = options.as_json(),
 ) -> None:
     """Run `rocksteady paper`; `HELP` is what its users read."""
     from rocksteady.studies.tso_wong_1989.study import check_folder, parts_of, reproduce, steps

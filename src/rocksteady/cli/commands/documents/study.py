@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import typer
 
@@ -12,9 +12,10 @@ from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
+from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.cli.flags.sweep import Workers, resumable_study
+from rocksteady.cli.flags.sweep import resumable_study, workers_flag
 
 HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
 ATLAS_HELP = (
@@ -47,8 +48,8 @@ FACADE_EXAMPLES = (
 
 app = typer.Typer(no_args_is_help=True, rich_markup_mode="rich")
 
-plane_flag = options.flags_in("Plane")
-wall_flag = options.flags_in("Walls and records")
+plane_flag = options.Panel("Plane")
+wall_flag = options.Panel("Walls and records")
 
 
 @app.callback()
@@ -57,41 +58,31 @@ def study() -> None:
 
 
 @app.command("atlas", cls=OncePerFlag, help=ATLAS_HELP, epilog=ATLAS_EXAMPLES)
+@grouped
 def atlas(
     context: typer.Context,
-    out: options.OutFolder,
-    restitution: Annotated[
-        str,
-        plane_flag(
-            "--restitution -r R",
-            "Ratio of angular velocities after and before an impact, in (0, 1).",
-        ),
-    ] = "0.8",
-    amplitude: Annotated[
-        str | None,
-        plane_flag(
-            "--amplitude -A AXIS",
-            "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
-        ),
-    ] = None,
-    frequency_ratio: Annotated[
-        str | None,
-        plane_flag(
-            "--frequency-ratio -W AXIS",
-            "Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
-            "goes with rows times columns.",
-        ),
-    ] = None,
-    order: Annotated[
-        list[int] | None,
-        plane_flag(
-            "--order -n N",
-            "Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
-        ),
-    ] = None,
-    force: options.Force = False,
-    resume: options.ResumeStudy = False,
-    as_json: options.Json = False,
+    out: Path = options.out_folder(),
+    restitution: str = plane_flag(
+        "--restitution -r R",
+        "Ratio of angular velocities after and before an impact, in (0, 1).",
+        default="0.8",
+    ),
+    amplitude: str | None = plane_flag(
+        "--amplitude -A AXIS",
+        "Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
+    ),
+    frequency_ratio: str | None = plane_flag(
+        "--frequency-ratio -W AXIS",
+        "Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
+        "goes with rows times columns.",
+    ),
+    order: list[int] | None = plane_flag(
+        "--order -n N",
+        "Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
+    ),
+    force: bool = options.force(),
+    resume: bool = options.resume_study(),
+    as_json: bool = options.as_json(),
 ) -> None:
     """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
     from rocksteady.show.export.folders import check_folder
@@ -120,46 +111,34 @@ def atlas(
 
 
 @app.command("facade-checks", cls=OncePerFlag, help=FACADE_HELP, epilog=FACADE_EXAMPLES)
+@grouped
 def facade_checks(
     context: typer.Context,
-    out: options.OutFolder,
-    records: Annotated[
-        list[Path] | None,
-        wall_flag(
-            "--records DIR|FILE",
-            "Read ground motions, 7 or more: every file of a folder, or a file; several times for "
-            "more. Default: 10 synthetic motions.",
-        ),
-    ] = None,
-    height_m: Annotated[
-        str | None,
-        wall_flag(
-            "--height-m AXIS",
-            "Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11.",
-        ),
-    ] = None,
-    slenderness: Annotated[
-        str | None,
-        wall_flag(
-            "--slenderness AXIS",
-            "Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
-        ),
-    ] = None,
-    pga_g: Annotated[
-        str | None,
-        wall_flag(
-            "--pga-g LIST",
-            "Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35.",
-        ),
-    ] = None,
-    confidence_factor: Annotated[
-        str,
-        wall_flag("--confidence-factor FC", "Set the confidence factor of all walls, from 1 to 2."),
-    ] = "1",
-    workers: Workers = None,
-    force: options.Force = False,
-    resume: options.ResumeStudy = False,
-    as_json: options.Json = False,
+    out: Path = options.out_folder(),
+    records: list[Path] | None = wall_flag(
+        "--records DIR|FILE",
+        "Read ground motions, 7 or more: every file of a folder, or a file; several times for "
+        "more. Default: 10 synthetic motions.",
+    ),
+    height_m: str | None = wall_flag(
+        "--height-m AXIS", "Rows of the maps: heights \\[m] as start:stop:count; default 2:12:11."
+    ),
+    slenderness: str | None = wall_flag(
+        "--slenderness AXIS",
+        "Columns of the maps: height over thickness as start:stop:count; default 5:25:21.",
+    ),
+    pga_g: str | None = wall_flag(
+        "--pga-g LIST", "Scale each record to these PGA in g, one map each; default 0.15,0.25,0.35."
+    ),
+    confidence_factor: str = wall_flag(
+        "--confidence-factor FC",
+        "Set the confidence factor of all walls, from 1 to 2.",
+        default="1",
+    ),
+    workers: int | None = workers_flag(),
+    force: bool = options.force(),
+    resume: bool = options.resume_study(),
+    as_json: bool = options.as_json(),
 ) -> None:
     """Run `rocksteady study facade-checks`; `FACADE_HELP` is what its users read."""
     from rocksteady.seismic.spectra.grounds import grounds_of

@@ -2,18 +2,18 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing, refuse
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.shaking_tests import temper_of
-from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
 
@@ -39,8 +39,8 @@ EXAMPLES = (
     "rocksteady back-analyse --survey cemetery.csv --records suite --limits 0.05:1.5 --draws 32\n\n"
     "rocksteady back-analyse --example"
 )
-survey_flag = flags_in("Survey")
-scan_flag = flags_in("Scan")
+survey_flag = Panel("Survey")
+scan_flag = Panel("Scan")
 FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 """Options of a scan that are flags."""
 
@@ -50,76 +50,52 @@ def back_analyse(
     recorded: SuiteFlags,
     reading: ReadingFlags,
     output: OutputFlags,
-    survey: Annotated[
-        Path | None,
-        survey_flag(
-            "--survey FILE",
-            "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
-            "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
-        ),
-    ] = None,
-    prior: Annotated[
-        Path | None,
-        survey_flag(
-            "--prior FILE",
-            "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
-            "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-        ),
-    ] = None,
-    measure: Annotated[
-        list[str] | None,
-        scan_flag(
-            "--measure NAME[:S]",
-            "Set the measures, two or more flags; the region is in the first two. pga_g and "
-            "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
-        ),
-    ] = None,
-    limits: Annotated[
-        str | None,
-        scan_flag(
-            "--limits LOW:HIGH",
-            "Set the limits of the first measure; by default from no uplift to nearly all fallen.",
-        ),
-    ] = None,
-    levels: Annotated[
-        int,
-        scan_flag("--levels N", "Set the number of scales of each record."),
-    ] = 22,
-    draws: Annotated[
-        int | None,
-        scan_flag(
-            "--draws N",
-            "Set the number of draws of each object at each scale; by default 320 over the number "
-            "of objects, 8 to 64.",
-        ),
-    ] = None,
-    temper: Annotated[
-        str,
-        scan_flag(
-            "--temper T",
-            "Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
-            "records that are left out.",
-        ),
-    ] = "auto",
-    trials: Annotated[
-        int,
-        scan_flag(
-            "--trials N", "Set the number of simulated surveys for each record that is left out."
-        ),
-    ] = 4,
-    seed: Annotated[
-        int,
-        scan_flag("--seed N", "Set the seed of the draws and of the simulated surveys."),
-    ] = 0,
-    executor: Executor = "threads",
-    workers: Workers = None,
-    example: Annotated[
-        bool,
-        survey_flag(
-            "--example",
-            "Analyse 12 synthetic objects with 12 synthetic motions: no file is needed.",
-        ),
-    ] = False,
+    survey: Path | None = survey_flag(
+        "--survey FILE",
+        "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
+        "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
+    ),
+    prior: Path | None = survey_flag(
+        "--prior FILE",
+        "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
+        "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
+    ),
+    measure: list[str] | None = scan_flag(
+        "--measure NAME[:S]",
+        "Set the measures, two or more flags; the region is in the first two. pga_g and "
+        "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
+    ),
+    limits: str | None = scan_flag(
+        "--limits LOW:HIGH",
+        "Set the limits of the first measure; by default from no uplift to nearly all fallen.",
+    ),
+    levels: int = scan_flag("--levels N", "Set the number of scales of each record.", default=22),
+    draws: int | None = scan_flag(
+        "--draws N",
+        "Set the number of draws of each object at each scale; by default 320 over the number "
+        "of objects, 8 to 64.",
+    ),
+    temper: str = scan_flag(
+        "--temper T",
+        "Set the exponent of the likelihood, in (0, 1], or auto for the best score on "
+        "records that are left out.",
+        default="auto",
+    ),
+    trials: int = scan_flag(
+        "--trials N",
+        "Set the number of simulated surveys for each record that is left out.",
+        default=4,
+    ),
+    seed: int = scan_flag(
+        "--seed N", "Set the seed of the draws and of the simulated surveys.", default=0
+    ),
+    executor: str = executor_flag(),
+    workers: int | None = workers_flag(),
+    example: bool = survey_flag(
+        "--example",
+        "Analyse 12 synthetic objects with 12 synthetic motions: no file is needed.",
+        default=False,
+    ),
 ) -> None:
     """Run `rocksteady back-analyse`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run

@@ -4,7 +4,7 @@ import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -20,7 +20,7 @@ from rocksteady.cli.flags.shaking_tests import (
     sampling_flag,
     test_flag,
 )
-from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.show.export.files import check_apart
 
 if TYPE_CHECKING:
@@ -59,41 +59,30 @@ def calibrate(
     table: TableFlags,
     sampled: SamplingFlags,
     output: OutputFlags,
-    prior: Annotated[
-        Path | None,
-        test_flag(
-            "--prior FILE",
-            "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
-            "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, "
-            "scatter.",
-        ),
-    ] = None,
-    model: Annotated[
-        str,
-        sampling_flag(
-            "--model NAME",
-            "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
-            "blocks, faster, without vertical motion).",
-        ),
-    ] = "nonlinear",
-    executor: Executor = "threads",
-    workers: Workers = None,
-    out: Annotated[
-        Path | None,
-        options.output_flag(
-            "--out DIR",
-            "Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
-            "a new folder; --force replaces those of an earlier calibration.",
-        ),
-    ] = None,
-    example: Annotated[
-        bool,
-        test_flag(
-            "--example",
-            f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
-            "is needed.",
-        ),
-    ] = False,
+    prior: Path | None = test_flag(
+        "--prior FILE",
+        "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
+        "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
+    ),
+    model: str = sampling_flag(
+        "--model NAME",
+        "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
+        "blocks, faster, without vertical motion).",
+        default="nonlinear",
+    ),
+    executor: str = executor_flag(),
+    workers: int | None = workers_flag(),
+    out: Path | None = options.output_flag(
+        "--out DIR",
+        "Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
+        "a new folder; --force replaces those of an earlier calibration.",
+    ),
+    example: bool = test_flag(
+        "--example",
+        f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
+        "is needed.",
+        default=False,
+    ),
 ) -> None:
     """Run `rocksteady calibrate`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run

@@ -2,15 +2,15 @@
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
-from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests
-from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.cli.flags.shaking_tests import TableFlags, objects_flag, records_flag, tests_flag
+from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
 
@@ -31,7 +31,7 @@ EXAMPLES = (
     "rocksteady predict --fit fit --record quake.at2 --scale log:0.5:2:9 --plot quake.png\n\n"
     "rocksteady predict --fit fit --record east.at2 --record north.at2 --object column --json"
 )
-fit_flag = flags_in("Calibration")
+fit_flag = Panel("Calibration")
 
 
 @grouped
@@ -39,22 +39,18 @@ def predict(
     recorded: RecordFlags,
     reading: ReadingFlags,
     output: OutputFlags,
-    fit: Annotated[
-        Path | None,
-        fit_flag("--fit DIR", "Take the posterior of this folder, which calibrate --out wrote."),
-    ] = None,
-    object: Annotated[  # noqa: A002 -- the name of its flag
-        str | None,
-        fit_flag(
-            "--object NAME",
-            "Choose the object that --record shakes; default the only one of the calibration.",
-        ),
-    ] = None,
-    tests: Tests = None,
-    objects: Objects = None,
-    records: RecordsFolder = None,
-    executor: Executor = "threads",
-    workers: Workers = None,
+    fit: Path | None = fit_flag(
+        "--fit DIR", "Take the posterior of this folder, which calibrate --out wrote."
+    ),
+    object: str | None = fit_flag(  # noqa: A002 -- the name of its flag
+        "--object NAME",
+        "Choose the object that --record shakes; default the only one of the calibration.",
+    ),
+    tests: Path | None = tests_flag(),
+    objects: Path | None = objects_flag(),
+    records: Path | None = records_flag(),
+    executor: str = executor_flag(),
+    workers: int | None = workers_flag(),
 ) -> None:
     """Run `rocksteady predict`; `HELP` is what its users read."""
     from rocksteady.sweep.run import Run

@@ -1,7 +1,6 @@
 """`rocksteady restitution`: restitution from the peaks of measured free rocking."""
 
 from pathlib import Path
-from typing import Annotated
 
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing
 from rocksteady.cli.flags import options
@@ -23,26 +22,22 @@ EXAMPLES = (
     "rocksteady restitution --peaks peaks.csv --left-m 0.15 --right-m 0.25 --height-m 1.2 "
     "--each-side --json"
 )
-peaks_flag = options.flags_in("Peaks")
+peaks_flag = options.Panel("Peaks")
 
 
 @grouped
 def restitution(
     block: BlockFlags,
     output: OutputFlags,
-    peaks: Annotated[
-        Path | None,
-        peaks_flag("--peaks FILE", "Read the peaks of half cycles from a CSV table."),
-    ] = None,
-    each_side: Annotated[
-        bool | None,
-        peaks_flag(
-            "--each-side/--one-factor",
-            "Fit a factor of Housner's value to each side, or one to both; by default to each "
-            "where the sides differ.",
-        ),
-    ] = None,
-    model: options.Model = None,
+    peaks: Path | None = peaks_flag(
+        "--peaks FILE", "Read the peaks of half cycles from a CSV table."
+    ),
+    each_side: bool | None = peaks_flag(
+        "--each-side/--one-factor",
+        "Fit a factor of Housner's value to each side, or one to both; by default to each "
+        "where the sides differ.",
+    ),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady restitution`; `HELP` is what its users read."""
     output.check([] if peaks is None else [peaks])

@@ -52,7 +52,7 @@ USUAL_TARGET = 0.1
 MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
 """Flags that have a meaning beside --example."""
 EXAMPLE_MOTIONS = 24
-file_flag = options.flags_in("Object files")
+file_flag = options.Panel("Object files")
 
 
 @grouped
@@ -68,44 +68,32 @@ def assess(
         Path | None,
         typer.Argument(metavar="FILE", help="An object in TOML, or a table of objects in CSV."),
     ] = None,
-    hazard: Annotated[
-        Path | None,
-        file_flag(
-            "--hazard FILE",
-            "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
-            "compute the annual rate of falling.",
-        ),
-    ] = None,
-    out: Annotated[
-        Path | None,
-        file_flag(
-            "--out DIR",
-            "Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
-            "hashes into a new folder; for a table its report and rows. --force replaces those of "
-            "an earlier assessment.",
-        ),
-    ] = None,
-    example: Annotated[
-        bool,
-        file_flag(
-            "--example", "Assess a made-up object with synthetic motions: no file is needed."
-        ),
-    ] = False,
-    check: Annotated[
-        bool,
-        options.output_flag(
-            "--check",
-            "Leave with exit code 1 where a probability is above the target, or an object slides.",
-        ),
-    ] = False,
-    target: Annotated[
-        float | None,
-        demand_flag(
-            "--target P",
-            f"Set the largest probability of falling that --check accepts; default "
-            f"{USUAL_TARGET}, or that of FILE.",
-        ),
-    ] = None,
+    hazard: Path | None = file_flag(
+        "--hazard FILE",
+        "Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
+        "compute the annual rate of falling.",
+    ),
+    out: Path | None = file_flag(
+        "--out DIR",
+        "Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
+        "hashes into a new folder; for a table its report and rows. --force replaces those of "
+        "an earlier assessment.",
+    ),
+    example: bool = file_flag(
+        "--example",
+        "Assess a made-up object with synthetic motions: no file is needed.",
+        default=False,
+    ),
+    check: bool = options.output_flag(
+        "--check",
+        "Leave with exit code 1 where a probability is above the target, or an object slides.",
+        default=False,
+    ),
+    target: float | None = demand_flag(
+        "--target P",
+        f"Set the largest probability of falling that --check accepts; default "
+        f"{USUAL_TARGET}, or that of FILE.",
+    ),
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
     kept.sweep.check(output.files, [each for each in (file, hazard) if each is not None], out=out)

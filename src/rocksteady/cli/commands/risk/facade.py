@@ -49,7 +49,7 @@ T = TypeVar("T")
 NEGATIVE = 1
 """Exit code with --check where a check is not satisfied."""
 EXAMPLE_MOTIONS = 10
-run_flag = options.flags_in("Runs")
+run_flag = options.Panel("Runs")
 
 SIGNS: dict[str, Literal["both", "as recorded", "reversed"]] = {
     "both": "both",
@@ -70,71 +70,51 @@ def facade(
         Path | None,
         typer.Argument(metavar="FILE", help="A facade and its demand in TOML."),
     ] = None,
-    scale: Annotated[
-        str | None,
-        run_flag("--scale S", "Multiply the accelerations of all records by a factor; default 1."),
-    ] = None,
-    pga_g: Annotated[
-        str | None,
-        run_flag(
-            "--pga-g G",
-            "Scale each record to a peak acceleration in g (9.80665 m/s^2); instead of --scale.",
-        ),
-    ] = None,
-    limit_state: Annotated[
-        str,
-        run_flag(
-            "--limit-state NAME",
-            "Choose the limit state of the records: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
-        ),
-    ] = "SLV",
-    directions: Annotated[
-        str,
-        run_flag(
-            "--directions NAME",
-            "Choose the signs of the records: both (default), recorded or reversed.",
-        ),
-    ] = "both",
-    restitution: Annotated[
-        str | None,
-        run_flag(
-            "--restitution -r E",
-            "Set the restitution of impacts on the building behind, in [0, 1], or 'housner'; "
-            "default that of FILE.",
-        ),
-    ] = None,
-    model: Annotated[
-        str | None,
-        run_flag("--model NAME", "Choose the equations of motion: nonlinear (default) or linear."),
-    ] = None,
-    out: Annotated[
-        Path | None,
-        options.output_flag(
-            "--out DIR",
-            "Write the report, the checks, the runs and the inputs with their hashes into a new "
-            "folder; --force replaces those of an earlier check.",
-        ),
-    ] = None,
-    language: Annotated[
-        str,
-        options.output_flag(
-            "--language NAME", "Choose the language of --out and --plot: en (default) or it."
-        ),
-    ] = "en",
-    example: Annotated[
-        bool,
-        run_flag(
-            "--example",
-            f"Check an invented wall under {EXAMPLE_MOTIONS} synthetic motions, without a file.",
-        ),
-    ] = False,
-    check: Annotated[
-        bool,
-        options.output_flag(
-            "--check",
-            "Leave with exit code 1 where a check is not satisfied; without a verdict with 2.",
-        ),
-    ] = False,
+    scale: str | None = run_flag(
+        "--scale S", "Multiply the accelerations of all records by a factor; default 1."
+    ),
+    pga_g: str | None = run_flag(
+        "--pga-g G",
+        "Scale each record to a peak acceleration in g (9.80665 m/s^2); instead of --scale.",
+    ),
+    limit_state: str = run_flag(
+        "--limit-state NAME",
+        "Choose the limit state of the records: SLV, limit 0.4 d0 (default), or SLC, 0.6 d0.",
+        default="SLV",
+    ),
+    directions: str = run_flag(
+        "--directions NAME",
+        "Choose the signs of the records: both (default), recorded or reversed.",
+        default="both",
+    ),
+    restitution: str | None = run_flag(
+        "--restitution -r E",
+        "Set the restitution of impacts on the building behind, in [0, 1], or 'housner'; "
+        "default that of FILE.",
+    ),
+    model: str | None = run_flag(
+        "--model NAME", "Choose the equations of motion: nonlinear (default) or linear."
+    ),
+    out: Path | None = options.output_flag(
+        "--out DIR",
+        "Write the report, the checks, the runs and the inputs with their hashes into a new "
+        "folder; --force replaces those of an earlier check.",
+    ),
+    language: str = options.output_flag(
+        "--language NAME",
+        "Choose the language of --out and --plot: en (default) or it.",
+        default="en",
+    ),
+    example: bool = run_flag(
+        "--example",
+        f"Check an invented wall under {EXAMPLE_MOTIONS} synthetic motions, without a file.",
+        default=False,
+    ),
+    check: bool = options.output_flag(
+        "--check",
+        "Leave with exit code 1 where a check is not satisfied; without a verdict with 2.",
+        default=False,
+    ),
 ) -> None:
     """Run `rocksteady facade`; `HELP` is what its users read."""
     from rocksteady.risk.facades.check_facade import check_facade

@@ -1,7 +1,7 @@
 """`rocksteady fragility`: from records and a block to fragility curves."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import typer
 
@@ -10,7 +10,7 @@ from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.options import flags_in
+from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
@@ -37,7 +37,7 @@ EXAMPLES = (
     "--states uplift,0.5,overturned --csv runs.csv\n\n"
     "rocksteady fragility --example"
 )
-curve_flag = flags_in("Curves")
+curve_flag = Panel("Curves")
 EXAMPLE_SIZE = (0.32, 1.8)
 """Width and height of the cabinet of --example [m]."""
 
@@ -51,36 +51,28 @@ def fragility(
     ensemble: EnsembleFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    states: Annotated[
-        str,
-        curve_flag(
-            "--states LIST",
-            "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
-        ),
-    ] = "uplift,0.25,0.5,1,overturned",
-    family: Annotated[
-        str,
-        curve_flag("--family NAME", "Set the curve: lognormal or logistic."),
-    ] = "lognormal",
-    confidence: Annotated[
-        float,
-        curve_flag("--confidence P", "Set the confidence of the bands."),
-    ] = 0.9,
-    replicates: Annotated[
-        int,
-        curve_flag(
-            "--replicates N",
-            "Set the number of suites that the bands are drawn from; 0 for no bands.",
-        ),
-    ] = 1000,
-    example: Annotated[
-        bool,
-        ensemble_flag(
-            "--example",
-            "Run 24 synthetic motions in place of --records; default block: a cabinet of "
-            f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
-        ),
-    ] = False,
+    states: str = curve_flag(
+        "--states LIST",
+        "Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
+        default="uplift,0.25,0.5,1,overturned",
+    ),
+    family: str = curve_flag(
+        "--family NAME", "Set the curve: lognormal or logistic.", default="lognormal"
+    ),
+    confidence: float = curve_flag(
+        "--confidence P", "Set the confidence of the bands.", default=0.9
+    ),
+    replicates: int = curve_flag(
+        "--replicates N",
+        "Set the number of suites that the bands are drawn from; 0 for no bands.",
+        default=1000,
+    ),
+    example: bool = ensemble_flag(
+        "--example",
+        "Run 24 synthetic motions in place of --records; default block: a cabinet of "
+        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
+        default=False,
+    ),
 ) -> None:
     """Run `rocksteady fragility`; `HELP` is what its users read."""
     sweep.check(output)

@@ -1,7 +1,5 @@
 """`rocksteady screens`: published formulas for one block, side by side."""
 
-from typing import Annotated
-
 import typer
 
 from rocksteady.cli.flags import options
@@ -35,12 +33,11 @@ def screens(
     spectra: SpectrumFlags,
     reading: ReadingFlags,
     output: RowFlags,
-    check: Annotated[
-        bool,
-        options.output_flag(
-            "--check", "Leave with exit code 1 where a row does not pass or the block slides."
-        ),
-    ] = False,
+    check: bool = options.output_flag(
+        "--check",
+        "Leave with exit code 1 where a row does not pass or the block slides.",
+        default=False,
+    ),
 ) -> None:
     """Run `rocksteady screens`; `HELP` is what its users read."""
     files = output.files

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
@@ -53,7 +53,7 @@ EXAMPLES = (
     "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
 )
 
-measure_flag = options.flags_in("Measures")
+measure_flag = options.Panel("Measures")
 PROBES: tuple[Literal["states", "boxes"], ...] = ("states", "boxes")
 """By what --exponent counts."""
 
@@ -70,38 +70,28 @@ def basins(
     sweep: SweepFlags,
     output: OutputFlags,
     window: WindowFlags,
-    cycles: Annotated[
-        int | None,
-        options.start_flag(
-            "--cycles N",
-            "Periods of the shaking for which a state is followed, default 500; for an erosion "
-            "the periods without overturning that make a state safe, default 100.",
-        ),
-    ] = None,
-    shares: Annotated[
-        bool,
-        measure_flag(
-            "--shares",
-            "Compute the shares of the basins, not the erosion, over an axis of amplitudes.",
-        ),
-    ] = False,
-    entropy: Annotated[
-        int | None,
-        measure_flag(
-            "--entropy CELLS",
-            "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
-            "states a side, as 20, which must divide the counts of --angles and --velocities.",
-        ),
-    ] = None,
-    exponent: Annotated[
-        bool,
-        measure_flag(
-            "--exponent",
-            "Compute the uncertainty exponent and the dimension of the boundary, by states and by "
-            "boxes; 40 states or more along each axis.",
-        ),
-    ] = False,
-    model: options.Model = None,
+    cycles: int | None = options.start_flag(
+        "--cycles N",
+        "Periods of the shaking for which a state is followed, default 500; for an erosion "
+        "the periods without overturning that make a state safe, default 100.",
+    ),
+    shares: bool = measure_flag(
+        "--shares",
+        "Compute the shares of the basins, not the erosion, over an axis of amplitudes.",
+        default=False,
+    ),
+    entropy: int | None = measure_flag(
+        "--entropy CELLS",
+        "Compute the basin entropy and the boundary basin entropy, with boxes of this many "
+        "states a side, as 20, which must divide the counts of --angles and --velocities.",
+    ),
+    exponent: bool = measure_flag(
+        "--exponent",
+        "Compute the uncertainty exponent and the dimension of the boundary, by states and by "
+        "boxes; 40 states or more along each axis.",
+        default=False,
+    ),
+    model: str | None = options.model(),
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
     sweep.check(output, recorded.files)

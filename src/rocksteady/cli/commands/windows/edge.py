@@ -1,6 +1,6 @@
 """`rocksteady edge`: what parts two basins, and the least fatal kick."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import both, refuse
@@ -30,7 +30,7 @@ EXAMPLES = (
     "rocksteady edge -A 2 -W 1.9 -r 0.8 --start steady --side - --direction - --json\n\n"
     "rocksteady edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3 --manifolds --csv manifolds.csv"
 )
-edge_flag = options.flags_in("Edge")
+edge_flag = options.Panel("Edge")
 
 
 @grouped
@@ -39,41 +39,30 @@ def edge(
     block: BlockFlags,
     output: OutputFlags,
     start: StartFlags,
-    other: Annotated[
-        str | None,
-        edge_flag(
-            "--other STATE",
-            "Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
-            "default: a state after a kick.",
-        ),
-    ] = None,
-    direction: Annotated[
-        str | None,
-        edge_flag("--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."),
-    ] = None,
-    manifolds: Annotated[
-        bool,
-        edge_flag(
-            "--manifolds",
-            "Compute the stable and the unstable manifold of the motion on the edge, at the phase "
-            "of the start.",
-        ),
-    ] = False,
-    length: Annotated[
-        float | None,
-        edge_flag(
-            "--length X",
-            "Set the length of each branch of --manifolds, in half widths of the window; default "
-            "10.",
-        ),
-    ] = None,
-    cycles: Annotated[
-        int,
-        options.start_flag(
-            "--cycles N", "Set the periods of the shaking after which a motion is taken to stand."
-        ),
-    ] = 500,
-    model: options.Model = "linear",
+    other: str | None = edge_flag(
+        "--other STATE",
+        "Give a second state, U,V or U,tau=DU, whose outcome differs from that of --start; "
+        "default: a state after a kick.",
+    ),
+    direction: str | None = edge_flag(
+        "--direction [+|-]", "Choose the sign of the kick; not with --other. Default +."
+    ),
+    manifolds: bool = edge_flag(
+        "--manifolds",
+        "Compute the stable and the unstable manifold of the motion on the edge, at the phase "
+        "of the start.",
+        default=False,
+    ),
+    length: float | None = edge_flag(
+        "--length X",
+        "Set the length of each branch of --manifolds, in half widths of the window; default 10.",
+    ),
+    cycles: int = options.start_flag(
+        "--cycles N",
+        "Set the periods of the shaking after which a motion is taken to stand.",
+        default=500,
+    ),
+    model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady edge`; `HELP` is what its users read."""
     output.check()
