@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
-from functools import cached_property
-from typing import Any, cast
+from functools import cached_property, partial
+from typing import Any
 
 from rocksteady.cli.console.refusals import FlagError, both, needs, refuse
 from rocksteady.cli.flags import options
@@ -285,8 +285,8 @@ class BlockFlags:
             return DimensionlessBlock(restitution=first, negative_restitution=second)
         ratio = restitution_from(self.restitution, default="housner")
         pair = Impacts.of(ratio).pair
-        block = self._sized(cast("Restitution", ratio) if pair is None else pair[0], gravity)
-        if block is None:
+        make = self._maker()
+        if make is None:
             flags_given = " ".join(["--block", *given] if self.block is not None else given)
             raise FlagError(
                 finding=f"no block is described by {flags_given} alone",
@@ -296,6 +296,9 @@ class BlockFlags:
                 "--height-m, or by --block alone",
                 hint="give one of these pairs, or the three",
             )
+        if self.block is not None and self.restitution is None:
+            return make(gravity=gravity)  # with the restitution of its source
+        block = make(restitution=ratio if pair is None else pair[0], gravity=gravity)
         return block if pair is None else block.with_restitution(pair)
 
     def _check_lengths(self) -> None:
@@ -334,17 +337,14 @@ class BlockFlags:
         assert isinstance(ratio, float)  # without a size no other form is taken
         return DimensionlessBlock(restitution=ratio, one_sided=True)
 
-    def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
-        """Return the block of the sizes that are given; None where they are not those of one."""
+    def _maker(self) -> Callable[..., Block] | None:
+        """Return what makes the block of a restitution; None where the sizes describe none."""
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
-            restitution = None if self.restitution is None else ratio
             named = not sizes and not self.asymmetric and not self._moved
-            return (
-                named_block(self.block, restitution=restitution, gravity=gravity) if named else None
-            )
+            return partial(named_block, self.block) if named else None
         if self._moved:
-            return self._off_centre(sizes, ratio, gravity)
+            return self._off_centre(sizes)
         whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
         makers: dict[tuple[str, ...], Callable[..., Block]] = {
             ("width", "height"): Block.rectangle,
@@ -356,8 +356,7 @@ class BlockFlags:
         for name, value in self.asymmetric.items():  # the width that follows has no flag
             in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
         make = makers.get(tuple(sizes))
-        rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
-        return None if make is None else make(**sizes, **self.asymmetric, **rest)
+        return None if make is None else partial(make, **sizes, **self.asymmetric)
 
     @property
     def _moved(self) -> list[str]:
@@ -365,10 +364,8 @@ class BlockFlags:
         flags = {"--offset-m": self.offset_m, "--mass-centre-height-m": self.mass_centre_height_m}
         return [flag for flag, value in flags.items() if value is not None]
 
-    def _off_centre(
-        self, sizes: dict[str, float], ratio: Restitution, gravity: float
-    ) -> Block | None:
-        """Return the outline of --width-m and --height-m whose mass centre is off its middle."""
+    def _off_centre(self, sizes: dict[str, float]) -> Callable[..., Block] | None:
+        """Return what makes a block of --width-m and --height-m, its mass off the middle."""
         if tuple(sizes) != ("width", "height") or self.asymmetric.keys() - {"gyration"}:
             return None
         width, height = sizes["width"], sizes["height"]
@@ -386,13 +383,12 @@ class BlockFlags:
         gyration = self.gyration_m
         if gyration is None and centre != 0.5 * height:  # else what `asymmetric` takes
             gyration = math.sqrt((width * width + height * height) / 12.0)
-        return Block.asymmetric(
+        return partial(
+            Block.asymmetric,
             left=half + offset,
             right=half - offset,
             height=2.0 * centre,
             gyration=gyration,
-            restitution=ratio,
-            gravity=gravity,
         )
 
     def refuse_sides(self, valid: str, hint: str) -> FlagError:

@@ -126,31 +126,27 @@ def restitution_from(
                 hint="add -r 0.8, or describe a block to take Housner's value",
             )
         return default
-    form = form_of_text(text)
-    if form is not None:
-        if default is None:
-            raise InputError(
-                "restitution",
-                text,
-                "Housner's value follows from a block's slenderness",
-                f"describe a block, or give a number in {'[' if wall else '('}0, 1]",
-            )
-        return form
     first, comma, second = text.partition(",")
     try:
         return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
+        form = form_of_text(text)
+    if form is None:
         valid = VALID_TEXT.replace("],", "], two of them,")
         pair = " or -r 0.8,0.9"
         if wall:
             valid, pair = VALID_TEXT.replace("(0", "[0"), ""
         near = re.fullmatch(r"[hH][a-zA-Z]*[\s*]*([0-9]*\.?[0-9]+)", text)
+        hint = f"write it as -r 'housner*{near[1]}'" if near else f"write it as -r 0.8{pair}"
+        raise InputError("restitution", text, valid, hint)
+    if default is None:
         raise InputError(
             "restitution",
             text,
-            valid,
-            f"write it as -r 'housner*{near[1]}'" if near else f"write it as -r 0.8{pair}",
-        ) from None
+            "Housner's value follows from a block's slenderness",
+            f"describe a block, or give a number in {'[' if wall else '('}0, 1]",
+        )
+    return form
 
 
 def single(flag: str, values: list[float]) -> float:

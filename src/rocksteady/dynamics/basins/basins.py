@@ -28,7 +28,6 @@ from rocksteady.dynamics.basins.window import moment, spacing, window_axes, wind
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
 )
-from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, full_outcomes
@@ -403,7 +402,7 @@ def compute_basins(
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
-    reaches = window_of(side_table(bare), largest_amplitude(shaken), shaken.frequency_ratio)
+    reaches = window_of(np.array(bare.sides), largest_amplitude(shaken), shaken.frequency_ratio)
     angle, velocity = window_axes(block, angles, velocities, reaches, drawn=seed is not None)
     periods = FORCING_PERIODS("max_cycles", max_cycles)
     draw = None if seed is None else SEED("seed", seed)

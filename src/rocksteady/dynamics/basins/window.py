@@ -47,7 +47,7 @@ def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[
     Parameters
     ----------
     sides
-        Sides of the block, as from `rocksteady.dynamics.history.lowering.side_table`, shape (2, 3).
+        Sides of the block, as from `DimensionlessBlock.sides`, shape (2, 3).
     amplitude, frequency_ratio
         Parameters of the shaking; `reach` is counted in the units of each side.
     """

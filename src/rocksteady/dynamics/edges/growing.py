@@ -18,7 +18,6 @@ from rocksteady.dynamics.edges._leaving import (
 from rocksteady.dynamics.edges._sampling import Plane, Sampled, joined, sampled, without_first
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.edges.manifold import Kind, Manifold, ManifoldBranch, Over
-from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
@@ -127,7 +126,7 @@ def compute_manifold(
     bare = saddle.block.dimensionless()
     shaking = saddle.motion
     if window is None:
-        window = window_of(side_table(bare), shaking.amplitude, shaking.frequency_ratio)
+        window = window_of(np.array(bare.sides), shaking.amplitude, shaking.frequency_ratio)
     else:
         valid = "give half widths in u and du/d(pt), as (1.2, 1.2)"
         angle, speed = (

@@ -155,14 +155,6 @@ def ceilings(table: Floats) -> Floats:
     return ceilings
 
 
-def side_table(block: DimensionlessBlock) -> Floats:
-    """Return the block's sides, shape (2, 3): restitution, alpha ratio and p ratio.
-
-    A wall's restitution has the sign of the ratio of velocities, minus.
-    """
-    return np.array(block.sides)
-
-
 def only_side(sides: Floats) -> int:
     """Return the one side of a block against a wall, 1 or -1, or 0 of a block that has two."""
     if sides[0, columns.RESTITUTION] <= 0.0:

@@ -15,7 +15,6 @@ from rocksteady.dynamics.history.lowering import (
     samples_alike,
     segment_table,
     side_attributes,
-    side_table,
 )
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core import tables as columns
@@ -43,7 +42,7 @@ def sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
         If the nonlinear model meets a block without slenderness.
     """
     if isinstance(model, Linear):
-        return side_table(block.dimensionless())
+        return np.array(block.dimensionless().sides)
     return nonlinear_side_table(block, model.tolerance)
 
 
@@ -72,7 +71,7 @@ def nonlinear_side_table(block: Block | DimensionlessBlock, tolerance: float) ->
     """
     body = slender_block(block)
     sides = np.zeros((2, columns.NONLINEAR_SIDE_COLUMNS))
-    sides[:, : columns.ALPHA] = side_table(body.dimensionless())
+    sides[:, : columns.ALPHA] = body.dimensionless().sides
     sides[:, columns.ALPHA] = body.positive.alpha, body.negative.alpha
     sides[:, columns.LEFT_OUT] = SHARE_OF_TOLERANCE * tolerance
     return sides

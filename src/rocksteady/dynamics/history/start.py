@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.departure import set_off
-from rocksteady.dynamics.history.lowering import only_side, side_table
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.steady.states import (
     find_steady_states,
     refuse_asymmetric,
@@ -285,7 +285,7 @@ def initial_march(
         jump = first.jump
         if first.frequency:
             half, phase = clock(first.phase)
-    table = side_table(block) if sides is None else sides
+    table = np.array(block.sides) if sides is None else sides
     leans, velocity = set_going(state.angle, state.velocity, jump, table)
     return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
 
@@ -358,7 +358,7 @@ def _steady_state(
     phase, velocity = set_off(
         a,
         w,
-        side_table(block) if sides is None else sides,
+        np.array(block.sides) if sides is None else sides,
         order=start.order,
         branch=start.branch,
         phase=float(states.phase[which]),

@@ -430,9 +430,10 @@ class Block(Measured):
             p = math.sqrt(0.75 * gravity / radius)
         angle = ALPHA("alpha", alpha)
         impacts = Impacts.of(restitution)
-        ratio = impacts.ratio(
-            lambda: housner_restitution(angle, p=p, radius=radius, gravity=gravity)
-        )
+        if impacts.factor is None:
+            ratio = impacts.given  # which its side checks
+        else:
+            ratio = impacts.times(housner_restitution(angle, p=p, radius=radius, gravity=gravity))
         side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
         return cls(positive=side, negative=side, gravity=gravity, housner_factor=impacts.noted)
 
@@ -460,9 +461,10 @@ class Block(Measured):
         0.4708
         """
         impacts = Impacts.of(restitution)
-        ratio = impacts.ratio(
-            lambda: wall_ratio(self.positive, self.negative, self.gravity), restitution_of_wall
-        )
+        if impacts.factor is None:
+            ratio = restitution_of_wall("restitution", impacts.given)
+        else:
+            ratio = impacts.times(wall_ratio(self.positive, self.negative, self.gravity))
         return replace(self, wall_restitution=ratio, housner_factor=impacts.noted)
 
     def with_restitution(self, restitution: Restitutions) -> "Block":
@@ -476,9 +478,11 @@ class Block(Measured):
         impacts = Impacts.of(restitution)
         if self.one_sided:
             return self.against_wall(impacts.of_wall)
-        first, second = impacts.ratios(
-            lambda: housner_pair(self.positive, self.negative, self.gravity)
-        )
+        if impacts.factor is None:
+            first, second = impacts.numbers
+        else:
+            values = housner_pair(self.positive, self.negative, self.gravity)
+            first, second = map(impacts.times, values)
         positive = replace(self.positive, restitution=first)
         negative = replace(self.negative, restitution=second)
         return replace(self, positive=positive, negative=negative, housner_factor=impacts.noted)

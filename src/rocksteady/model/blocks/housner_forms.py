@@ -1,11 +1,10 @@
 """Restitution as it is given: numbers, Housner's value or a factor of it; in Python and as text."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.model.checks.bounds import RESTITUTION, Rule
+from rocksteady.model.checks.bounds import RESTITUTION
 from rocksteady.model.checks.validation import positive
 
 Housner = Literal["housner"] | tuple[Literal["housner"], float]
@@ -100,44 +99,24 @@ class Impacts:
             )
         return self.given  # type: ignore[no-any-return]
 
-    def ratio(self, housner: Callable[[], float], rule: Rule = RESTITUTION) -> float:
-        """Return the ratio of the angular velocities of an impact.
-
-        Parameters
-        ----------
-        housner
-            Returns its value by conservation of angular momentum.
-        rule
-            What a number may be.
+    def times(self, ratio: float) -> float:
+        """Return the factor of a ratio that is Housner's, 1 at most.
 
         Raises
         ------
         InputError
-            If a number is outside its range, or the factor makes the value larger than 1.
+            If the factor makes the ratio larger than 1.
         """
-        if self.factor is None:
-            return rule("restitution", self.given)
-        return _times(self.factor, housner())
-
-    def ratios(self, housner: Callable[[], tuple[float, float]]) -> tuple[float, float]:
-        """Return the ratios of both impacts; arguments and errors are those of `ratio`."""
-        if self.factor is None:
-            return self.numbers
-        first, second = housner()
-        return _times(self.factor, first), _times(self.factor, second)
-
-
-def _times(factor: float, ratio: float) -> float:
-    """Return a factor of Housner's value, 1 at most."""
-    if factor * ratio > 1.0:
-        raise InputError(
-            "restitution",
-            form_text(factor),
-            f"Housner's value is {ratio:.4g}, which the factor makes {factor * ratio:.4g}, and no "
-            "impact keeps more than 1",
-            f"give a factor up to {int(1e4 / ratio) / 1e4:g}",
-        )
-    return factor * ratio
+        assert self.factor is not None
+        if self.factor * ratio > 1.0:
+            raise InputError(
+                "restitution",
+                form_text(self.factor),
+                f"Housner's value is {ratio:.4g}, which the factor makes "
+                f"{self.factor * ratio:.4g}, and no impact keeps more than 1",
+                f"give a factor up to {int(1e4 / ratio) / 1e4:g}",
+            )
+        return self.factor * ratio
 
 
 def form_of_text(text: str) -> Housner | None:

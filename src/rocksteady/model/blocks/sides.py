@@ -161,7 +161,8 @@ def sides_of_body(
             )
         return ratios
 
-    kept = Impacts.of(restitution).ratios(housner)
+    impacts = Impacts.of(restitution)
+    kept = impacts.numbers if impacts.factor is None else map(impacts.times, housner())
     first, second = (
         Side(alpha=alpha, radius=radius, p=p, restitution=ratio)
         for alpha, radius, p, ratio in zip(alphas, radii, rates, kept, strict=True)

@@ -35,7 +35,7 @@ from rocksteady.dynamics.batch.attractors import (
     settled_cells,
     starting,
 )
-from rocksteady.dynamics.history.lowering import only_side, side_table
+from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
@@ -393,7 +393,7 @@ def _window(
     """Return the axes of the one window of all values."""
     reaches = np.max(
         [
-            window_of(side_table(bare), largest_amplitude(moved), moved.frequency_ratio)
+            window_of(np.array(bare.sides), largest_amplitude(moved), moved.frequency_ratio)
             for bare, moved in ((each.dimensionless(), moved) for each, moved in line)
         ],
         axis=0,
