@@ -102,8 +102,7 @@ def bifurcate(
         )
     equations = equations_for(model, span.body)
     start.check()
-    if not cascade:
-        needs("--doublings", doublings, "--cascade")
+    needs("--doublings", doublings, "--cascade", beside=cascade)
     count = DOUBLINGS if doublings is None else doublings
     whole_number("doublings", count, at_least=1, at_most=8, hint="give a whole number")
     whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint="give a whole number")
@@ -163,8 +162,7 @@ def check_top(top: float | None, output: OutputFlags) -> None:
     if top is None:
         return
     positive("top", top, hint="give an angle in units of alpha, as 1.5")
-    if output.plot is None:
-        needs("--top", top, "--plot", "diagram.png")
+    needs("--top", top, "--plot", "diagram.png", beside=output.plot)
 
 
 def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:

@@ -1,6 +1,6 @@
 """`rocksteady doctor`: what runs the kernels here, and whether it computes the right bits."""
 
-from rocksteady.cli.console.outputs import announce_compilation
+from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 
@@ -12,8 +12,6 @@ HELP = (
     "and system."
 )
 EXAMPLES = "Examples:\n\nrocksteady doctor\n\nrocksteady doctor --check --json"
-DIFFERENT = 1
-"""Exit code with --check where a value differs."""
 
 
 @grouped
@@ -29,4 +27,4 @@ def doctor(
 
     report = check_installation()
     OutputFlags(as_json=as_json).leave("doctor", report.describe())
-    return DIFFERENT if check and not report.equal else 0
+    return NEGATIVE if check and not report.equal else 0

@@ -144,8 +144,7 @@ def _colouring(by: str | None, output: OutputFlags, *, fates: bool) -> "Colourin
     """
     if by is None:
         return "class"
-    if output.plot is None:
-        needs("--by", by, "--plot", "map.png")
+    needs("--by", by, "--plot", "map.png", beside=output.plot)
     from rocksteady.show.plots.map_quantities import checked_colouring
 
     return checked_colouring(by, fates=fates)

@@ -1,14 +1,13 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import Meter
-from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -164,7 +163,7 @@ def overturn(
     from rocksteady.show.figures.single import overturning_figure
 
     with (
-        _as_typed(within="--amplitude/-A" if accel_g is None else "--accel-g"),
+        flags_of({"within": "--amplitude/-A" if accel_g is None else "--accel-g"}, InputError),
         sweep.running(context, run, "searching frequencies", len(ratios)) as (shown, meter),
     ):
         windows = find_overturning_windows(
@@ -212,7 +211,7 @@ def _find_scales(
     run = sweep.run(force=output.force)
     announce_compilation("pulses.pulse_fates")
     with (
-        _as_typed(within="--scales"),
+        flags_of({"within": "--scales"}, InputError),
         sweep.running(context, run, "searching records", len(motions)) as (shown, meter),
     ):
         result = find_overturning_scales(
@@ -275,7 +274,7 @@ def _find_kick(
     run = sweep.run(force=output.force)
     announce_compilation("march.march")
     with (
-        _as_typed(times_pt="--at-s"),
+        flags_of({"times_pt": "--at-s"}, InputError),
         sweep.running(context, run, "searching kicks", 2 * len(times)) as (shown, meter),
     ):
         kicks = find_fatal_kick(
@@ -342,17 +341,6 @@ def _leave(
         decided=not result.undecided.any(),
         wrap=True,
     )
-
-
-@contextmanager
-def _as_typed(**flags: str) -> Iterator[None]:
-    """Name in errors about an argument the flag that gave it."""
-    try:
-        yield
-    except InputError as error:
-        if error.name not in flags:
-            raise
-        raise InputError(flags[error.name], error.value, error.valid, error.hint) from error
 
 
 def _range(

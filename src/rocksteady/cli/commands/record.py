@@ -245,8 +245,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
 
     if units_out is None:
         return "m/s^2"
-    if output.csv is None:
-        needs("--units-out", units_out, "--csv", "record.csv")
+    needs("--units-out", units_out, "--csv", "record.csv", beside=output.csv)
     return unit_named(units_out, "--units-out")
 
 

@@ -11,6 +11,8 @@ from rocksteady.show.export.files import json_text, save_whole
 if TYPE_CHECKING:
     from rocksteady.show.film.animation import Film
 
+NEGATIVE = 1
+"""Exit code with --check where the verdict is negative."""
 INCOMPLETE = 3
 """Exit code of a command that could not decide the question."""
 

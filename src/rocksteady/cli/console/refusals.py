@@ -71,44 +71,49 @@ def refuse(flags: Mapping[str, object], valid: str, hint: str = "leave it out") 
             raise FlagError(flag, value, valid, hint)
 
 
-def needs(flag: str, value: object, other: str, example: str = "") -> None:
-    """Refuse a flag that has no meaning without another one.
+def needs(
+    flag: str, value: object, other: str, example: str = "", *, beside: object = None
+) -> None:
+    """Refuse a flag that has no meaning without another one, where that is not given.
 
     Parameters
     ----------
     flag, value
         The flag and its value, as for `refuse`.
     other, example
-        What is missing, and a value that it may have.
+        What is needed, and a value that it may have.
+    beside
+        The value of the other; none by default.
 
     Raises
     ------
     FlagError
-        If there is a value.
+        If there is a value, and none of the other.
     """
-    missing_flag = f"{other} {example}".rstrip()
-    refuse(
-        {flag: value},
-        f"without {other} it has no meaning",
-        f"add {missing_flag}, or leave it out",
-    )
+    if beside is None or beside is False:
+        hint = f"add {f'{other} {example}'.rstrip()}, or leave it out"
+        refuse({flag: value}, f"without {other} it has no meaning", hint)
 
 
 @contextmanager
-def flags_of(flags: Mapping[str, str]) -> Iterator[None]:
+def flags_of(
+    flags: Mapping[str, str], kind: type[InputError] | type[FlagError] = FlagError
+) -> Iterator[None]:
     """Name flags in place of arguments in the errors of what is inside.
 
     Parameters
     ----------
     flags
         Flag of each argument.
+    kind
+        The error that is raised in place of an `InputError`.
     """
     try:
         yield
     except InputError as error:
         if error.name not in flags:
             raise
-        raise FlagError(flags[error.name], error.value, error.valid, error.hint) from None
+        raise kind(flags[error.name], error.value, error.valid, error.hint) from None
 
 
 class OncePerFlag(TyperCommand):

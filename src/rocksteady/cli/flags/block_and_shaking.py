@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -54,7 +54,7 @@ class ShakingFlags:
     @property
     def given(self) -> bool:
         """Whether there is any of them."""
-        return any(getattr(self, field.name) is not None for field in fields(self))
+        return bool(options.given_in(self))
 
     def parameters(self, block: Block | DimensionlessBlock) -> dict[str, list[float]]:
         """Return amplitudes and frequencies in the measures of the flags, g as m/s^2.
@@ -172,8 +172,8 @@ class PulseFlags:
         ModelError
             If there is none, and something that only a pulse has.
         """
-        if self.pulse is None:
-            needs("--oscillations", self.oscillations, "--pulse", "mavroeidis-papageorgiou")
+        shape = "mavroeidis-papageorgiou"
+        needs("--oscillations", self.oscillations, "--pulse", shape, beside=self.pulse)
         return self.pulse is not None
 
     def of(self, size: Harmonic, *, phase: float | None, reverse: bool = False) -> Pulse:
@@ -257,7 +257,7 @@ class BlockFlags:
     @property
     def given(self) -> bool:
         """Whether there is any of them."""
-        return any(getattr(self, field.name) is not None for field in fields(self))
+        return bool(options.given_in(self))
 
     def described(self) -> Block | DimensionlessBlock:
         """Return the block that the flags describe; a dimensionless one where none does.

@@ -124,8 +124,7 @@ class SpectrumFlags:
             "sa_v_per_sa_h": self.vertical_per_horizontal,
             **peaks.vertical,
         }
-        if self.spectrum is None:
-            needs("--damping", self.damping, "--spectrum", "FILE")
+        needs("--damping", self.damping, "--spectrum", "FILE", beside=self.spectrum)
         if self.record is None:
             RecordFlags().given(reading)  # how no record is read
             return Demand(

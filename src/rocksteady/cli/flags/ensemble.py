@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, both, missing, refuse
+from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
@@ -273,11 +273,9 @@ class EnsembleFlags:
         from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 
         count = draws if self.draws is None else self.draws
-        try:
+        flags = {name: f"--{name}" for name in ("restitution", "draws", "scatter", "seed")}
+        with flags_of({"low": "--restitution", "high": "--restitution", **flags}):
             return RestitutionBand(**ends, draws=count, scatter=self.scatter, seed=self.seed)
-        except InputError as error:
-            flag = "--restitution" if error.name in ("low", "high") else f"--{error.name}"
-            raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
 def intensity_of(text: str) -> "Intensity":

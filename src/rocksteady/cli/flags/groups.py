@@ -75,16 +75,9 @@ class OutputFlags:
             If there is one of these and no figure.
         """
         _ = self.page
-        if self.plot is None:
-            needs("--width", self.width, "--plot", "figure.pdf")
-            needs("--legend", self.legend, "--plot", "figure.pdf")
-        if self.plot is not None and self.plot.suffix.lower() not in FIGURE_FORMATS:
-            raise OutputError(
-                "--plot",
-                self.plot,
-                "the extension sets the format: " + ", ".join(FIGURE_FORMATS),
-                "rename it",
-            )
+        for flag, value in (("--width", self.width), ("--legend", self.legend)):
+            needs(flag, value, "--plot", "figure.pdf", beside=self.plot)
+        check_ending("--plot", self.plot, *FIGURE_FORMATS)
         check_apart(self.files, {"--out": out}, read)
         for flag, file in self.files.items():
             if file is not None:
@@ -218,12 +211,22 @@ class AnimationFlags:
         if self.animate is None:
             needs("--speed", self.speed, "--animate", "run.gif")
             return
-        if self.animate.suffix.lower() != ".gif":
-            raise OutputError(
-                "--animate", self.animate, "the extension sets the format: .gif", "rename it"
-            )
+        check_ending("--animate", self.animate, ".gif")
         check_apart({**output.files, "--animate": self.animate}, read=read)
         check_writable("--animate", self.animate, force=output.force)
+
+
+def check_ending(flag: str, file: Path | None, *endings: str) -> None:
+    """Refuse a file whose name has none of some endings.
+
+    Raises
+    ------
+    OutputError
+        If there is a file, and it has none.
+    """
+    if file is not None and file.suffix.lower() not in endings:
+        valid = "the extension sets the format: " + ", ".join(endings)
+        raise OutputError(flag, file, valid, "rename it")
 
 
 def in_columns(

@@ -1,6 +1,6 @@
 """Flags shared by several commands: one spelling, help text and unit each."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import partial
 from typing import Any
 
@@ -26,6 +26,15 @@ class Panel:
         metavar = next(iter(words.split()[len(names) :]), None)
         option = typer.Option(*names, metavar=metavar, help=help, rich_help_panel=self.name)
         return field(default=default, metadata={FLAG: option})
+
+
+def given_in(group: Any) -> dict[str, object]:
+    """Return the flags of a group that were given, with their values."""
+    return {
+        "--" + each.name.replace("_", "-"): getattr(group, each.name)
+        for each in fields(group)
+        if getattr(group, each.name) != each.default
+    }
 
 
 block_flag = Panel("Block")

@@ -1,7 +1,7 @@
 """Flags for recorded ground motions: files, how to read them, how they shake a block."""
 
 import re
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.refusals import FlagError, both, missing, needs, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, PulseFlags, ShakingFlags
-from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, motion_flag
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, Panel, given_in, motion_flag
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -71,11 +71,7 @@ class ReadingFlags:
     @property
     def given(self) -> dict[str, object]:
         """The flags that were given, with their values."""
-        return {
-            "--" + field.name.replace("_", "-"): getattr(self, field.name)
-            for field in fields(self)
-            if getattr(self, field.name) != field.default
-        }
+        return given_in(self)
 
     def recordings(self, file: Path) -> "list[Recording]":
         """Return the channels of a file, or the chosen channel; their warnings are printed.
@@ -234,8 +230,8 @@ class RecordFlags:
         ModelError
             If there is none, and something that only a record has.
         """
-        if self.vertical is None:
-            needs("--reverse-vertical", self.reverse_vertical, "--vertical", "FILE")
+        upwards = self.reverse_vertical
+        needs("--reverse-vertical", upwards, "--vertical", "FILE", beside=self.vertical)
         if self.record:
             return True
         flags = {

@@ -1,12 +1,12 @@
 """Flags for tables of shaking tests, and how outcomes become draws."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, cast
 
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing
-from rocksteady.cli.flags.options import Panel
+from rocksteady.cli.flags.options import Panel, given_in
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import dt_s_flag, units_flag
 from rocksteady.errors import InputError
@@ -14,6 +14,7 @@ from rocksteady.errors import InputError
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.sampling import Sampling
     from rocksteady.risk.observations.observations import Observations
+    from rocksteady.risk.observations.prior import Prior
 
 test_flag = Panel("Tests")
 sampling_flag = Panel("Calibration")
@@ -51,11 +52,7 @@ class TableFlags:
     @property
     def given(self) -> dict[str, object]:
         """The flags that were given, with their values."""
-        return {
-            "--" + field.name.replace("_", "-"): getattr(self, field.name)
-            for field in fields(self)
-            if getattr(self, field.name) is not None
-        }
+        return given_in(self)
 
     @property
     def files(self) -> list[Path]:
@@ -98,6 +95,16 @@ class TableFlags:
                 units=self.units,
                 dt_s=self.dt_s,
             )
+
+
+def prior_of(file: Path | None) -> "Prior | None":
+    """Return what is known before the tests; None without a file."""
+    if file is None:
+        return None
+    from rocksteady.risk.observations.prior import read_prior
+
+    with flags_of({"prior": "--prior"}):
+        return read_prior(file)
 
 
 @dataclass(frozen=True, kw_only=True)

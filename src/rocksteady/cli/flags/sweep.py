@@ -15,7 +15,7 @@ from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.progress import Meter, sweeping
 from rocksteady.cli.console.refusals import both, refuse
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags
+from rocksteady.cli.flags.groups import OutputFlags, check_ending
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import check_apart, check_writable, impossible_name
@@ -99,10 +99,7 @@ class SweepFlags:
         check_apart(files, {"--out": out, self.STORE: self.out}, read)
         if self.netcdf is None:
             return
-        if self.netcdf.suffix.lower() != ".nc":
-            raise OutputError(
-                "--netcdf", self.netcdf, "the extension sets the format: .nc", "rename it"
-            )
+        check_ending("--netcdf", self.netcdf, ".nc")
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
     def run(self, *, force: bool) -> "Run":

@@ -12,7 +12,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.cli.flags.shaking_tests import temper_of
+from rocksteady.cli.flags.shaking_tests import prior_of, temper_of
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.risk.back_analysis.scan import Scan
     from rocksteady.risk.back_analysis.survey import Survey
-    from rocksteady.risk.observations.prior import Prior
 
 HELP = (
     "Find the PGA and PGV that agree with what fell and what stood in one shaking.\n\n"
@@ -125,7 +124,7 @@ def back_analyse(
                 objects,
                 motions,
                 measures=measures,
-                prior=_prior(prior),
+                prior=prior_of(prior),
                 scan=scan,
                 run=replace(run, progress=meter),
             )
@@ -165,16 +164,6 @@ def _survey(path: Path | None) -> "Survey":
 
     with flags_of({"survey": "--survey"}):
         return read_survey(path)
-
-
-def _prior(path: Path | None) -> "Prior | None":
-    """Return the prior of the flag."""
-    if path is None:
-        return None
-    from rocksteady.risk.observations.prior import read_prior
-
-    with flags_of({"prior": "--prior"}):
-        return read_prior(path)
 
 
 def _limits(text: str | None) -> tuple[float, float] | None:

@@ -17,6 +17,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.shaking_tests import (
     SamplingFlags,
     TableFlags,
+    prior_of,
     sampling_flag,
     test_flag,
 )
@@ -26,7 +27,6 @@ from rocksteady.show.export.files import check_apart
 if TYPE_CHECKING:
     from rocksteady.risk.calibration.calibration import Calibration
     from rocksteady.risk.observations.observations import Observations
-    from rocksteady.risk.observations.prior import Prior
 
 HELP = (
     "Calibrate objects by the shaking tests in which they fell or stood.\n\n"
@@ -98,7 +98,7 @@ def calibrate(
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
     run = Run(executor=executor, workers=workers)
-    tests, known = _tests(table, example=example), _prior(prior)
+    tests, known = _tests(table, example=example), prior_of(prior)
     read += table.record_files(tests)
     _check_folder(out, output, read)
 
@@ -160,16 +160,6 @@ def _tests(table: TableFlags, *, example: bool) -> "Observations":
         column = Block.rectangle(width=width, height=height)
         return make_synthetic_tests(column, make_synthetic_suite(EXAMPLE_MOTIONS))
     return table.observations()
-
-
-def _prior(file: Path | None) -> "Prior | None":
-    """Return what is known before the tests."""
-    if file is None:
-        return None
-    from rocksteady.risk.observations.prior import read_prior
-
-    with flags_of({"prior": "--prior"}):
-        return read_prior(file)
 
 
 def _write(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation, announce_file
+from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing, refuse
 from rocksteady.cli.flags import options
@@ -46,8 +46,6 @@ EXAMPLES = (
     "rocksteady assess objects.csv --records motions --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
     "\n\nrocksteady assess --example --out answer"
 )
-NEGATIVE = 1
-"""Exit code with --check where the object may fall more often than the target, or slides."""
 USUAL_TARGET = 0.1
 MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
 """Flags that have a meaning beside --example."""

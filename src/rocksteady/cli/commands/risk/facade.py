@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation, announce_file
+from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
 from rocksteady.cli.console.refusals import FlagError, needs, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
@@ -46,8 +46,6 @@ EXAMPLES = (
     "rocksteady facade --example --plot wall.png"
 )
 T = TypeVar("T")
-NEGATIVE = 1
-"""Exit code with --check where a check is not satisfied."""
 EXAMPLE_MOTIONS = 10
 run_flag = options.Panel("Runs")
 

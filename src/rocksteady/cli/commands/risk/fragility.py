@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.refusals import FlagError, refuse
+from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
-from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 
@@ -161,12 +160,9 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
     from rocksteady.risk.fits.bands import Bands
     from rocksteady.risk.fragility.fitting import Fitting
 
-    flags = {"peak": "--states", "name": "--states", "states": "--states"}
-    try:
+    flags = {name: f"--{name}" for name in ("confidence", "replicates", "seed", "family")}
+    with flags_of({"peak": "--states", "name": "--states", "states": "--states", **flags}):
         bands = Bands(confidence=confidence, replicates=replicates, seed=seed)
         named: Any = family
         parts = [part.strip() for part in states.split(",")]
         return Fitting(states=parts, family=named, bands=bands)
-    except InputError as error:
-        flag = flags.get(error.name, f"--{error.name}")
-        raise FlagError(flag, error.value, error.valid, error.hint) from None

@@ -2,6 +2,7 @@
 
 import typer
 
+from rocksteady.cli.console.outputs import NEGATIVE
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, SpectrumFlags, sized_block
@@ -22,8 +23,6 @@ EXAMPLES = (
     "rocksteady screens --width-m 0.32 --height-m 1.8 --spectrum floor.txt --damping 0.05\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --record RSN77_PUL164.AT2 --json"
 )
-NEGATIVE = 1
-"""Exit code with --check where a row does not pass."""
 
 
 @grouped
