@@ -14,7 +14,7 @@ OBJECT = """
 name = "statue"
 friction = 0.5
 [geometry]
-width_m = 0.34
+width_m = 0.38
 height_m = 1.8
 [demand]
 pga_g = 0.4
