@@ -44,6 +44,13 @@ class Suite:
     files: list[Path]
     left_out: list[tuple[Path, str]] = field(default_factory=list)
 
+    @classmethod
+    def synthetic(cls, count: int) -> "Suite":
+        """Return synthetic motions, which have no files."""
+        from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
+
+        return cls(motions=[*make_synthetic_suite(count)], files=[])
+
     @property
     def read(self) -> list[Path]:
         """All files that were opened, those left out too."""

@@ -289,9 +289,7 @@ def _suite(
 ) -> Suite:
     """Return the motions: of --records, of the folder that the file names, or synthetic ones."""
     if file is None:
-        from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-
-        return Suite(motions=[*make_synthetic_suite(EXAMPLE_MOTIONS)], files=[])
+        return Suite.synthetic(EXAMPLE_MOTIONS)
     named = described.given.assessment.records
     if recorded.records is None and named is not None:
         recorded = replace(recorded, records=[file.parent / named])

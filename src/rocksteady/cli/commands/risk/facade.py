@@ -152,7 +152,7 @@ def facade(
     demand, runs, files = described.demand, None, [] if file is None else [*described.files]
     suite = Suite(motions=[], files=[])
     if recorded.records or example:
-        suite = _suite(recorded, reading, example=example)
+        suite = Suite.synthetic(EXAMPLE_MOTIONS) if example else recorded.suite(reading)
         files += suite.files
     _check_folder(out, output, [*files, *suite.read])
     if suite.motions:
@@ -261,15 +261,6 @@ def _with_restitution(wall: "Facade", text: str | None) -> "Facade":
         return wall
     form = form_of_text(text)
     return replace(wall, restitution=number("--restitution", text) if form is None else form)
-
-
-def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
-    """Return the motions: of --records, or synthetic ones."""
-    if not example:
-        return recorded.suite(reading)
-    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-
-    return Suite(motions=[*make_synthetic_suite(EXAMPLE_MOTIONS)], files=[])
 
 
 def _with_records(

@@ -37,6 +37,7 @@ EXAMPLES = (
     "rocksteady fragility --example"
 )
 curve_flag = Panel("Curves")
+EXAMPLE_MOTIONS = 24
 EXAMPLE_SIZE = (0.32, 1.8)
 """Width and height of the cabinet of --example [m]."""
 
@@ -68,8 +69,8 @@ def fragility(
     ),
     example: bool = ensemble_flag(
         "--example",
-        "Run 24 synthetic motions in place of --records; default block: a cabinet of "
-        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
+        f"Run {EXAMPLE_MOTIONS} synthetic motions in place of --records; default block: a cabinet "
+        f"of {EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m.",
         default=False,
     ),
 ) -> None:
@@ -144,9 +145,7 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
         return recorded.suite(reading)
     valid = "--example has synthetic motions and reads no file"
     refuse({**reading.given, **recorded.given}, valid, "leave one out")
-    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-
-    return Suite(motions=[*make_synthetic_suite()], files=[])
+    return Suite.synthetic(EXAMPLE_MOTIONS)
 
 
 def _fitting(states: str, family: str, confidence: float, replicates: int, seed: int) -> "Fitting":
