@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells, starting
 from rocksteady.dynamics.history.lowering import only_side
-from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.bounds import LARGEST_SEED, Whole
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
 from rocksteady.sweep.cases.draws import uniform
@@ -17,7 +17,6 @@ from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 
-LARGEST_SEED = 2**64 - 1
 SEED = Whole(0, LARGEST_SEED, "give a seed, as 1, or leave it out")
 TINY = 1e-300
 """Least angle of a state that is drawn beside a wall."""

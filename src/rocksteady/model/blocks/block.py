@@ -102,13 +102,12 @@ class Block(Measured):
 
     positive: Side
     negative: Side
-    gravity: float = STANDARD_GRAVITY
+    gravity: Annotated[float, GRAVITY] = STANDARD_GRAVITY
     housner_factor: float | None = field(default=None, compare=False)
     wall_restitution: Annotated[float | None, restitution_of_wall] = None
 
     def __post_init__(self) -> None:
         """Validate."""
-        object.__setattr__(self, "gravity", GRAVITY("gravity", self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
         factor, wall_side = self.housner_factor, self.wall_restitution
         if factor is not None:

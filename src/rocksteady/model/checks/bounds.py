@@ -42,6 +42,8 @@ class Whole(NamedTuple):
         return whole_number(name, value, at_least=self.low, at_most=self.high, hint=self.hint)
 
 
+LARGEST_SEED: Final = 2**64 - 1
+
 Rule = Bounds | Whole | Callable[[str, Any], Any]
 
 

@@ -9,22 +9,18 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import log, sincos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import (
-    LARGEST,
-    in_range,
-    non_negative,
-    positive,
-    rising,
-    whole_number,
-)
+from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
+from rocksteady.model.checks.validation import non_negative, rising
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.combine import cut_motion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
+    DURATION_S,
     HIGHEST_FREQUENCY_RATIO,
     LONGEST_DURATION,
     LOWEST_FREQUENCY_RATIO,
+    RMS,
     Harmonic,
     Motion,
     Piecewise,
@@ -51,7 +47,12 @@ MOST_PRODUCTS = 10**9
 MOST_KEPT = 16
 """Realisations that are kept, because several levels of noise share one."""
 
-LARGEST_SEED = 2**64 - 1
+BAND = partial(
+    rising,
+    low=LOWEST_FREQUENCY_RATIO,
+    high=HIGHEST_FREQUENCY_RATIO,
+    hint="give the lowest and the highest omega/p, as (1.0, 20.0)",
+)
 
 SAME_TIME = 1e-9
 """Part of a step by which a sample may miss a segment's start and still be there."""
@@ -104,32 +105,14 @@ class BandNoise:
        Tech. J. 23, 282-332 (1944), section 2.8.
     """
 
-    rms: float
-    band: tuple[float, float]
-    duration: float
-    seed: int
-    number: int = 0
+    rms: Annotated[float, RMS]
+    band: Annotated[tuple[float, float], BAND]
+    duration: Annotated[float, Bounds(0.0, LONGEST_DURATION, "(]", "give the pivot time p t")]
+    seed: Annotated[int, Whole(0, LARGEST_SEED, "give a seed, as 1")]
+    number: Annotated[int, Whole(0, 2**32 - 1, "give 0, 1, ...")] = 0
 
     def __post_init__(self) -> None:
-        """Validate."""
-        hint = "give the lowest and the highest omega/p, as (1.0, 20.0)"
-        ends = LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO
-        band = rising("band", self.band, *ends, hint=hint)
-        valid = {
-            "rms": in_range("rms", self.rms, 0.0, LARGEST, "[]", hint="give it over alpha g"),
-            "band": band,
-            "duration": in_range(
-                "duration", self.duration, 0.0, LONGEST_DURATION, hint="give the pivot time p t"
-            ),
-            "seed": whole_number(
-                "seed", self.seed, at_least=0, at_most=LARGEST_SEED, hint="give a seed, as 1"
-            ),
-            "number": whole_number(
-                "number", self.number, at_least=0, at_most=2**32 - 1, hint="give 0, 1, ..."
-            ),
-        }
-        for name, value in valid.items():
-            object.__setattr__(self, name, value)
+        """Validate what depends on several fields."""
         lines = self._lines
         if lines > MOST_LINES:
             raise InputError(
@@ -161,7 +144,7 @@ class BandNoise:
         *,
         rms_m_s2: Annotated[float, partial(non_negative, hint="give it in m/s^2")],
         band_hz: tuple[float, float],
-        duration_s: float,
+        duration_s: Annotated[float, DURATION_S],
         seed: int,
         number: int = 0,
     ) -> "BandNoise":
@@ -198,11 +181,10 @@ class BandNoise:
             Harmonic.from_si(block, acceleration_m_s2=0.0, frequency_hz=hertz).frequency_ratio
             for hertz in band_hz
         )
-        length = positive("duration_s", duration_s, hint="give it in seconds")
         return cls(
             rms=rms_m_s2 / block.uplift_acceleration,
             band=(low, high),
-            duration=length * block.p,
+            duration=duration_s * block.p,
             seed=seed,
             number=number,
         )

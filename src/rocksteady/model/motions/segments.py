@@ -6,6 +6,7 @@ A segment of the base acceleration, in units of ``alpha g`` over pivot time ``s 
 
 import math
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Annotated, Protocol
 
 from rocksteady.errors import InputError, ModelError
@@ -34,15 +35,12 @@ FREQUENCY_RATIO = Bounds(
 )
 PHASE = Bounds(-LARGEST_PHASE, LARGEST_PHASE, "[]", "give radians, less whole turns")
 
+RMS = Bounds(0.0, LARGEST, "[]", "give it over alpha g")
+DURATION_S = partial(positive, hint="give it in seconds")
+
 _SIZE = Bounds(-LARGEST, LARGEST, "[]", "give a number in units of alpha g and of p")
-_OF_SEGMENTS = {
-    "phase": PHASE,
-    "constant": _SIZE,
-    "slope": _SIZE,
-    "amplitude": _SIZE,
-    "jump": _SIZE,
-    "frequency": Bounds(0.0, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p"),
-}
+
+_FREQUENCY = Bounds(0.0, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p")
 
 
 def _lasting(name: str, value: object) -> float:
@@ -86,18 +84,16 @@ class Segment:
     """
 
     duration: Annotated[float, _lasting]
-    constant: float = 0.0
-    slope: float = 0.0
-    amplitude: float = 0.0
-    frequency: float = 0.0
-    phase: float = 0.0
-    jump: float = 0.0
+    constant: Annotated[float, _SIZE] = 0.0
+    slope: Annotated[float, _SIZE] = 0.0
+    amplitude: Annotated[float, _SIZE] = 0.0
+    frequency: Annotated[float, _FREQUENCY] = 0.0
+    phase: Annotated[float, PHASE] = 0.0
+    jump: Annotated[float, _SIZE] = 0.0
     harmonics: Harmonics = ()
 
     def __post_init__(self) -> None:
         """Validate, and turn a negative amplitude into a positive one half a cycle on."""
-        for name, rule in _OF_SEGMENTS.items():
-            object.__setattr__(self, name, rule(name, getattr(self, name)))
         if self.duration == math.inf and self.slope != 0.0:
             raise ModelError(
                 "slope",

@@ -9,16 +9,17 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Bounds
-from rocksteady.model.checks.validation import (
-    LARGEST,
-    in_range,
-    non_negative,
-    positive,
-    whole_number,
-)
+from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.validation import non_negative
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
-from rocksteady.model.motions.segments import FREQUENCY_RATIO, LONGEST_DURATION, Harmonic, Segment
+from rocksteady.model.motions.segments import (
+    DURATION_S,
+    FREQUENCY_RATIO,
+    LONGEST_DURATION,
+    RMS,
+    Harmonic,
+    Segment,
+)
 
 if TYPE_CHECKING:
     import numpy as np
@@ -98,35 +99,23 @@ class SyntheticMotion:
     .. [2] M. Amin and A. H.-S. Ang, J. Eng. Mech. Div. ASCE 94, 559-583 (1968).
     """
 
-    rms: float
+    rms: Annotated[float, RMS]
     frequency_ratio: Annotated[float, FREQUENCY_RATIO]
     duration: float
-    seed: int
-    filter_damping: float = 0.6
-    high_pass_ratio: float = 0.1
-    rise: float = 0.15
+    seed: Annotated[int, Whole(0, None, "give a seed, as 1")]
+    filter_damping: Annotated[float, DAMPING] = 0.6
+    high_pass_ratio: Annotated[float, Bounds(0.001, 1.0, "[)", "give 0.1")] = 0.1
+    rise: Annotated[float, Bounds(0.0, 1.0, "[]", "give a part, as 0.15")] = 0.15
     decay: float = 0.5
 
     def __post_init__(self) -> None:
-        """Validate."""
+        """Validate what depends on other fields."""
         longest = min(LONGEST_DURATION, MOST_LINES * _sampling(self.frequency_ratio))
-        valid = {
-            "rms": in_range("rms", self.rms, 0.0, LARGEST, "[]", hint="give it over alpha g"),
-            "duration": in_range(
-                "duration", self.duration, 0.0, longest, hint="give the pivot time p t"
-            ),
-            "seed": whole_number("seed", self.seed, at_least=0, hint="give a seed, as 1"),
-            "filter_damping": DAMPING("filter_damping", self.filter_damping),
-            "high_pass_ratio": in_range(
-                "high_pass_ratio", self.high_pass_ratio, 0.001, 1.0, "[)", hint="give 0.1"
-            ),
-            "rise": in_range("rise", self.rise, 0.0, 1.0, "[]", hint="give a part, as 0.15"),
-        }
-        valid["decay"] = in_range(
-            "decay", self.decay, 0.0, 1.0 - valid["rise"], "[]", hint="give a part, as 0.5"
-        )
-        for name, value in valid.items():
-            object.__setattr__(self, name, value)
+        for name, rule in (
+            ("duration", Bounds(0.0, longest, "(]", "give the pivot time p t")),
+            ("decay", Bounds(0.0, 1.0 - self.rise, "[]", "give a part, as 0.5")),
+        ):
+            object.__setattr__(self, name, rule(name, getattr(self, name)))
         if self._settling > MOST_SETTLING:
             shortest = self.duration * (self._settling / MOST_SETTLING)
             raise InputError(
@@ -144,7 +133,7 @@ class SyntheticMotion:
         *,
         rms_m_s2: Annotated[float, partial(non_negative, hint="give it in m/s^2")],
         frequency_hz: float,
-        duration_s: float,
+        duration_s: Annotated[float, DURATION_S],
         seed: int,
         filter_damping: float = 0.6,
     ) -> "SyntheticMotion":
@@ -178,11 +167,10 @@ class SyntheticMotion:
         20.0
         """
         felt = Harmonic.from_si(block, acceleration_m_s2=rms_m_s2, frequency_hz=frequency_hz)
-        length = positive("duration_s", duration_s, hint="give it in seconds")
         return cls(
             rms=felt.amplitude,
             frequency_ratio=felt.frequency_ratio,
-            duration=length * block.p,
+            duration=duration_s * block.p,
             seed=seed,
             filter_damping=filter_damping,
         )

@@ -59,20 +59,13 @@ class Scan:
 
     limits: Annotated[tuple[float, float] | None, _limits] = None
     levels: Annotated[int, Whole(4, MOST_LEVELS, "leave it out")] = 22
-    draws: int | None = None
+    draws: Annotated[int | None, Whole(2, MOST_DRAWS, "give a number, as 16")] = None
     temper: float | Literal["auto"] = "auto"
-    trials: int = 4
-    seed: int = 0
+    trials: Annotated[int, Whole(0, 1000, "leave it out")] = 4
+    seed: Annotated[int, Whole(0, None, "give a seed, as 0")] = 0
 
     def __post_init__(self) -> None:
         """Validate."""
-        trials = whole_number("trials", self.trials, at_least=0, at_most=1000, hint="leave it out")
-        object.__setattr__(self, "trials", trials)
-        whole_number("seed", self.seed, at_least=0, hint="give a seed, as 0")
-        if self.draws is not None:
-            whole_number(
-                "draws", self.draws, at_least=2, at_most=MOST_DRAWS, hint="give a number, as 16"
-            )
         if self.temper != "auto":
             temper = in_range(
                 "temper", self.temper, 0.0, 1.0, "(]", hint="give an exponent, as 0.3, or 'auto'"

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import Annotated, Final
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Whole
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.validation import whole_number
 
 LEAST_DRAWS: Final = 30
 MOST_DRAWS: Final = 100_000
@@ -51,16 +51,13 @@ class Sampling:
     draws: Annotated[int, Whole(LEAST_DRAWS, MOST_DRAWS, "give a whole number, as 1500")] = 1500
     gains: Annotated[int, Whole(1, MOST_GAINS, "give a whole number, as 5")] = 5
     rounds: int | None = None
-    error: float = 0.01
-    seed: int = 0
+    error: Annotated[float, Bounds(0.0, 1.0, "(]", "give a probability, as 0.01")] = 0.01
+    seed: Annotated[int, Whole(0, None, "give a whole number, as 0")] = 0
 
     def __post_init__(self) -> None:
         """Validate."""
         hint = "give a whole number, as 3, and at least five draws for each"
         whole_number("rounds", self._rounds, at_least=1, at_most=self.draws // 5, hint=hint)
-        whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")
-        hint = "give a probability, as 0.01"
-        object.__setattr__(self, "error", in_range("error", self.error, 0.0, 1.0, "(]", hint=hint))
 
     @property
     def _rounds(self) -> int:

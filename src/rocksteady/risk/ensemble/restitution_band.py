@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,17 +12,16 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import RESTITUTION
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import LARGEST_SEED, RESTITUTION, Bounds, Whole
+from rocksteady.model.checks.validation import in_range
 from rocksteady.seismic.measures.free_sides import impact_ratios
 
 Floats = NDArray[np.float64]
 
 HIGHEST: Final = 0.98
 """Default upper end of a band, where the root of the block's own restitution is above it."""
-MOST_SCATTER: Final = 0.5
+SCATTER: Final = Bounds(0.0, 0.5, "[]", "give a standard deviation, as 0.05")
 MOST_DRAWS: Final = 1000
-LARGEST_SEED: Final = 2**64 - 1
 
 
 @checked
@@ -66,9 +65,9 @@ class RestitutionBand:
 
     low: Restitution | None = None
     high: Restitution | None = None
-    draws: int = 5
-    scatter: float = 0.0
-    seed: int = 0
+    draws: Annotated[int, Whole(1, MOST_DRAWS, "give the number of values in the band, as 5")] = 5
+    scatter: Annotated[float, SCATTER] = 0.0
+    seed: Annotated[int, Whole(0, LARGEST_SEED, "give a whole number, as 7")] = 0
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -79,14 +78,6 @@ class RestitutionBand:
                 ratio = in_range(name, value, 0.0, 1.0, "[]", hint=hint)
                 object.__setattr__(self, name, ratio)
         _check_order(self.low, self.high)
-        hint = "give the number of values in the band, as 5"
-        draws = whole_number("draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint=hint)
-        hint = "give a standard deviation, as 0.05"
-        scatter = in_range("scatter", self.scatter, 0.0, MOST_SCATTER, "[]", hint=hint)
-        hint = "give a whole number, as 7"
-        seed = whole_number("seed", self.seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
-        for name, value in (("draws", draws), ("scatter", scatter), ("seed", seed)):
-            object.__setattr__(self, name, value)
 
     def ratios(self, block: Block) -> Floats:
         """Return the restitutions of a block's sides, shape (draws, 2).

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
@@ -91,7 +92,7 @@ class HazardCurve(Result):
     levels: Annotated[Floats, _row]
     rates: Annotated[Floats, _row]
     name: str = ""
-    weight: float | None = None
+    weight: Annotated[float | None, Bounds(0.0, 1.0, "(]", "give the branch's weight")] = None
     site: tuple[float, float] | None = None
     tail: Literal["none", "power-law"] = "none"
     remarks: tuple[str, ...] = ()
@@ -129,9 +130,6 @@ class HazardCurve(Result):
                 f"the last {FITTED} rates are equal, and no power law falls through them",
                 "leave the curve without tails",
             )
-        if self.weight is not None:
-            weight = in_range("weight", self.weight, 0.0, 1.0, hint="give the branch's weight")
-            object.__setattr__(self, "weight", weight)
         if self.site is not None:
             lon, lat = self.site
             hint = "give longitude and latitude in degrees"

@@ -13,7 +13,7 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.bounds import LARGEST_SEED, Whole
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
@@ -34,7 +34,6 @@ Floats = NDArray[np.float64]
 
 MOST_SCATTER: Final = 0.5
 MOST_DRAWS: Final = 1_000_000
-LARGEST_SEED: Final = 2**64 - 1
 KEPT: Final = ("status", "peak_angle", "impacts")
 """Outputs of a cell."""
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Annotated, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,12 +12,13 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
-from rocksteady.risk.observations.fates import LARGEST_SEED, Scatter, fates_on_records
+from rocksteady.risk.observations.fates import Scatter, fates_on_records
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
@@ -43,11 +44,11 @@ def make_synthetic_tests(
     motions: Sequence[Record] | None = None,
     *,
     gains: ArrayLike | None = None,
-    gain_error: float = 0.2,
+    gain_error: Annotated[float, Bounds(0.0, LARGEST_SIGMA, "[]", "give 0.2")] = 0.2,
     restitution_scatter: float = 0.0,
     prior: ObjectPrior | None = None,
     model: Model | None = None,
-    seed: int = 0,
+    seed: Annotated[int, Whole(0, LARGEST_SEED, "give a seed, as 0")] = 0,
 ) -> Observations:
     """Make shaking tests of a known block, with errors in their gains.
 
@@ -106,10 +107,8 @@ def make_synthetic_tests(
     if not records:
         raise InputError("motions", [], "there must be one or more", "give a list of Record")
     nominal = _gains(block, records, gains)
-    sigma = in_range("gain_error", gain_error, 0.0, LARGEST_SIGMA, "[]", hint="give 0.2")
-    first = whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint="give a seed, as 0")
-    rng = np.random.default_rng(first)
-    error = exp(sigma * rng.standard_normal(nominal.shape))
+    rng = np.random.default_rng(seed)
+    error = exp(gain_error * rng.standard_normal(nominal.shape))
     known = prior if prior is not None else _around(block)
     several = nominal.shape[1]
     unknown = [
@@ -125,7 +124,7 @@ def make_synthetic_tests(
         block,
         unknown,
         gains=error.reshape(-1, 1),
-        scatter=Scatter(restitution_scatter, seed=first),
+        scatter=Scatter(restitution_scatter, seed=seed),
         outputs=["status"],
         model=model,
     ).status.values.ravel()
