@@ -2,7 +2,7 @@
 
 import functools
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
@@ -23,7 +23,8 @@ from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import finite, in_range, whole_number
+from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.validation import finite, in_range
 
 if TYPE_CHECKING:
     pass
@@ -56,10 +57,14 @@ def compute_manifold(
     *,
     over: Over = "phase",
     phase: float | None = None,
-    length: float = LENGTH,
-    impacts: int = 1,
+    length: Annotated[
+        float, Bounds(0.0, 1e4, "(]", "give a length in half widths of the window, as 20")
+    ] = LENGTH,
+    impacts: Annotated[int, Whole(1, 1000, "give a number of impacts, as 1")] = 1,
     window: tuple[float, float] | None = None,
-    spacing: float = SPACING,
+    spacing: Annotated[
+        float, Bounds(1e-4, 0.5, "[]", "give a distance in half widths of the window, as 0.01")
+    ] = SPACING,
 ) -> Manifold:
     """Compute the stable or unstable manifold of a saddle.
 
@@ -115,13 +120,6 @@ def compute_manifold(
     1 far
     -1 length
     """
-    hint = "give a length in half widths of the window, as 20"
-    longest = in_range("length", length, 0.0, 1e4, "(]", hint=hint)
-    hint = "give a distance in half widths of the window, as 0.01"
-    step = in_range("spacing", spacing, 1e-4, 0.5, "[]", hint=hint)
-    count = whole_number(
-        "impacts", impacts, at_least=1, at_most=1000, hint="give a number of impacts, as 1"
-    )
     _saddle(saddle)
     bare = saddle.block.dimensionless()
     shaking = saddle.motion
@@ -140,7 +138,7 @@ def compute_manifold(
     for sign in (1, -1):
         if isinstance(saddle, HilltopSaddle):
             leaving: Departures = FromHilltop(saddle, backward=backward, sign=sign)
-            curves += [(leaving, k) for k in (range(1, count + 1) if over == "impacts" else (0,))]
+            curves += [(leaving, k) for k in (range(1, impacts + 1) if over == "impacts" else (0,))]
         else:
             leaving = FromOrbit(saddle, backward=backward, sign=sign)
             places = saddle.period if over == "phase" else len(saddle.states)
@@ -156,7 +154,7 @@ def compute_manifold(
             plane = Plane(np.array([math.pi, 0.0]), half, TURN)
             images = functools.partial(impacting, leaving, place=where, forward=forward)
         closed = over == "impacts" and isinstance(saddle, HilltopSaddle)
-        part, ended = _grown(images, leaving.growth, plane, longest, step, closed=closed)
+        part, ended = _grown(images, leaving.growth, plane, length, spacing, closed=closed)
         branches.append(_branch(part, plane, leaving.sign, where, ended))
     return Manifold(
         saddle=saddle,
@@ -165,7 +163,7 @@ def compute_manifold(
         phase=at if over == "phase" else math.nan,
         branches=tuple(branches),
         window=(float(window[0]), float(window[1])),
-        spacing=step,
+        spacing=spacing,
     )
 
 

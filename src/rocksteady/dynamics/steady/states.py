@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,7 +32,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
-from rocksteady.model.checks.validation import finite, whole_number
+from rocksteady.model.checks.bounds import Whole
+from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import quantity
@@ -409,7 +410,7 @@ def compute_steady_orbit(
     *,
     order: int = 1,
     branch: int = 1,
-    samples: int = 801,
+    samples: Annotated[int, Whole(3, 999_999, "give an odd number, as 801")] = 801,
 ) -> SteadyOrbit:
     """Return one period of a symmetric steady state, admissible or not (eqs 7, 8, 14, 15).
 
@@ -447,10 +448,7 @@ def compute_steady_orbit(
         finite(name, value, hint="give one number")
     order = order_of_orbit(order)
     which = validated_branch("branch", branch)
-    count = whole_number(
-        "samples", samples, at_least=3, at_most=999_999, hint="give an odd number, as 801"
-    )
-    if count % 2 == 0:
+    if samples % 2 == 0:
         raise InputError(
             "samples",
             samples,
@@ -467,7 +465,7 @@ def compute_steady_orbit(
             "raise the amplitude, or lower the frequency ratio",
         )
     orbit = symmetric_orbit(float(a), float(w), float(r), int(n), which)
-    half = (count + 1) // 2
+    half = (samples + 1) // 2
     length = int(n) * math.pi
     tau = np.linspace(0.0, length, half)
     motion = np.empty((2, half))

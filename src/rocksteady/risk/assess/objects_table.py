@@ -4,11 +4,11 @@ import time
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Annotated, Any
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -165,14 +165,18 @@ class ObjectsTable(Result):
         )
 
 
+PGA = Bounds(0.0, 10.0, "(]", "give the peak in g; 0.3 is usual")
+PGV = Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
+
+
 @checked
 def assess_objects(
     objects: Sequence[ObjectFile],
     motions: Sequence[Record | BaseMotion],
     *,
-    pga_g: float | None = None,
-    pgv_m_s: float | None = None,
-    target_probability: float = 0.1,
+    pga_g: Annotated[float | None, PGA] = None,
+    pgv_m_s: Annotated[float | None, PGV] = None,
+    target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a probability")] = 0.1,
     run: Run | None = None,
 ) -> ObjectsTable:
     """Assess many objects under one demand.
@@ -225,25 +229,17 @@ def assess_objects(
     for name, things in (("objects", bodies), ("motions", suite)):
         if not things:
             raise InputError(name, [], "there must be one or more", "give a list")
-    target = in_range(
-        "target_probability", target_probability, 0.0, 1.0, "()", hint="give a probability"
-    )
-    peaks = [
-        None if value is None else in_range(key, value, 0.0, most, hint=hint)
-        for key, value, most, hint in (
-            ("pga_g", pga_g, 10.0, "give the peak in g; 0.3 is usual"),
-            ("pgv_m_s", pgv_m_s, 10.0, "give the peak in m/s; 0.4 is usual"),
-        )
-    ]
-    pga, pgv = peaks
-    if pga is None and pgv is None:
+    if pga_g is None and pgv_m_s is None:
         raise ModelError(
             "pga_g, pgv_m_s",
             Words("are both missing"),
             "objects are assessed at a peak velocity, a peak acceleration or both",
             "give the PGV, and the PGA where it is known",
         )
-    asked = [each.with_peaks(pga_g=pga, pgv_m_s=pgv).with_target(target) for each in bodies]
+    asked = [
+        each.with_peaks(pga_g=pga_g, pgv_m_s=pgv_m_s).with_target(target_probability)
+        for each in bodies
+    ]
     intensities = [_measure_of(each) for each in asked]
     levels = [
         demand_level(intensity, each.given.demand, suite, each.block, each.source)
@@ -276,9 +272,9 @@ def assess_objects(
         rows.append(_row(each, onset, answer, level, counts[place]))
     return ObjectsTable(
         rows=tuple(rows),
-        pga_g=pga,
-        pgv_m_s=pgv,
-        target_probability=target,
+        pga_g=pga_g,
+        pgv_m_s=pgv_m_s,
+        target_probability=target_probability,
         records=len(suite),
         seconds=time.perf_counter() - began,
     )

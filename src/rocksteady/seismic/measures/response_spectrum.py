@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +12,8 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
+from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
@@ -207,11 +208,11 @@ def compute_response_spectrum(
 @checked
 def average_spectral_acceleration(
     record: Record,
-    period_s: float,
+    period_s: Annotated[float, Bounds(0.0, LARGEST, "(]", "give a period in seconds")],
     *,
     damping: float = DAMPING,
     factors: tuple[float, float] = (0.2, 3.0),
-    count: int = 10,
+    count: Annotated[int, Whole(2, 1000, "give 10")] = 10,
 ) -> float:
     """Return Sa_avg [m/s^2], the geometric mean of PSA over a range of periods.
 
@@ -244,13 +245,10 @@ def average_spectral_acceleration(
     >>> print(f"{average_spectral_acceleration(record, 1.0):.6f}")
     0.189090
     """
-    hint = "give a period in seconds"
-    middle = in_range("period_s", period_s, 0.0, LARGEST, hint=hint)
-    count = whole_number("count", count, at_least=2, at_most=1000, hint="give 10")
     hint = "give two parts of T, as (0.2, 3.0)"
     low, high = (in_range("factors", end, 0.0, LARGEST, hint=hint) for end in factors)
     if low >= high:
         raise InputError("factors", factors, "its ends must ascend", "give (0.2, 3.0)")
-    periods = middle * np.linspace(low, high, count)
+    periods = period_s * np.linspace(low, high, count)
     spectrum = compute_response_spectrum(record, periods, damping=damping)
     return exp(float(np.mean(log(spectrum.pseudo_acceleration_m_s2))))

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import compare_by_value
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.bounds import Whole
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_GROUPS
 from rocksteady.results.numbers import number, percent
@@ -98,8 +99,8 @@ def score_predictions(
     fell: ArrayLike,
     *,
     groups: Sequence[str] | None = None,
-    replicates: int = REPLICATES,
-    seed: int = 0,
+    replicates: Annotated[int, Whole(0, 100_000, "give a whole number, as 1000")] = REPLICATES,
+    seed: Annotated[int, Whole(0, None, "give a whole number, as 1000")] = 0,
 ) -> Scores:
     """Score probabilities of a fall against outcomes.
 
@@ -143,14 +144,11 @@ def score_predictions(
         raise InputError("probabilities", probabilities, "all must lie in [0, 1]", hint)
     if not np.isin(y, (0, 1)).all():
         raise InputError("fell", fell, "each must be 1 or 0", hint)
-    hint = "give a whole number, as 1000"
-    count = whole_number("replicates", replicates, at_least=0, at_most=100_000, hint=hint)
-    start = whole_number("seed", seed, at_least=0, hint=hint)
     names = [str(place) for place in range(len(p))] if groups is None else list(groups)
     if len(names) != len(p):
         raise InputError("groups", len(names), f"there are {len(p)} tests", "name each one's group")
     codes = np.unique(names, return_inverse=True)[1]
-    return scores_of(p, y.astype(np.float64), codes, replicates=count, seed=start)
+    return scores_of(p, y.astype(np.float64), codes, replicates=replicates, seed=seed)
 
 
 def scores_of(
