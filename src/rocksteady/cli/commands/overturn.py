@@ -1,12 +1,12 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, TypeVar
+from functools import partial
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
-from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
@@ -28,16 +28,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from rocksteady.dynamics.overturning.kicks import FatalKicks
-    from rocksteady.dynamics.overturning.windows import OverturningWindows
     from rocksteady.model.motions.record import Record
-    from rocksteady.seismic.spectra.overturning_scales import OverturningScales
-    from rocksteady.show.style.page import Page
-    from rocksteady.sweep.run import Run
-
-    Found = TypeVar("Found", OverturningWindows, OverturningScales, FatalKicks)
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
@@ -58,6 +49,20 @@ EXAMPLES = (
     "rocksteady overturn --pulse ricker -W 3 -r 0.9 --json\n\n"
     "rocksteady overturn --kick --start 0.5,0 --width-m 0.6 --height-m 1.8"
 )
+
+
+class Search(NamedTuple):
+    """What is searched for, and how that is shown; `find` takes the run that is left.
+
+    In errors `flags` stand in place of arguments.
+    """
+
+    find: Callable[..., Any]
+    words: str
+    cells: int
+    figure: Callable[..., Any]
+    flags: Mapping[str, str]
+    kernel: str = "pulses.pulse_fates"
 
 
 @grouped
@@ -113,7 +118,6 @@ def overturn(
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output, [*recorded.files, *(suite.files if suite.records else [])])
-    shaken = bool(recorded.record or suite.records)
     conflicting: dict[str, object] = {
         "--pulse": pulse.pulse,
         "-A": amplitude,
@@ -124,58 +128,66 @@ def overturn(
     of_kicks = {"--start": None if start == "rest" else start, "--at-s": at_s}
     if kick:
         _refuse("--kick", {**conflicting, "--scales": scales, "--resolution": resolution})
-        _find_kick(context, recorded, suite, reading, block, sweep, output, start, at_s, model)
-        return
-    _refuse("a search without --kick", of_kicks)
-    if shaken:
-        _refuse("--record", {**conflicting, "--scale": recorded.scale, "--pga-g": recorded.pga_g})
-        _find_scales(
-            context, recorded, suite, reading, block, sweep, output, scales, resolution, model
-        )
-        return
-    _refuse("a search without --record", {"--scales": scales})
-    recorded.given(reading, pulse=pulse.given)
-    body = block.described()
-    equations = equations_for(model, body, Still())
-    if not pulse.given:
-        raise missing(
-            "--pulse",
-            valid="a spectrum needs a pulse",
-            hint="add --pulse one-sine; rocksteady overturn --help names them",
-        )
-    # The flags of the frequency are those of every shaking; its size is a range here.
-    size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
-    ratios = sorted(set(size.of(body)[1]))
-    unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
-    shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
-    within = _range(body, amplitude, accel_g)
-    if output.plot is not None and len(ratios) < 2:
-        raise FlagError(
-            "--plot",
-            output.plot,
-            "a spectrum is drawn over two frequencies or more",
-            "give -W as an axis, as 0.5:8:200, or leave --plot out",
+        search = _of_kicks(recorded, suite, reading, block, output, start, at_s, model)
+    elif recorded.record or suite.records:
+        _refuse("a search without --kick", of_kicks)
+        level = {"--scale": recorded.scale, "--pga-g": recorded.pga_g}
+        _refuse("--record", conflicting | level)
+        search = _of_scales(recorded, suite, reading, block, scales, resolution, model)
+    else:
+        _refuse("a search without --kick", of_kicks)
+        _refuse("a search without --record", {"--scales": scales})
+        recorded.given(reading, pulse=pulse.given)
+        body = block.described()
+        equations = equations_for(model, body, Still())
+        if not pulse.given:
+            raise missing(
+                "--pulse",
+                valid="a spectrum needs a pulse",
+                hint="add --pulse one-sine; rocksteady overturn --help names them",
+            )
+        # The flags of the frequency are those of every shaking; its size is a range here.
+        size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
+        ratios = sorted(set(size.of(body)[1]))
+        unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
+        shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
+        within = _range(body, amplitude, accel_g)
+        if output.plot is not None and len(ratios) < 2:
+            raise FlagError(
+                "--plot",
+                output.plot,
+                "a spectrum is drawn over two frequencies or more",
+                "give -W as an axis, as 0.5:8:200, or leave --plot out",
+            )
+        from rocksteady.dynamics.overturning.windows import find_overturning_windows
+        from rocksteady.show.figures.single import overturning_figure
+
+        how: dict[str, Any] = {"within": within, "resolution": resolution, "model": equations}
+        search = Search(
+            find=partial(find_overturning_windows, body, shape, ratios, **how),
+            words="searching frequencies",
+            cells=len(ratios),
+            figure=overturning_figure,
+            flags={"within": "--amplitude/-A" if accel_g is None else "--accel-g"},
         )
     run = sweep.run(force=output.force)
-
-    announce_compilation("pulses.pulse_fates")
-    from rocksteady.dynamics.overturning.windows import find_overturning_windows
-    from rocksteady.show.figures.single import overturning_figure
-
+    announce_compilation(search.kernel)
     with (
-        flags_of({"within": "--amplitude/-A" if accel_g is None else "--accel-g"}, InputError),
-        sweep.running(context, run, "searching frequencies", len(ratios)) as (shown, meter),
+        flags_of(search.flags, InputError),
+        sweep.running(context, run, search.words, search.cells) as (shown, meter),
     ):
-        windows = find_overturning_windows(
-            body,
-            shape,
-            ratios,
-            within=within,
-            resolution=resolution,
-            model=equations,
-            run=shown,
-        )
-    _leave(windows, overturning_figure, sweep, output, run, meter)
+        result = search.find(run=shown)
+    description = result.describe()
+    output.write_csv(result.to_dataframe)
+    sweep.write_netcdf(result.to_dataset)
+    output.write_plot(lambda page: search.figure(result, description.headline, page))
+    output.leave(
+        "overturn",
+        description,
+        after={"seconds": meter.seconds, "store": run.place and str(run.place.path)},
+        decided=not result.undecided.any(),
+        wrap=True,
+    )
 
 
 def _refuse(what: str, idle: Mapping[str, object]) -> None:
@@ -189,55 +201,42 @@ def _refuse(what: str, idle: Mapping[str, object]) -> None:
     refuse(idle, f"it has no meaning for {what}")
 
 
-def _find_scales(
-    context: typer.Context,
+def _of_scales(
     recorded: RecordFlags,
     suite: SuiteFlags,
     reading: ReadingFlags,
     block: BlockFlags,
-    sweep: SweepFlags,
-    output: OutputFlags,
     scales: str | None,
     resolution: float | None,
     model: str | None,
-) -> None:
-    """Search the scales of records, and print or write what is found."""
+) -> Search:
+    """Return the search of the scales of records."""
     from rocksteady.seismic.spectra.overturning_scales import find_overturning_scales
     from rocksteady.show.figures.single import fatal_figure
 
     body, motions = _motions(recorded, suite, reading, block)
-    equations = equations_for(model, body, motions[0])
-    within = None if scales is None else _two_ends("--scales", scales)
-    run = sweep.run(force=output.force)
-    announce_compilation("pulses.pulse_fates")
-    with (
-        flags_of({"within": "--scales"}, InputError),
-        sweep.running(context, run, "searching records", len(motions)) as (shown, meter),
-    ):
-        result = find_overturning_scales(
-            body,
-            motions,
-            within=within,
-            resolution=resolution,
-            model=equations,
-            run=shown,
-        )
-    _leave(result, fatal_figure, sweep, output, run, meter)
+    how: dict[str, Any] = {"model": equations_for(model, body, motions[0])}
+    how["within"] = None if scales is None else _two_ends("--scales", scales)
+    return Search(
+        find=partial(find_overturning_scales, body, motions, resolution=resolution, **how),
+        words="searching records",
+        cells=len(motions),
+        figure=fatal_figure,
+        flags={"within": "--scales"},
+    )
 
 
-def _find_kick(
-    context: typer.Context,
+def _of_kicks(
     recorded: RecordFlags,
     suite: SuiteFlags,
     reading: ReadingFlags,
     block: BlockFlags,
-    sweep: SweepFlags,
     output: OutputFlags,
     start: str,
     at_s: str | None,
     model: str | None,
-) -> None:
-    """Search the kicks, and print or write what is found."""
+) -> Search:
+    """Return the search of the kicks."""
     from rocksteady.cli.flags.start import state_from
     from rocksteady.dynamics.history.start import Rest
     from rocksteady.dynamics.overturning.kicks import find_fatal_kick
@@ -271,21 +270,21 @@ def _find_kick(
             "kicks are drawn over two moments or more",
             "give --at-s as an axis, as 0:20:81, or leave --plot out",
         )
-    run = sweep.run(force=output.force)
-    announce_compilation("march.march")
-    with (
-        flags_of({"times_pt": "--at-s"}, InputError),
-        sweep.running(context, run, "searching kicks", 2 * len(times)) as (shown, meter),
-    ):
-        kicks = find_fatal_kick(
+    return Search(
+        find=partial(
+            find_fatal_kick,
             body,
             start=Rest() if start == "rest" else state_from(start, None),
             motion=motion,
             times_pt=[time * rate for time in times],
             model=equations_for(model, body, motion),
-            run=shown,
-        )
-    _leave(kicks, fatal_figure, sweep, output, run, meter)
+        ),
+        words="searching kicks",
+        cells=2 * len(times),
+        figure=fatal_figure,
+        flags={"times_pt": "--at-s"},
+        kernel="march.march",
+    )
 
 
 def _motions(
@@ -313,34 +312,6 @@ def _motions(
         if vertical is not None:
             motions = [BaseMotion(recordings[0].record, vertical.record)]
     return body, [motion.reversed() for motion in motions] if recorded.reverse else motions
-
-
-def _leave(
-    result: "Found",
-    figure: "Callable[[Found, str, Page], Figure]",
-    sweep: SweepFlags,
-    output: OutputFlags,
-    run: "Run",
-    meter: Meter,
-) -> None:
-    """Write and print what was found.
-
-    Raises
-    ------
-    Exit
-        With code 3 where a fate could not be decided.
-    """
-    description = result.describe()
-    output.write_csv(result.to_dataframe)
-    sweep.write_netcdf(result.to_dataset)
-    output.write_plot(lambda page: figure(result, description.headline, page))
-    output.leave(
-        "overturn",
-        description,
-        after={"seconds": meter.seconds, "store": run.place and str(run.place.path)},
-        decided=not result.undecided.any(),
-        wrap=True,
-    )
 
 
 def _range(
