@@ -1,28 +1,45 @@
-"""``python -m tools.mutants``: change single places of the sources, and count what tests notice.
+"""``python -m tools.mutants``: change single places of the sources, and count what checks notice.
 
 A mutant swaps one comparison, one operator of arithmetic or of logic, drops a sign, a `not` or a
-guard, or moves one constant.  It is killed where the tests of the same folder fail with it, those
-of the same name first; what survives is compared with the freeze, kernels excepted.  Mutants are
-drawn with a seed, equally many from each package.
+guard, or moves one constant.  Mutants are drawn with a seed, equally many from each package.
+
+The tests of a package are traced once.  Each mutant is given to the quickest forty that call its
+function and to all of these in the file of its module's name, up to a minute, and is killed where
+one of them fails.  What survives is given to each public call and picture of the freeze that calls
+the function, kernels excepted.  A score is a lower bound: a test that was left out might have
+failed, and nothing but the freeze confirms a survivor.
 """
 
 import argparse
 import ast
+import contextlib
+import hashlib
+import itertools
+import multiprocessing
 import os
 import random
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from queue import SimpleQueue
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import pytest
+
+from tools.freeze.__main__ import ENVIRONMENT
+from tools.reach import Checks, Chosen, Reach
 
 ROOT = Path(__file__).parents[1]
 SOURCES = Path("src", "rocksteady")
 PACKAGES = ("dynamics", "kernels", "model", "records", "risk", "seismic", "show", "sweep")
+FREEZE = "freeze"
 SWAPPED: dict[type[ast.AST], str] = {
     ast.Lt: "<=",
     ast.LtE: "<",
@@ -39,18 +56,32 @@ SWAPPED: dict[type[ast.AST], str] = {
     ast.Mult: "/",
     ast.Div: "*",
 }
-PYTEST = (sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider")
-FROZEN = ("calls", "things", "figures")
-FREEZE = (sys.executable, "-m", "tools.freeze", "compare", *FROZEN, "--workers=1")
-LONGEST = 600.0
-"""Seconds after which tests that go on count as failed."""
+QUICKEST = 40
+"""Tests of a mutant, beside those in the file of its module's name."""
+MOST = 60.0
+"""Seconds of the processor that the tests of a mutant take, as they were traced."""
+LONGEST = 1200.0
+"""Seconds after which checks that go on count as failed; those of the processor are counted too."""
+LARGEST = 8 << 30
+"""Bytes of addresses that checks of a mutant may take."""
+WARM = (
+    *("pytest", "hypothesis", "mpmath", "rich.console", "typer", "msgspec", "jinja2", "PIL.Image"),
+    *("scipy.stats", "scipy.signal", "scipy.ndimage", "scipy.optimize", "scipy.special"),
+    *("matplotlib.pyplot", "matplotlib.animation", "matplotlib.backends.backend_svg"),
+    *("xarray", "h5netcdf", "zarr"),
+)
+"""Modules that each check finds imported."""
 
 
 class Mutant(NamedTuple):
-    """One place of a module, and what stands there instead."""
+    """One place of a module, and what stands there instead.
+
+    `function` is the first line of the function around it, decorators included; 0 outside any.
+    """
 
     file: Path
     line: int
+    function: int
     before: str
     after: str
     source: str
@@ -63,7 +94,7 @@ def mutants(file: Path) -> list[Mutant]:
     """Return all mutants of a module, annotations, `__all__` and texts excepted."""
     source = (ROOT / file).read_text(encoding="utf-8")
     found = []
-    for node, after in _changes(ast.parse(source)):
+    for node, function, after in _changes(ast.parse(source)):
         before = ast.get_source_segment(source, node) or ""
         start, end = (
             len("".join(source.splitlines(keepends=True)[: line - 1]).encode()) + column
@@ -74,77 +105,43 @@ def mutants(file: Path) -> list[Mutant]:
         )
         code = source.encode()
         changed = (code[:start] + f"({after})".encode() + code[end:]).decode()
-        found.append(Mutant(file, node.lineno, " ".join(before.split()), after, changed))
+        before = " ".join(before.split())
+        found.append(Mutant(file, node.lineno, function, before, after, changed))
     return found
 
 
-def _changes(tree: ast.AST) -> Iterator[tuple[ast.expr, str]]:
-    """Yield the expressions that can be changed, and what takes their place."""
-    for node in _computed(tree):
+def _changes(tree: ast.AST) -> Iterator[tuple[ast.expr, int, str]]:
+    """Yield the expressions that can be changed, their functions, and what takes their place."""
+    for node, around in _computed(tree, 0):
         if isinstance(node, ast.If) and isinstance(node.body[0], ast.Raise | ast.Return):
-            yield node.test, "False"
+            yield node.test, around, "False"
         elif isinstance(node, ast.Compare) and len(node.ops) == 1:
             left, right = ast.unparse(node.left), ast.unparse(node.comparators[0])
-            yield node, f"{left} {SWAPPED[type(node.ops[0])]} {right}"
+            yield node, around, f"{left} {SWAPPED[type(node.ops[0])]} {right}"
         elif isinstance(node, ast.BinOp) and type(node.op) in SWAPPED:
             left, right = ast.unparse(node.left), ast.unparse(node.right)
-            yield node, f"({left}) {SWAPPED[type(node.op)]} ({right})"
+            yield node, around, f"({left}) {SWAPPED[type(node.op)]} ({right})"
         elif isinstance(node, ast.BoolOp):
             word = " or " if isinstance(node.op, ast.And) else " and "
-            yield node, word.join(f"({ast.unparse(value)})" for value in node.values)
+            yield node, around, word.join(f"({ast.unparse(value)})" for value in node.values)
         elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.Not):
-            yield node, ast.unparse(node.operand)
+            yield node, around, ast.unparse(node.operand)
         elif isinstance(node, ast.Constant) and isinstance(node.value, int | float):
-            yield node, repr(not node.value if isinstance(node.value, bool) else node.value + 1)
+            other = not node.value if isinstance(node.value, bool) else node.value + 1
+            yield node, around, repr(other)
 
 
-def _computed(node: ast.AST) -> Iterator[ast.AST]:
+def _computed(node: ast.AST, around: int) -> Iterator[tuple[ast.AST, int]]:
     """Yield a node and those within it, without types, decorators and formatted texts."""
-    yield node
+    if isinstance(node, ast.FunctionDef):
+        around = min([node.lineno, *(each.lineno for each in node.decorator_list)])
+    yield node, around
     for name, value in ast.iter_fields(node):
-        if name in ("annotation", "returns", "decorator_list", "bases", "type_params"):
+        if name in {"annotation", "returns", "decorator_list", "bases", "type_params"}:
             continue
         for child in value if isinstance(value, list) else [value]:
             if isinstance(child, ast.AST) and not isinstance(child, ast.JoinedStr):
-                yield from _computed(child)
-
-
-def tests_of(file: Path) -> list[str]:
-    """Return the tests of a module: those of its name, then those of its folder."""
-    folder = Path("tests", *file.relative_to(SOURCES).parent.parts)
-    while not any((ROOT / folder).glob("test_*.py")):
-        folder = next((each for each in folder.parents if (ROOT / each).is_dir()), folder.parent)
-        if folder == Path("tests"):
-            break
-    own = folder / f"test_{file.stem.strip('_')}.py"
-    return [*([str(own)] if (ROOT / own).is_file() else []), str(folder)]
-
-
-def killer(mutant: Mutant, copy: Path) -> str:
-    """Return what notices a mutant in a copy of the tree: tests, freeze, or nothing."""
-    place = copy / mutant.file
-    kernels = "kernels" in mutant.file.parts
-    checks = {"tests": (*PYTEST, *tests_of(mutant.file))} | ({} if kernels else {"freeze": FREEZE})
-    plain = {"ROCKSTEADY_KERNELS": "python"} if kernels else {}
-    place.write_text(mutant.source, encoding="utf-8")
-    name = ""
-    try:
-        for name, command in checks.items():
-            ran = subprocess.run(
-                command,
-                cwd=copy,
-                env={**os.environ, "PYTHONPATH": str(copy / "src"), **plain},
-                capture_output=True,
-                timeout=LONGEST,
-                check=False,
-            )
-            if ran.returncode:
-                return name
-    except subprocess.TimeoutExpired:
-        return name
-    finally:
-        shutil.copyfile(ROOT / mutant.file, place)
-    return ""
+                yield from _computed(child, around)
 
 
 def draw(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
@@ -158,6 +155,171 @@ def draw(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
     return drawn
 
 
+def tests_of(mutant: Mutant, checks: Checks) -> list[str]:
+    """Return the tests that a mutant is given to, the quickest first.
+
+    Where none calls its function, because that runs at import or in other processes, they are
+    those that call any function of its file, then those of its folder.
+    """
+    folder = Path("tests", *mutant.file.parent.parts[2:])
+    own = f"{folder}/test_{mutant.file.stem.strip('_')}.py::"
+    named = [name for name in checks.seconds if name.startswith(own)]
+    found = set(checks.reaching(mutant.file, mutant.function))
+    if not found:
+        found = {*checks.reaching(mutant.file, 0), *named}
+    found = found or {name for name in checks.seconds if name.startswith(f"{folder}/")}
+    quick = sorted(found, key=lambda name: checks.seconds[name])
+    kept = [name for number, name in enumerate(quick) if number < QUICKEST or name in named]
+    took = itertools.accumulate(checks.seconds[name] for name in kept)
+    return [name for name, sofar in zip(kept, took, strict=True) if sofar < MOST] or kept[:1]
+
+
+def killer(mutant: Mutant, copy: Path, reached: dict[str, Checks]) -> str:
+    """Return what notices a mutant in a copy of the tree: tests, freeze, or nothing."""
+    package = mutant.file.parts[2]
+    place = copy / mutant.file
+    place.write_text(mutant.source, encoding="utf-8")
+    # Bytecode is known by seconds and size: no two mutants are of the same second.
+    stamp = next(STAMPS)
+    os.utime(place, (stamp, stamp))
+    try:
+        tests = tests_of(mutant, reached[package])
+        seconds = sum(map(reached[package].seconds.__getitem__, tests))
+        if tests and _run(_test, copy, package, tests, seconds=seconds):
+            return "tests"
+        if package != "kernels" and FREEZE in reached:
+            frozen = reached[FREEZE].reaching(mutant.file, mutant.function)
+            frozen.sort(key=reached[FREEZE].seconds.__getitem__)
+            seconds = sum(map(reached[FREEZE].seconds.__getitem__, frozen))
+            return FREEZE if _run(_compare, copy, frozen, seconds=seconds) else ""
+    finally:
+        shutil.copy2(ROOT / mutant.file, place)
+    return ""
+
+
+STAMPS = itertools.count(10**9)
+
+
+def reach(name: str, copy: Path) -> Checks:
+    """Return what the tests of a package call, or the freeze; kept until a file changes."""
+    shared = sorted((ROOT / SOURCES).rglob("*.py")) + sorted((ROOT / "tests").glob("*.py"))
+    folders = ("frozen", "public", "show") if name == FREEZE else (name,)
+    own = [each for folder in folders for each in sorted((ROOT / "tests" / folder).rglob("*.*"))]
+    files = [file for file in (*shared, *own) if file.suffix in {".py", ".txt"}]
+    digest = hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()[:16]
+    kept = ROOT / "build" / "mutants" / f"{name}-{digest}.json"
+    if not kept.exists():
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        job, given = (_trace_freeze, ()) if name == FREEZE else (_trace_tests, (name,))
+        if _run(job, copy, *given, kept) or not kept.exists():
+            raise SystemExit(f"the checks of {name} cannot be traced")
+    return Checks.read(kept)
+
+
+def _run(job: Callable[..., int], copy: Path, *given: Any, seconds: float = LONGEST) -> int:
+    """Run a job in a copy of the tree, in a process that has imported what rocksteady needs."""
+    process = SERVER.Process(target=_begun, args=(job, copy, given, round(60 + 3 * seconds)))
+    process.start()
+    process.join(60 + LONGEST if seconds < LONGEST else None)
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(process.pid or 0, signal.SIGKILL)
+    process.join()
+    return process.exitcode or 0
+
+
+SERVER: Any = multiprocessing.get_context("forkserver")
+
+
+def _begun(job: Callable[..., int], copy: Path, given: Iterable[Any], seconds: int) -> None:
+    """Run a job in this process, which takes its modules, files and settings from a copy."""
+    os.setpgid(0, 0)
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    resource.setrlimit(resource.RLIMIT_AS, (LARGEST, LARGEST))
+    tempfile.tempdir = os.environ["TMPDIR"] = tempfile.mkdtemp(dir=copy.parent)
+    os.environ["PYTHONPATH"] = str(copy / "src")
+    sys.path[:0] = [str(copy / "src"), str(copy)]
+    os.chdir(copy)
+    with (copy.parent / "log").open("w", encoding="utf-8") as log:
+        os.dup2(log.fileno(), 1)
+        os.dup2(log.fileno(), 2)
+        code = job(copy, *given)
+        sys.stdout.flush()
+    shutil.rmtree(tempfile.tempdir, ignore_errors=True)
+    os._exit(code)
+
+
+def _pytest(copy: Path, package: str, files: Iterable[str], plugin: object) -> int:
+    if package == "kernels":
+        os.environ["ROCKSTEADY_KERNELS"] = "python"
+    quiet = ("-qx", "-p", "no:cacheprovider", "-W", "ignore::pytest.PytestAssertRewriteWarning")
+    own = (f"--rootdir={copy}", f"--basetemp={os.environ['TMPDIR']}/pytest")
+    return pytest.main([*quiet, *own, *files], [plugin])
+
+
+def _test(copy: Path, package: str, tests: list[str]) -> int:
+    """Run tests; return 0 where none fails."""
+    files = dict.fromkeys(test.partition("::")[0] for test in tests)
+    ended = _pytest(copy, package, files, Chosen(tests))
+    return 0 if ended == pytest.ExitCode.NO_TESTS_COLLECTED else int(ended)
+
+
+def _trace_tests(copy: Path, package: str, kept: Path) -> int:
+    """Run and trace the tests of a package."""
+    found = Reach(copy)
+    found.see_memories()
+    _pytest(copy, package, ["--maxfail=1000000", f"tests/{package}"], found)
+    found.checks().write(kept)
+    return 0
+
+
+def _trace_freeze(copy: Path, kept: Path) -> int:
+    """Compute and trace each call and each picture of the freeze."""
+    os.environ.update(ENVIRONMENT)
+    time.tzset()
+    found = Reach(copy)
+    found.see_memories()
+    from tests.public.calls import calls
+    from tools.freeze import results
+
+    results.begin()
+    results.room()  # untraced: what one of every class shows is always compared
+    for part, names in (("calls", calls()), ("figures", results.figures())):
+        for name in names:
+            with found.check(f"{part}: {name}"):
+                assert not _moved(part, name)
+    found.checks().write(kept)
+    return 0
+
+
+def _compare(_: Path, frozen: list[str]) -> int:
+    """Return whether what one of every class shows has moved, or a call or a picture."""
+    os.environ.update(ENVIRONMENT)
+    time.tzset()
+    from tools.freeze import results
+
+    results.begin()
+    return int(_moved("things") or any(_moved(*each.split(": ", maxsplit=1)) for each in frozen))
+
+
+def _moved(part: str, name: str = "") -> bool:
+    """Return whether a part of the freeze has moved, or a call or a picture of it."""
+    from tools.freeze import records, results
+
+    freeze = {
+        "things": results.freeze_things,
+        "calls": results.freeze_calls,
+        "figures": results.freeze_figures,
+    }[part]
+    before = records.loaded((records.FOLDER / f"{part}.txt").read_text(encoding="utf-8"))
+    if name:
+        own = f"{name}{records.FILE}"
+        before = {
+            item: text for item, text in before.items() if item == name or item.startswith(own)
+        }
+    now = records.loaded(records.dumped(records.short(dict(freeze(name)))))
+    return bool(records.moved(before, now))
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Print the survivors and the score of each package."""
     parser = argparse.ArgumentParser(prog="python -m tools.mutants", description=__doc__)
@@ -169,26 +331,39 @@ def main(arguments: list[str] | None = None) -> int:
     if unknown := set(given.packages) - set(PACKAGES):
         parser.error(f"{min(unknown)} is none of {', '.join(PACKAGES)}")
     drawn = draw(given.packages, given.count, given.seed)
-    with tempfile.TemporaryDirectory() as scratch:
+    os.environ["MPLBACKEND"] = ENVIRONMENT["MPLBACKEND"]
+    SERVER.set_forkserver_preload(list(WARM))
+    with (
+        tempfile.TemporaryDirectory() as scratch,
+        ThreadPoolExecutor(given.workers) as workers,
+    ):
         free: SimpleQueue[Path] = SimpleQueue()
         for worker in range(given.workers):
             free.put(_copy(Path(scratch, str(worker))))
 
-        def judge(mutant: Mutant) -> str:
-            copy = free.get()
+        def judge(mutant: Mutant) -> tuple[str, float]:
+            copy, began = free.get(), time.perf_counter()
             try:
-                return killer(mutant, copy)
+                return killer(mutant, copy, reached), time.perf_counter() - began
             finally:
                 free.put(copy)
 
-        with ThreadPoolExecutor(given.workers) as workers:
-            killers = {}
-            for mutant, by in zip(drawn, workers.map(judge, drawn), strict=True):
-                killers[mutant] = by
-                print(f"{by or 'survives':8} {mutant}", flush=True)
+        def traced(name: str) -> Checks:
+            copy = free.get()
+            try:
+                return reach(name, copy)
+            finally:
+                free.put(copy)
+
+        names = [*given.packages, *([FREEZE] if given.packages != ["kernels"] else [])]
+        reached = dict(zip(names, workers.map(traced, names), strict=True))
+        killers = {}
+        for mutant, (by, took) in zip(drawn, workers.map(judge, drawn), strict=True):
+            killers[mutant] = by
+            print(f"{by or 'survives':8} {took:4.0f} s {mutant}", flush=True)
     for package in given.packages:
         own = [by for mutant, by in killers.items() if mutant.file.parts[2] == package]
-        tests, freeze = own.count("tests"), own.count("freeze")
+        tests, freeze = own.count("tests"), own.count(FREEZE)
         print(f"{package:10} {tests:4d} of {len(own)} killed by tests, {freeze} by the freeze")
     return 0
 
@@ -201,7 +376,7 @@ def _copy(folder: Path) -> Path:
     )
     for name in listed.stdout.splitlines():
         (tree / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(ROOT / name, tree / name)
+        shutil.copy2(ROOT / name, tree / name)
     if (ROOT.parent / "shared").is_dir():
         (folder / "shared").symlink_to(ROOT.parent / "shared")
     return tree

@@ -3,8 +3,11 @@
 import contextlib
 import enum
 import inspect
+import math
+import os
 import shutil
 import tempfile
+import warnings
 from collections.abc import Callable, Iterator
 from functools import cache, partial
 from pathlib import Path
@@ -13,6 +16,7 @@ from typing import Any
 import matplotlib as mpl
 
 import rocksteady as rs
+from rocksteady.cli.console import progress
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.facades import facade_figure
 from rocksteady.show.figures.observations import (
@@ -52,6 +56,14 @@ FIGURES: dict[str, Callable[..., Any]] = {
 """Whole figures of things."""
 
 
+def begin() -> None:
+    """Prepare a process: no progress, and a folder of its own in that of temporary files."""
+    warnings.filterwarnings("ignore", "Animation was deleted")  # a call returns one unplayed
+    mpl.rcParams["svg.hashsalt"] = "frozen"
+    progress.QUIET = progress.LINE_AFTER = math.inf
+    os.chdir(tempfile.mkdtemp())
+
+
 @cache
 def room() -> Path:
     """Return the folder with the files of things, which are made there."""
@@ -71,11 +83,11 @@ def freeze_things(_: str) -> Iterator[tuple[str, str]]:
                     yield f"{name}: {facet}", tidy(text, room())
 
 
-def freeze_calls(_: str) -> Iterator[tuple[str, str]]:
-    """Yield what every public call returns and writes."""
+def freeze_calls(only: str) -> Iterator[tuple[str, str]]:
+    """Yield what every public call returns and writes, or only one of them."""
     with contextlib.chdir(room()):
         for label, call in calls().items():
-            if label.partition(".")[0] not in ELSEWHERE:
+            if label.partition(".")[0] not in ELSEWHERE and only in {"", label}:
                 for name, text in freeze_call(call):
                     yield f"{label}{name}", text
 
@@ -101,13 +113,17 @@ def freeze_call(call: Any) -> Iterator[tuple[str, str]]:
         close_pictures()
 
 
-def freeze_figures(_: str) -> Iterator[tuple[str, str]]:
-    """Yield every kind of whole figure, at its own width and in a column of a journal."""
+def figures() -> dict[str, Callable[..., Any]]:
+    """Return what draws every kind of whole figure."""
     with contextlib.chdir(room()):
         of_things = {name: partial(draw, things()[name]) for name, draw in FIGURES.items()}
-    drawn: dict[str, Callable[..., Any]] = {**makers(), **of_things}
-    for name, draw in drawn.items():
-        for page in (Page(), Page(width_mm=84.0)):
+    return {**makers(), **of_things}
+
+
+def freeze_figures(only: str) -> Iterator[tuple[str, str]]:
+    """Yield whole figures, or only one, at their own width and in a column of a journal."""
+    for name, draw in figures().items():
+        for page in (Page(), Page(width_mm=84.0)) if only in {"", name} else ():
             picture = figure_bytes(draw(page=page), "svg").decode()
             yield f"{name}{FILE}{page.width_mm or 'natural'}.svg", picture
 

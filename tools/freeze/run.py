@@ -1,30 +1,18 @@
 """Computes the units of parts in a few processes."""
 
-import math
 import multiprocessing
 import os
 import tempfile
 import time
-import warnings
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from typing import NamedTuple
 from unittest.mock import patch
 
-import matplotlib as mpl
-
-from rocksteady.cli.console import progress
 from tools.aot.replay.outcome import MissingProgramError
 from tools.freeze.parts import PARTS
-
-
-def begin() -> None:
-    """Prepare a process: no progress, and a folder of its own in that of temporary files."""
-    warnings.filterwarnings("ignore", "Animation was deleted")  # a call returns one unplayed
-    mpl.rcParams["svg.hashsalt"] = "frozen"
-    progress.QUIET = progress.LINE_AFTER = math.inf
-    os.chdir(tempfile.mkdtemp())
+from tools.freeze.results import begin
 
 
 class Frozen(NamedTuple):
