@@ -155,6 +155,17 @@ def test_over_one_axis_the_quantity_is_a_diagram(by: Any) -> None:
     assert by != "lyapunov" or 0.8 * (high - low) < np.ptp([0.0, *kept]) < high - low
 
 
+@every("sign", [-1.0, 1.0])
+def test_0_is_in_view_beside_exponents_of_one_sign(sign: float) -> None:
+    line = made().isel(amplitude=2)
+    axes = plot_map(
+        line.assign(lyapunov=sign * line.lyapunov), Figure().add_subplot(), by="lyapunov"
+    )
+    low, high = axes.get_ylim()
+    assert low < 0.0 < high
+    assert high - low < 0.3
+
+
 def test_panels_share_their_colours() -> None:
     data = xarray.concat([made(), made()], "restitution").assign_coords(restitution=[0.7, 0.9])
     data["lyapunov"][0] *= 0.5

@@ -67,6 +67,14 @@ def test_over_impacts_no_line_runs_across_where_the_phase_begins_anew() -> None:
             assert (np.abs(np.diff(x)) < math.pi).all()
 
 
+def test_over_impacts_a_picture_shows_one_turn_of_the_phase_in_quarters() -> None:
+    found = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
+    axes = plot_manifolds(found, Figure().add_subplot())
+    assert axes.get_xlim() == pytest.approx((0.0, 2.0 * math.pi))
+    assert axes.get_ylim() == pytest.approx((0.0, found.window[1]))
+    assert axes.get_xticks() == pytest.approx(2.0 * math.pi * np.arange(5) / 4.0)
+
+
 def test_what_does_not_go_into_one_picture_is_refused() -> None:
     one = compute_manifold(SADDLE, "stable", length=0.5)
     other = compute_manifold(SADDLE, "stable", phase=1.0, length=0.5)
