@@ -108,7 +108,7 @@ def _draw_fragility(axes: "Axes", assessment: Assessment) -> None:
     demand, limits = demand_in_measure(assessment), axes.get_xlim()
     if math.isfinite(demand):
         _draw_demand(axes, demand, limits)
-    axes.set_ylabel("probability of falling")
+    axes.set_ylabel(palette.LABELS["falling"])
 
 
 def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> None:

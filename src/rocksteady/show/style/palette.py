@@ -116,6 +116,7 @@ LABELS = {
     "height_radius": "height  $y/R$",
     "phase": "phase of the shaking at the impact [rad]",
     "speed": r"speed after the impact  $|$d$(\theta/\alpha)$/d$(pt)|$",
+    "falling": "probability of falling",
     "integrity": "integrity (1 on a still base)",
     "free_amplitude": r"amplitude  $\theta_0/\alpha$",
     "free_period": "period  $pT$",

@@ -9,6 +9,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.line_colours import inks_of
@@ -22,8 +23,8 @@ WITHIN = 10
 """Bars between the ends of the interval of 90 %."""
 LEAST_BARS, MOST_BARS = 20, 120
 AXIS = {
-    "alpha_rad": r"slenderness  $\alpha$ [rad]",
-    "p_rad_s": r"frequency parameter  $p$ [rad/s]",
+    "alpha_rad": palette.LABELS["alpha"],
+    "p_rad_s": palette.LABELS["p"],
     "restitution": "restitution",
     "housner_factor": "restitution over Housner's value",
     "base": "base that rocks over the outline's",

@@ -7,6 +7,7 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.show.plots.observations._rows import name_rows
+from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.line_colours import inks_of
@@ -76,7 +77,7 @@ def plot_predictions(
                 zorder=3.0,
             )  # fmt: skip
     axes.axvline(0.5, color=inks.faint, lw=0.8, ls=(0, (4.0, 2.0)), zorder=1.5)
-    axes.set(xlim=(-0.02, 1.02), ylim=(len(order) - 0.4, -0.6), xlabel="probability of falling")
+    axes.set(xlim=(-0.02, 1.02), ylim=(len(order) - 0.4, -0.6), xlabel=palette.LABELS["falling"])
     if few:
         name_rows(axes, [predictions.test[each] for each in order.tolist()])
     else:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 MOST = 30
 """Rows of a picture."""
+LABEL = "falls less those predicted"
 
 
 @checked
@@ -92,7 +93,7 @@ def plot_residuals(
     beyond = np.abs(residual) > half
     handles = []
     for which, colour, words in (
-        (~beyond, inks.ink, "falls less those predicted"),
+        (~beyond, inks.ink, LABEL),
         (beyond, inks.lines[1], "beyond that"),
     ):
         if which.any():
@@ -102,7 +103,7 @@ def plot_residuals(
             )  # fmt: skip
     axes.axvline(0.0, color=inks.ink, lw=0.8, zorder=2.0)
     reach = 1.1 * max(float(np.abs(residual).max()), float(half.max()), 1e-3)
-    axes.set(xlabel="falls less those predicted", xlim=(-reach, reach))
+    axes.set(xlabel=LABEL, xlim=(-reach, reach))
     name_rows(axes, [each["name"] for each in rows], [f" ({each['tests']})" for each in rows])
     draw_legend(axes, place, handles=[handles[0], range_, *handles[1:]])
     return axes

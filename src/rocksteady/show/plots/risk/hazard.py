@@ -92,7 +92,7 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
         ylabel="annual rate of exceedance",
         title=f"falls {number(risk.annual_rate)} times a year",
     )
-    beside.set(ylim=(0.0, 1.0), ylabel="probability of failure")
+    beside.set(ylim=(0.0, 1.0), ylabel=str(fragility.get_label()))
     beside.grid(visible=False)
     beside.spines["right"].set_visible(True)
     for each, ink in ((axes, inks.lines[0]), (beside, inks.lines[1])):
