@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -34,16 +34,14 @@ if TYPE_CHECKING:
     from rocksteady.seismic.spectra.overturning_scales import OverturningScales
     from rocksteady.show.plots.records import Quantity
 
+NO_MOTION = "no periodic motion found"
+
 
 def simulation_figure(trajectory: "Trajectory", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of a time history, its base motion and its phase portrait."""
-    from rocksteady.show.plots.motion import plot_phase_portrait
-
     with page.figure(9.6, 4.4, title, stacked=1.5) as figure:
-        history, base, portrait = _panels_of_motion(figure, page.stacks(9.6), (2.3, 1.0))
-        _draw_history(trajectory, history, base, page)
-        plot_phase_portrait(trajectory, portrait, legend=page.legend)
-        portrait.locator_params(axis="x", nbins=5)
+        panels = _panels_of_motion(figure, page.stacks(9.6), (2.3, 1.0))
+        _draw_motion(trajectory, panels, page, mark="start")
     return figure
 
 
@@ -63,16 +61,12 @@ def orbit_figure(
     page
         Width of the figure, and place of its legends.
     """
-    from rocksteady.show.plots.motion import plot_phase_portrait
     from rocksteady.show.plots.orbits import plot_multipliers
 
     with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
-        shape = (1.25, 0.9, 1.0)
-        history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
-        _draw_history(course, history, base, page)
-        plot_phase_portrait(course, portrait, mark="impacts", legend=page.legend)
-        portrait.locator_params(axis="x", nbins=5)
-        plot_multipliers([orbit], last, legend=page.legend)
+        panels = _panels_of_motion(figure, page.stacks(11.6), (1.25, 0.9, 1.0))
+        _draw_motion(course, panels, page, mark="impacts")
+        plot_multipliers([orbit], panels[-1], legend=page.legend)
     return figure
 
 
@@ -94,16 +88,12 @@ def cloud_figure(
     page
         Width of the figure, and place of its legends.
     """
-    from rocksteady.show.plots.motion import plot_phase_portrait
     from rocksteady.show.plots.orbits import plot_section
 
     with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
-        shape = (1.25, 0.9, 1.0)
-        history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
-        _draw_history(part, history, base, page)
-        plot_phase_portrait(part, portrait, mark="impacts", legend=page.legend)
-        portrait.locator_params(axis="x", nbins=5)
-        plot_section(whole, last, since=since, legend=page.legend)
+        panels = _panels_of_motion(figure, page.stacks(11.6), (1.25, 0.9, 1.0))
+        _draw_motion(part, panels, page, mark="impacts")
+        plot_section(whole, panels[-1], since=since, legend=page.legend)
     return figure
 
 
@@ -119,9 +109,7 @@ def orbits_figure(orbits: "Sequence[Orbit]", title: str = "", page: Page = SCREE
         plot_section(orbits, section, legend=page.legend)
         plot_multipliers(orbits, plane, legend=page.legend)
         if not any(orbit.admissible for orbit in orbits):
-            section.text(
-                0.5, 0.5, "no periodic motion found", transform=section.transAxes, ha="center"
-            )
+            _write_across(section, NO_MOTION)
     return figure
 
 
@@ -148,14 +136,23 @@ def _panels_of_motion(figure: "Figure", stacked: bool, shape: Sequence[float]) -
     return [history, base, *map(figure.add_subplot, places[2:])]
 
 
-def _draw_history(trajectory: "Trajectory", history: "Axes", base: "Axes", page: Page) -> None:
-    """Draw a time history above its base motion, which share the time axis."""
-    from rocksteady.show.plots.motion import plot_base, plot_trajectory
+def _draw_motion(
+    course: "Trajectory",
+    panels: "Sequence[Axes]",
+    page: Page,
+    *,
+    mark: Literal["start", "impacts"],
+) -> None:
+    """Draw a time history above its base motion, which share the time axis, and its portrait."""
+    from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 
-    plot_trajectory(trajectory, history, legend=page.legend)
+    history, base, portrait = panels[:3]
+    plot_trajectory(course, history, legend=page.legend)
     history.set_xlabel("")
     history.tick_params(labelbottom=False)
-    plot_base(trajectory, base, legend=page.legend)
+    plot_base(course, base, legend=page.legend)
+    plot_phase_portrait(course, portrait, mark=mark, legend=page.legend)
+    portrait.locator_params(axis="x", nbins=5)
 
 
 def steady_figure(
@@ -201,9 +198,7 @@ def steady_figure(
                 # Above the axes, and clear of the tick labels' common power of ten at their left.
                 drawn.set_bbox_to_anchor((0.1, 1.0), motion.transAxes)
         else:
-            motion.text(
-                0.5, 0.5, "no symmetric steady state here", transform=motion.transAxes, ha="center"
-            )
+            _write_across(motion, "no symmetric steady state here")
             motion.set_ylabel(palette.LABELS["angle"])
         motion.set_xlabel("")
         motion.tick_params(labelbottom=False)
@@ -341,7 +336,7 @@ def bifurcation_figure(
         else:
             parameter = diagram.parameter
             axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
-            axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
+            _write_across(axes, NO_MOTION)
     return figure
 
 
@@ -353,7 +348,7 @@ def curves_figure(curves: "BifurcationCurves", *, title: str = "", page: Page = 
         axes = figure.add_subplot()
         plot_bifurcation_curves(curves, axes, legend=page.legend)
         if not curves.curves:
-            axes.text(0.5, 0.5, "no bifurcation found", transform=axes.transAxes, ha="center")
+            _write_across(axes, "no bifurcation found")
     return figure
 
 
@@ -403,3 +398,8 @@ def record_figure(
         plot_husid(courses[0], rows[3])
         plot_response_spectra(spectra, rows[4])
     return figure
+
+
+def _write_across(axes: "Axes", words: str) -> None:
+    """Write in the middle of axes that nothing is drawn on."""
+    axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center")

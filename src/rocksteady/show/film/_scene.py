@@ -1,6 +1,7 @@
 """The block on its moving ground, drawn to scale at any time of a motion."""
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -11,7 +12,7 @@ from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
 from rocksteady.show.film._geometry import LYING, shape_of
 from rocksteady.show.style import palette
-from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.legends import figure_of, text_size
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
@@ -119,8 +120,7 @@ class BlockScene:
         floor = -(THICKNESS + 0.02) * radius
         top = max(float(corners[..., 1].max()), self.shape.height) + 0.06 * radius
         box = axes.get_window_extent()
-        figure = axes.get_figure(root=True)
-        assert figure is not None
+        figure = figure_of(axes)
         # Two lines of text stand above the block, wherever it goes.
         share = min(0.45, 2.3 * LINE / 72.0 * figure.dpi / box.height)
         top = floor + (top - floor) / (1.0 - share)
@@ -154,7 +154,6 @@ class BlockScene:
 
     def _draw(self) -> None:
         """Make the artists, the block standing and the ground at 0."""
-        from matplotlib.collections import LineCollection
         from matplotlib.patches import Polygon, Rectangle
         from matplotlib.transforms import Affine2D
 
@@ -193,17 +192,12 @@ class BlockScene:
         surface = [((-wide, 0.0), (wide, 0.0))]
         strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
         hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
-        ink = self.inks.ink
-        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (surface, ink, 1.2)):
-            drawn = LineCollection(
-                lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
-            )
-            axes.add_collection(drawn, autolim=False)
+        self._draw_edge(surface, hatching, ground)
         self.body = Polygon(
             [(-b, 0.0), (b, 0.0), (b, h), (-b, h)],
             closed=True,
             transform=block,
-            edgecolor=ink,
+            edgecolor=self.inks.ink,
             lw=1.2,
             joinstyle="round",
             zorder=3.0,
@@ -227,7 +221,7 @@ class BlockScene:
             [],
             marker=[(0.0, 0.0), (-0.5, -0.9), (0.5, -0.9), (0.0, 0.0)],
             ms=11,
-            mfc=ink,
+            mfc=self.inks.ink,
             mec=self.inks.paper,
             mew=0.6,
             ls="none",
@@ -261,7 +255,6 @@ class BlockScene:
 
     def _draw_wall(self, ground: "Transform") -> None:
         """Make the wall behind the block, which stands on the ground and moves with it."""
-        from matplotlib.collections import LineCollection
         from matplotlib.patches import Rectangle
 
         axes, r, b = self.axes, self.shape.radius, self.shape.half_width
@@ -274,22 +267,26 @@ class BlockScene:
         strokes = np.arange(0.11 * r, high, 0.11 * r)
         hatching = [((b, y), (b + 0.07 * r, y - 0.07 * r)) for y in strokes]
         face = [((b, 0.0), (b, high))]
-        for lines, colour, width in (
-            (hatching, palette.FAINT, 0.7),
-            (face, self.inks.ink, 1.2),
-        ):
+        self._draw_edge(face, hatching, ground)
+
+    def _draw_edge(
+        self, edge: Sequence[ArrayLike], hatching: Sequence[ArrayLike], ground: "Transform"
+    ) -> None:
+        """Draw the edge of what stands still, and the strokes behind it."""
+        from matplotlib.collections import LineCollection
+
+        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (edge, self.inks.ink, 1.2)):
             drawn = LineCollection(
                 lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
             )
-            axes.add_collection(drawn, autolim=False)
+            self.axes.add_collection(drawn, autolim=False)
 
     def _written(self, line: int, size: float, side: Literal["left", "right"] = "left") -> "Text":
         """Make a text in a line above the block."""
         from matplotlib.transforms import ScaledTranslation
 
-        figure = self.axes.get_figure(root=True)
-        assert figure is not None
-        down = ScaledTranslation(0.0, -(3.0 + LINE * line) / 72.0, figure.dpi_scale_trans)
+        inches = figure_of(self.axes).dpi_scale_trans
+        down = ScaledTranslation(0.0, -(3.0 + LINE * line) / 72.0, inches)
         x = 0.012 if side == "left" else 0.988
         return self.axes.text(
             *(x, 1.0, ""),

@@ -20,6 +20,7 @@ from rocksteady.show.style import palette
 
 if TYPE_CHECKING:
     import xarray
+    from matplotlib.patches import Patch
 
 Floats = NDArray[np.float64]
 
@@ -59,6 +60,10 @@ class Look:
     hatch: str = ""
     ink: str = palette.FAINT
     outlined: bool = False
+
+    def swatch(self, share: float) -> "Patch":
+        """Return its entry of a legend, with the share of all cells."""
+        return swatch(self.words, self.fill, share, ink=self.ink, hatch=self.hatch)
 
 
 LOOKS = {
@@ -243,6 +248,16 @@ def validated_map(dataset: object, names: Sequence[str]) -> "xarray.Dataset":
             "give more values, or read the numbers of the one cell",
         )
     return variables
+
+
+def swatch(
+    words: str, fill: str, share: float, *, ink: str = palette.FAINT, hatch: str = ""
+) -> "Patch":
+    """Return the entry of a legend for cells, with their share of all."""
+    from matplotlib.patches import Patch
+
+    label = f"{words}  {share_text(share)}"
+    return Patch(fc=fill, ec=ink, hatch=hatch or None, lw=0.6, label=label)
 
 
 def share_text(share: float) -> str:

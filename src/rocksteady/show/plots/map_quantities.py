@@ -12,7 +12,7 @@ from rocksteady.show.plots.map_classes import (
     LOOKS,
     Look,
     MapCells,
-    share_text,
+    swatch,
     validated_map,
 )
 from rocksteady.show.style import palette
@@ -82,8 +82,6 @@ class Shade:
 
         Shares are of all cells.
         """
-        from matplotlib.patches import Patch
-
         values = values_of(cells)
         handles: list[Artist] = []
         if self.by == "period":
@@ -93,16 +91,10 @@ class Shade:
             for period, count in enumerate(counts[1:].tolist(), start=1):
                 if count:
                     words = f"period {period}" if period <= MOST_PERIODS else f"period ≥ {period}"
-                    label = f"{words}  {share_text(count / values.size)}"
-                    handles.append(
-                        Patch(fc=colours[period - 1], ec=palette.FAINT, lw=0.6, label=label)
-                    )
+                    handles.append(swatch(words, colours[period - 1], count / values.size))
         for cell_class, count in counts_of(without_value(cells)).items():
             if count:
-                look = self.look(cell_class)
-                label = f"{look.words}  {share_text(count / values.size)}"
-                hatch = look.hatch or None
-                handles.append(Patch(fc=look.fill, ec=look.ink, hatch=hatch, lw=0.6, label=label))
+                handles.append(self.look(cell_class).swatch(count / values.size))
         return handles
 
 

@@ -17,7 +17,6 @@ from rocksteady.show.plots.map_classes import (
     MapCells,
     has_fates,
     map_cells,
-    share_text,
     validated_map,
 )
 from rocksteady.show.plots.map_quantities import (
@@ -29,9 +28,16 @@ from rocksteady.show.plots.map_quantities import (
     with_values,
 )
 from rocksteady.show.style import palette
-from rocksteady.show.style.axes import Spacing, picked, prepare_axis, runs, spacing_of
+from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.legends import (
+    GAP,
+    LegendPlace,
+    draw_legend,
+    figure_of,
+    place_of,
+    text_size,
+)
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
@@ -40,7 +46,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.colorbar import Colorbar
-    from matplotlib.figure import Figure
 
 Floats = NDArray[np.float64]
 
@@ -220,13 +225,6 @@ def draw_bar(
     return bar
 
 
-def figure_of(axes: "Axes") -> "Figure":
-    """Return the figure of axes."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    return figure
-
-
 def fixed_text(cells: MapCells) -> str:
     """Return what all cells have in common, in words."""
     return ", ".join(palette.axis_value(name, value) for name, value in cells.fixed)
@@ -237,20 +235,9 @@ def legend_handles(cells: MapCells, shade: Shade | None = None) -> "list[Artist]
 
     Where a quantity colours cells, the classes are those of cells without a value.
     """
-    from matplotlib.patches import Patch
-
     if shade is not None:
         return shade.legend(cells)
-    return [
-        Patch(
-            facecolor=LOOKS[cell_class].fill,
-            edgecolor=LOOKS[cell_class].ink,
-            hatch=LOOKS[cell_class].hatch or None,
-            lw=0.6,
-            label=f"{LOOKS[cell_class].words}  {share_text(share)}",
-        )
-        for cell_class, share in cells.shares().items()
-    ]
+    return [LOOKS[cell_class].swatch(share) for cell_class, share in cells.shares().items()]
 
 
 def upright(cells: MapCells) -> MapCells:
@@ -329,7 +316,7 @@ def draw_diagram(
     spacing = spacing_of(values)
     prepare_axis(axes, "x", name, values, spacing)
     fates = has_fates(dataset)
-    _draw_classes(axes, cells, spacing, 1.0 if fates else STRIP)
+    _draw_classes(axes, cells, spacing.edges, 1.0 if fates else STRIP)
     if fates:
         axes.set_yticks([])
         return
@@ -369,13 +356,13 @@ def draw_diagram(
     axes.set_ylabel(palette.LABELS[label])
 
 
-def _draw_classes(axes: "Axes", cells: MapCells, spacing: Spacing, height: float) -> None:
+def _draw_classes(axes: "Axes", cells: MapCells, edges: Floats, height: float) -> None:
     """Draw the classes of a map of one axis: a strip from the upper edge, in parts of the axes."""
     from matplotlib.patches import Rectangle
 
     for cell_class in cells.shares():
         axes.broken_barh(
-            runs(cells.classes == cell_class, spacing),
+            runs(cells.classes == cell_class, edges),
             (1.0 - height, height),
             transform=axes.get_xaxis_transform(),
             fc=LOOKS[cell_class].fill,

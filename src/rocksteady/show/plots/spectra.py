@@ -9,16 +9,22 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.outcomes import Status
 from rocksteady.show.style import palette
-from rocksteady.show.style.axes import Spacing, prepare_axis, runs, spacing_of
+from rocksteady.show.style.axes import (
+    Spacing,
+    lane_of,
+    name_lane,
+    prepare_axis,
+    runs,
+    spacing_of,
+)
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import (
     GAP,
     LegendPlace,
     checked_place,
     draw_legend,
+    figure_of,
     place_of,
-    size_of,
-    text_size,
 )
 from rocksteady.show.style.line_colours import inks_of
 
@@ -33,8 +39,6 @@ Quantity = Literal["peak_angle", "peak_velocity"]
 LABELS = {"peak_angle": palette.LABELS["peak"], "peak_velocity": palette.LABELS["peak_velocity"]}
 MOST_CURVES = len(palette.LINES)
 """Most slendernesses drawn as curves; more are drawn as a map."""
-LANE = 8.0
-"""Height of a row of bars along the upper edge [points]."""
 BAND = 0.22
 """Opacity of the band between two quantiles."""
 
@@ -87,6 +91,8 @@ def plot_rocking_spectrum(
     α = 0.2 rad = 11.5°
     overturned
     """
+    from matplotlib.patches import Patch
+
     _check_quantity(quantity)
     spectrum = drawable(dataset)
     if "alpha" not in spectrum.dims:
@@ -106,10 +112,13 @@ def plot_rocking_spectrum(
     peaks = np.where(
         _answered(spectrum["status"].transpose("alpha", "period").values), peaks, np.nan
     )
+    # Bars have an outline on dark paper.
+    outline = {"ec": inks.ink, "lw": 0.6} if inks.dark else {"ec": "none", "lw": 0.0}
+    fallen: dict[str, Any] = {"fc": palette.OVERTURNED, **outline}
     handles: list[Artist] = []
     periods = spectrum["period"].values
     lanes = [row for row in range(len(peaks)) if fell[row].any()]
-    height = min(0.12, LANE / size_of(axes)[1])
+    height = lane_of(axes)
     top = 1.0 - height * len(lanes)
     for row, alpha in enumerate(spectrum["alpha"].values.tolist()):
         style: dict[str, Any] = {"color": inks.lines[row], "ls": palette.DASHES[row]}
@@ -119,25 +128,18 @@ def plot_rocking_spectrum(
         axes.plot(periods[alone], peaks[row, alone], "o", ms=2.2, color=style["color"])
         if fell[row].any():
             lane = 1.0 - height * (lanes.index(row) + 1)
-            _bars(axes, fell[row], spacing, (lane, height))
-            axes.annotate(
-                f"{np.degrees(alpha):.3g}°",
-                (1.0, lane + 0.4 * height),
-                (3.0, 0.0),
-                xycoords="axes fraction",
-                textcoords="offset points",
-                va="center",
-                fontsize=text_size(axes, 7.0),
-                color=inks.lines[row],
-                annotation_clip=False,
-            )
+            bars = runs(fell[row], spacing.edges)
+            edges = axes.get_xaxis_transform()
+            axes.broken_barh(bars, (lane, 0.8 * height), transform=edges, zorder=4.5, **fallen)
+            name_lane(axes, f"{np.degrees(alpha):.3g}°", lane + 0.4 * height, inks.lines[row])
     highest = float(np.nanmax(peaks, initial=0.0)) or 1.0
     axes.set_ylim(0.0, highest / (top - 0.03))
     if quantity == "peak_angle" and highest > 0.9:  # where a block balances
         axes.axhline(1.0, color=inks.faint, lw=0.8, zorder=1.2)
     axes.set_ylabel(LABELS[quantity])
-    draw_legend(axes, place, handles=[*handles, *_fallen_handle(axes, bool(lanes))],
-                gap=30.0 if lanes else GAP)  # fmt: skip
+    if lanes:
+        handles.append(Patch(label="overturned", **fallen))
+    draw_legend(axes, place, handles=handles, gap=30.0 if lanes else GAP)
     return axes
 
 
@@ -233,9 +235,7 @@ def plot_spectrum_map(
         label = f"{words}  {100.0 * which.mean():.3g} %"
         handles.append(Patch(facecolor=colour, edgecolor=inks.faint, lw=0.6, label=label))
     axes.grid(visible=False)
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    bar = figure.colorbar(drawn, ax=axes, pad=0.02)
+    bar = figure_of(axes).colorbar(drawn, ax=axes, pad=0.02)
     bar.set_label(LABELS[quantity], color=inks.ink)
     bar.ax.tick_params(colors=inks.ink)
     if place is None:
@@ -451,31 +451,3 @@ def _alone(values: Floats) -> NDArray[np.bool_]:
     finite = np.pad(np.isfinite(values), 1)
     alone: NDArray[np.bool_] = finite[1:-1] & ~finite[:-2] & ~finite[2:]
     return alone
-
-
-def _bars(
-    axes: "Axes", fell: NDArray[np.bool_], spacing: Spacing, lane: tuple[float, float]
-) -> None:
-    """Draw bars where blocks overturn, in a row that has a lower end and a height."""
-    low, height = lane
-    axes.broken_barh(
-        runs(fell, spacing),
-        (low, 0.8 * height),
-        transform=axes.get_xaxis_transform(),
-        zorder=4.5,
-        **_fallen_look(axes),
-    )
-
-
-def _fallen_look(axes: "Axes") -> dict[str, Any]:
-    """Return how bars look, which have an outline on dark paper."""
-    inks = inks_of(axes)
-    edge = {"ec": inks.ink, "lw": 0.6} if inks.dark else {"ec": "none", "lw": 0.0}
-    return {"fc": palette.OVERTURNED, **edge}
-
-
-def _fallen_handle(axes: "Axes", present: bool) -> "list[Artist]":
-    """Return the entry of the legend for bars, if there are any."""
-    from matplotlib.patches import Patch
-
-    return [Patch(label="overturned", **_fallen_look(axes))] if present else []

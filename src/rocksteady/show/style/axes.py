@@ -1,4 +1,4 @@
-"""Cells along a map's axis: their edges, the axis drawn for them, and which are drawn."""
+"""Cells along an axis: their edges, the axis drawn for them, and bars where some are chosen."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import spaced_by_ratio
+from rocksteady.show.style.legends import size_of, text_size
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,6 +20,8 @@ SIGNED = ("angle", "velocity", "phase", "kick")
 """Axes whose values may be below 0; the cells of all others are cut off there."""
 MOST_TICKS = 8
 """Values of an axis up to which each has its own tick."""
+LANE = 8.0
+"""Height of a row of bars along the upper edge [points]."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,17 +89,37 @@ def picked(edges: Floats, most: int) -> tuple[Integers, Floats]:
     return (borders[1:] + borders[:-1]) // 2, edges[borders]
 
 
-def runs(chosen: NDArray[np.bool_], spacing: Spacing) -> list[tuple[float, float]]:
+def runs(chosen: NDArray[np.bool_], edges: Floats) -> list[tuple[float, float]]:
     """Return begin and width of each run of cells.
 
     Examples
     --------
-    >>> runs(np.array([True, True, False, True]), spacing_of([1.0, 2.0, 3.0, 4.0]))
+    >>> runs(np.array([True, True, False, True]), np.array([0.5, 1.5, 2.5, 3.5, 4.5]))
     [(0.5, 2.0), (3.5, 1.0)]
     """
     change = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(np.int8)))
-    ends = spacing.edges[change].reshape(-1, 2)
+    ends = edges[change].reshape(-1, 2)
     return [(first, last - first) for first, last in ends.tolist()]
+
+
+def lane_of(axes: "Axes") -> float:
+    """Return the height of a row of bars, in parts of the axes."""
+    return min(0.12, LANE / size_of(axes)[1])
+
+
+def name_lane(axes: "Axes", name: str, height: float, colour: str) -> None:
+    """Write the name of a row of bars to the right of the axes, at a height in parts of them."""
+    axes.annotate(
+        name,
+        (1.0, height),
+        (3.0, 0.0),
+        xycoords="axes fraction",
+        textcoords="offset points",
+        va="center",
+        fontsize=text_size(axes, 7.0),
+        color=colour,
+        annotation_clip=False,
+    )
 
 
 def prepare_axis(axes: "Axes", which: str, name: str, values: Floats, spacing: Spacing) -> None:

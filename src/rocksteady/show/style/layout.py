@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.show.style import palette
-from rocksteady.show.style.legends import size_of
+from rocksteady.show.style.legends import figure_of, size_of
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
@@ -93,8 +93,7 @@ def put_beside(
     marks
         Abscissas and ordinates of what is drawn there, two arrays of one shape.
     """
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     per_point = figure.dpi / 72.0
     xy = np.column_stack([np.asarray(values, dtype=np.float64).ravel() for values in marks])
     taken = [(x, y, 4.0, 4.0) for x, y in (axes.transData.transform(xy) / per_point).tolist()]

@@ -79,19 +79,22 @@ def place_of(
     return "below" if narrow and default != "none" else default
 
 
-def size_of(axes: "Axes") -> tuple[float, float]:
-    """Return width and height of axes [points], before any layout."""
+def figure_of(axes: "Axes") -> "Figure":
+    """Return the figure of axes."""
     figure = axes.get_figure(root=True)
     assert figure is not None
-    box, inches = axes.get_position(), figure.get_size_inches()
+    return figure
+
+
+def size_of(axes: "Axes") -> tuple[float, float]:
+    """Return width and height of axes [points], before any layout."""
+    box, inches = axes.get_position(), figure_of(axes).get_size_inches()
     return 72.0 * box.width * float(inches[0]), 72.0 * box.height * float(inches[1])
 
 
 def text_size(axes: "Axes", usual: float) -> float:
     """Return the size of small text on axes [points]: smaller in a narrow figure."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    return usual if 72.0 * figure.get_figwidth() >= SMALL else max(6.5, usual - 1.0)
+    return usual if 72.0 * figure_of(axes).get_figwidth() >= SMALL else max(6.5, usual - 1.0)
 
 
 def line_scale(axes: "Axes") -> float:
@@ -143,8 +146,7 @@ def draw_legend(
             present.remove()
         return None
     inks, size = inks_of(axes), text_size(axes, 8.0)
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     whole = 72.0 * figure.get_figwidth()
     if _shares_row(axes):
         whole = min(whole, size_of(axes)[0] / 0.78)
@@ -198,8 +200,7 @@ def height_needed(axes: "Axes") -> float:
     A legend below adds its height; one beside, what it is higher than its axes.
     """
     legend = axes.get_legend()
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     if legend is None or legend.get_label() not in (HANGING, BESIDE):
         return 0.0
     high = legend.get_window_extent().height / figure.dpi
@@ -214,8 +215,7 @@ def _shares_row(axes: "Axes") -> bool:
 
 def _below(axes: "Axes", given: dict[str, Any], *, within: bool = False) -> "Legend":
     """Draw a legend below axes, in as many columns as fit."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     count = len(given["handles"])
     room = 0.94 * figure.bbox.width - axes.bbox.x0
     room = axes.bbox.width if within or _shares_row(axes) else max(axes.bbox.width, room)
@@ -237,8 +237,7 @@ def _hang(axes: "Axes", legend: "Legend") -> None:
     """Put a legend beneath the labels of the abscissa."""
     from matplotlib.transforms import ScaledTranslation
 
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     labels = axes.xaxis.get_tightbbox()
     drop = 0.0 if labels is None else max(0.0, axes.bbox.y0 - labels.y0)
     down = ScaledTranslation(0.0, -drop / figure.dpi - GAP / 72.0, figure.dpi_scale_trans)

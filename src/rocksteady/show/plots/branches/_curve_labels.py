@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.show.style.legends import LETTER, size_of, text_size
+from rocksteady.show.style.legends import LETTER, figure_of, size_of, text_size
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
@@ -39,8 +39,7 @@ class Words:
     """
 
     def __init__(self, axes: "Axes", lines: Sequence[Floats]) -> None:
-        figure = axes.get_figure(root=True)
-        assert figure is not None
+        figure = figure_of(axes)
         if figure.get_layout_engine() is not None:
             figure.draw_without_rendering()  # where the legend leaves room for the axes
         axes.get_xlim(), axes.get_ylim()  # which settles limits that are not yet known

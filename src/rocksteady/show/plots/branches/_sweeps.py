@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.show.style import palette
-from rocksteady.show.style.legends import line_scale, size_of, text_size
+from rocksteady.show.style.axes import lane_of, name_lane, runs
+from rocksteady.show.style.legends import line_scale
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
@@ -30,8 +31,6 @@ FATES: dict[str, dict[str, Any]] = {
 """Look of the bars along the upper edge, one row per sweep."""
 KINDS = {"overturned": "overturned", "at rest": "rest"}
 """The kind of attractor that each bar shows."""
-LANE = 8.0
-"""Height of a row of bars [points]."""
 NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 
@@ -73,23 +72,8 @@ def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) 
                 axes.broken_barh(bars, (low, 0.75 * lane), transform=edges, zorder=4.5, **look)
                 handles[fate] = Patch(label=fate, **look)
         if met:
-            axes.annotate(
-                short,
-                (1.0, low + 0.375 * lane),
-                (3.0, 0.0),
-                xycoords="axes fraction",
-                textcoords="offset points",
-                va="center",
-                fontsize=text_size(axes, 7.0),
-                color=inks.number,
-                annotation_clip=False,
-            )
+            name_lane(axes, short, low + 0.375 * lane, inks.number)
     return sorted(handles.values(), key=lambda handle: str(handle.get_label()) in FATES)
-
-
-def lane_of(axes: "Axes") -> float:
-    """Return the height of a row of bars, in parts of the axes."""
-    return min(0.12, LANE / size_of(axes)[1])
 
 
 def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) -> None:
@@ -116,8 +100,4 @@ def _bars(sweep: AttractorSweep, fate: str) -> list[tuple[float, float]]:
     present = np.array([sweep.kinds[index] == KINDS[fate] for index in order])
     # Each value stands for what is nearest to it.
     borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
-    change = np.flatnonzero(np.diff(np.concatenate([[False], present, [False]]).astype(int)))
-    return [
-        (float(borders[first]), float(borders[last] - borders[first]))
-        for first, last in change.reshape(-1, 2)
-    ]
+    return runs(present, borders)

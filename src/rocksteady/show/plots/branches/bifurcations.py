@@ -16,8 +16,9 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.show.plots.branches._resting import draw_resting, low_rest
-from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
+from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps
 from rocksteady.show.style import palette
+from rocksteady.show.style.axes import lane_of
 from rocksteady.show.style.insets import crowd_of, draw_inset
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
 from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
@@ -36,12 +37,12 @@ STABLE: dict[str, Any] = {"ls": "-", "lw": 1.9, "zorder": 3.0}
 UNSTABLE: dict[str, Any] = {"ls": (0, (3.2, 1.6)), "lw": 0.9, "zorder": 2.6}
 INADMISSIBLE: dict[str, Any] = {"ls": (0, (1, 1.6)), "lw": 0.9, "alpha": 0.5, "zorder": 2.4}
 MARKS = {
-    PointType.FOLD: ("s", "fold"),
-    PointType.SYMMETRY_BREAKING: ("D", "symmetry breaking"),
-    PointType.PERIOD_DOUBLING: ("^", "period doubling"),
-    PointType.GRAZING: ("o", "graze"),
+    PointType.FOLD: "s",
+    PointType.SYMMETRY_BREAKING: "D",
+    PointType.PERIOD_DOUBLING: "^",
+    PointType.GRAZING: "o",
 }
-"""Marker and name of each bifurcation."""
+"""Marker of each bifurcation."""
 WIDE = 8.0
 """Factor between the ends of an axis that is logarithmic where bifurcations lie in its lowest"""
 LOWEST_PART = 0.25
@@ -315,9 +316,8 @@ def _drawn_bifurcations(
 
     handles, inks = [], inks_of(axes)
     for kind, places in marks.items():
-        marker, word = MARKS[kind]
         style: dict[str, Any] = {
-            "marker": marker,
+            "marker": MARKS[kind],
             "ms": 3.8 * line_scale(axes),
             "mfc": inks.paper,
             "mec": inks.ink,
@@ -326,5 +326,10 @@ def _drawn_bifurcations(
         }
         x, y = zip(*places, strict=True)
         axes.plot(x, y, zorder=4.0, **style)
-        handles.append(Line2D([], [], label=word, **style))
+        handles.append(Line2D([], [], label=name_of(kind), **style))
     return handles
+
+
+def name_of(kind: PointType) -> str:
+    """Return the name of a bifurcation in a legend."""
+    return "graze" if kind is PointType.GRAZING else kind.value.replace("-", " ")

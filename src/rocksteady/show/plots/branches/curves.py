@@ -16,6 +16,7 @@ from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.branches._curve_labels import Words
+from rocksteady.show.plots.branches.bifurcations import name_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
@@ -25,13 +26,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-CURVES: dict[PointType, tuple[int | None, Any, str]] = {
-    PointType.FOLD: (None, "-", "fold"),
-    PointType.SYMMETRY_BREAKING: (0, (0, (7, 2)), "symmetry breaking"),
-    PointType.PERIOD_DOUBLING: (2, (0, (3.2, 1.6)), "period doubling"),
-    PointType.GRAZING: (1, (0, (1, 1.2)), "graze"),
+CURVES: dict[PointType, tuple[int | None, Any]] = {
+    PointType.FOLD: (None, "-"),
+    PointType.SYMMETRY_BREAKING: (0, (0, (7, 2))),
+    PointType.PERIOD_DOUBLING: (2, (0, (3.2, 1.6))),
+    PointType.GRAZING: (1, (0, (1, 1.2))),
 }
-"""Line colour (none is ink), dash and name of the curve of each bifurcation."""
+"""Line colour (none is ink) and dash of the curve of each bifurcation."""
 MARKS = {
     PointType.CUSP: "v",
     PointType.GENERALISED_BREAKING: "D",
@@ -177,7 +178,7 @@ def _drawn_lines(
     inks, scale = inks_of(axes), line_scale(axes)
     fewest = min((_length(points) for _, points in drawn), default=0)
     for kind, points in drawn:
-        number, dash, _ = CURVES[kind]
+        number, dash = CURVES[kind]
         thin = _length(points) > fewest and kind is not PointType.SYMMETRY_BREAKING
         axes.plot(
             *_places(points, parameters).T,
@@ -188,8 +189,8 @@ def _drawn_lines(
         )
     kinds_drawn = {kind for kind, _ in drawn}
     return [
-        Line2D([], [], color=colour_of(number, inks), ls=dash, lw=1.6 * scale, label=word)
-        for kind, (number, dash, word) in CURVES.items()
+        Line2D([], [], color=colour_of(number, inks), ls=dash, lw=1.6 * scale, label=name_of(kind))
+        for kind, (number, dash) in CURVES.items()
         if kind in kinds_drawn
     ]
 
@@ -233,7 +234,7 @@ def _drawn_points(
                 mew=0.9,
                 ls="none",
                 zorder=4.0,
-                label=kind.value.replace("-", " "),
+                label=name_of(kind),
             )
             handles.append(line)
     return handles
@@ -254,7 +255,7 @@ def _written(
     words.along(_names(drawn), [colour_of(CURVES[kind][0], inks) for kind, _ in drawn])
     for kind, places in special.items():
         for place in places:
-            words.beside(place, kind.value.replace("-", " "))
+            words.beside(place, name_of(kind))
     if isinstance(curves, BifurcationCurves):
         order = [curves.parameters.index(name) for name in parameters if name in curves.parameters]
         if len(order) < 2:
@@ -277,7 +278,7 @@ def _names(drawn: Sequence[Curve]) -> list[str]:
     kinds = [(kind, *_motion(points)) for kind, points in drawn]
     names = []
     for kind, period, impacts in kinds:
-        word = CURVES[kind][2]
+        word = name_of(kind)
         if kind is PointType.PERIOD_DOUBLING:
             word = f"doubling {period} to {2 * period}"
         elif len({period_drawn for _, period_drawn, _ in kinds}) > 1:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.legends import SMALL, text_size
+from rocksteady.show.style.legends import SMALL, figure_of, text_size
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,8 +28,7 @@ def name_rows(axes: "Axes", names: Sequence[str], endings: Sequence[str] = ()) -
     endings
         What follows each name, whole; nothing by default.
     """
-    figure = axes.get_figure(root=True)
-    assert figure is not None
+    figure = figure_of(axes)
     longest = LONGEST if 72.0 * figure.get_figwidth() >= SMALL else SHORTEST
     size = text_size(axes, 8.0 if len(names) <= CROWDED else 7.0)
     shown = [literal(palette.shortened(each, longest)) for each in names]

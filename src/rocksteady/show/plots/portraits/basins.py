@@ -2,13 +2,14 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
+from rocksteady.dynamics.basins.fate_basins import FateBasins
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
@@ -63,23 +64,11 @@ def plot_basins(
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['overturned  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
     """
-    from matplotlib.colors import ListedColormap
     from matplotlib.lines import Line2D
 
     axes = axes_or_new(ax)
     fills = fills_of(basins.attractors)
-    axes.imshow(
-        basins.label,
-        cmap=ListedColormap(fills),
-        vmin=-0.5,
-        vmax=len(fills) - 0.5,
-        extent=(*_ends(basins.angle), *_ends(basins.velocity)),
-        origin="lower",
-        aspect="auto",
-        interpolation="nearest",
-    )
-    axes.grid(visible=False)
-    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+    window = draw_window(axes, basins, basins.label, fills)
     handles, marked = [], 0
     parts = zip(basins.attractors, fills, basins.stroboscopic, basins.fractions(), strict=True)
     for attractor, fill, points, fraction in parts:
@@ -101,7 +90,7 @@ def plot_basins(
                 f"{attractor.name}  {share_text(fraction.share)}",
             )
         )
-    axes.set(xlim=_ends(basins.angle), ylim=_ends(basins.velocity))
+    axes.set(xlim=window[:2], ylim=window[2:])
     draw_legend(
         axes,
         place_of(axes, legend, "right"),
@@ -237,27 +226,45 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     matplotlib.axes.Axes
         The axes: u = theta/alpha and d(theta/alpha)/d(pt).
     """
-    from matplotlib.colors import ListedColormap
-
     index = index_value(index, len(erosion.amplitude), "amplitude")
     axes = axes_or_new(ax)
+    draw_window(axes, erosion, erosion.safe[index], [palette.OVERTURNED, palette.SYMMETRIC])
+    axes.set_title(f"A = {erosion.amplitude[index]:.4g}")
+    return axes
+
+
+def draw_window(
+    axes: "Axes", states: Basins | Erosion | FateBasins, codes: NDArray[Any], fills: Sequence[str]
+) -> tuple[float, float, float, float]:
+    """Fill each state of a window of angles and velocities by its code; return the window's ends.
+
+    Parameters
+    ----------
+    axes
+        Axes to draw on, which get their labels.
+    states
+        Angles and velocities of the window.
+    codes
+        Number of the fill of each state, shape (velocities, angles).
+    fills
+        Colours by number.
+    """
+    from matplotlib.colors import ListedColormap
+
+    window = (*_ends(states.angle), *_ends(states.velocity))
     axes.imshow(
-        erosion.safe[index],
-        cmap=ListedColormap([palette.OVERTURNED, palette.SYMMETRIC]),
-        vmin=0,
-        vmax=1,
-        extent=(*_ends(erosion.angle), *_ends(erosion.velocity)),
+        codes,
+        cmap=ListedColormap(fills),
+        vmin=-0.5,
+        vmax=len(fills) - 0.5,
+        extent=window,
         origin="lower",
         aspect="auto",
         interpolation="nearest",
     )
     axes.grid(visible=False)
-    axes.set(
-        xlabel=palette.LABELS["angle"],
-        ylabel=palette.LABELS["velocity"],
-        title=f"A = {erosion.amplitude[index]:.4g}",
-    )
-    return axes
+    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+    return window
 
 
 def fills_of(attractors: Sequence[BasinAttractor]) -> list[str]:

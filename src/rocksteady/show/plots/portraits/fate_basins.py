@@ -8,15 +8,15 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.basins.fate_basins import ORDER, FateBasins
 from rocksteady.model.checks.arguments import checked
 from rocksteady.outcomes import Status
-from rocksteady.show.plots.map_classes import share_text
+from rocksteady.show.plots.map_classes import swatch
+from rocksteady.show.plots.portraits.basins import draw_window
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-
-Floats = NDArray[np.float64]
 
 FILLS = {
     (Status.ROCKING, 0): palette.ROCKING,
@@ -78,23 +78,11 @@ def plot_fate_basins(
     overturned, negative side  31.1 %
     safe on a still base
     """
-    from matplotlib.colors import ListedColormap
     from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
 
     axes = axes_or_new(ax)
     classes, kinds = _classes(fates)
-    axes.imshow(
-        classes,
-        cmap=ListedColormap([fill for _, fill, _ in kinds]),
-        vmin=-0.5,
-        vmax=len(kinds) - 0.5,
-        extent=(*_ends(fates.angle), *_ends(fates.velocity)),
-        origin="lower",
-        aspect="auto",
-        interpolation="nearest",
-    )
-    axes.grid(visible=False)
+    window = draw_window(axes, fates, classes, [fill for _, fill, _ in kinds])
     if fates.still_safe.any() and not fates.still_safe.all():
         axes.contour(
             fates.angle,
@@ -105,21 +93,9 @@ def plot_fate_basins(
             linestyles=[palette.DASHES[1]],
             linewidths=1.2 * line_scale(axes),
         )
-    axes.set(
-        xlabel=palette.LABELS["angle"],
-        ylabel=palette.LABELS["velocity"],
-        xlim=_ends(fates.angle),
-        ylim=_ends(fates.velocity),
-    )
-    handles: list[Patch | Line2D] = [
-        Patch(
-            facecolor=fill,
-            edgecolor=palette.FAINT,
-            linewidth=0.6,
-            label=f"{words}  {share_text(count / fates.fate.size)}",
-        )
-        for words, fill, count in kinds
-        if count
+    axes.set(xlim=window[:2], ylim=window[2:])
+    handles: list[Artist] = [
+        swatch(words, fill, count / fates.fate.size) for words, fill, count in kinds if count
     ]
     if fates.still_safe.any() and not fates.still_safe.all():
         handles.append(
@@ -153,9 +129,3 @@ def _classes(fates: FateBasins) -> tuple[NDArray[np.int8], list[tuple[str, str, 
         codes[mask] = index
     counts = (int(np.count_nonzero(mask)) for mask in masks)
     return codes, [(*entry, count) for entry, count in zip(classes, counts, strict=True)]
-
-
-def _ends(axis: Floats) -> tuple[float, float]:
-    """Return the edges of the outermost cells around the points of an axis."""
-    half = 0.5 * float(axis[-1] - axis[0]) / (len(axis) - 1)
-    return float(axis[0]) - half, float(axis[-1]) + half
