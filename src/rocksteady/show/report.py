@@ -201,5 +201,5 @@ def _environment(package: str) -> "Environment":
     )
     environment.filters |= {"anchor": anchor, "duration": duration}
     environment.filters |= {"indexed": indexed, "prose": prose}
-    environment.globals["colours"] = COLOURS
+    environment.globals |= {"colours": COLOURS, "sections": []}
     return environment

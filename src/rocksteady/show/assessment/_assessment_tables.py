@@ -11,9 +11,19 @@ from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
+from rocksteady.show.report import prose
+from rocksteady.show.style.markup import (
+    Cell,
+    Row,
+    badge,
+    beside,
+    digest,
+    figure,
+    named,
+    quiet,
+    under,
+)
 from rocksteady.show.style.wording import NOTHING, greek, key_words, percent, span
-
-Row = dict[str, Any]
 
 STATUS = {
     "fitted": "fitted",
@@ -23,11 +33,13 @@ STATUS = {
     "not-rising": "no curve",
 }
 """Status of a curve in a word."""
+PASSES = {True: badge("passes", "agrees"), False: badge("does not pass", "differs"), None: ""}
+CONFIRMED = {True: badge("confirmed", "agrees"), False: badge("not confirmed", "open")}
 SYNTHETIC = "synthetic "
 """What the names of made motions begin with."""
 
 
-def answer_rows(assessment: Assessment) -> list[Row]:
+def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     """Return the rows of the first page: object, demand, probability, median, what would help."""
     given = assessment.described.given
     bands = None if assessment.fragility is None else assessment.fragility.fitting.bands
@@ -51,7 +63,7 @@ def answer_rows(assessment: Assessment) -> list[Row]:
     return rows
 
 
-def _row(name: str, words: str, note: str = "") -> Row:
+def _row(name: str, words: str, note: str = "") -> dict[str, str]:
     return {"name": name, "words": words, "note": note}
 
 
@@ -111,7 +123,7 @@ def _remedy_words(assessment: Assessment) -> tuple[str, str]:
     return least.words, f"then {percent(least.probability)}"
 
 
-def object_rows(assessment: Assessment) -> list[Row]:
+def object_rows(assessment: Assessment) -> list[dict[str, str]]:
     """Return the derived facts of the object."""
     facts = assessment.facts.describe().facts
     rows = [_row(greek(fact.label), greek(fact.words)) for fact in facts if fact.label]
@@ -127,15 +139,21 @@ def side_rows(assessment: Assessment) -> list[Row]:
         return []
     return [
         {
-            "name": name,
-            "alpha": angle(side.alpha),
-            "p": number(side.p),
-            "radius": length(side.radius),
-            "restitution": number(side.restitution),
-            "lifts": f"{number(math.tan(side.alpha))} g",
+            "pivot": name,
+            "α": figure(angle(side.alpha)),
+            "p [rad/s]": figure(number(side.p)),
+            "R": figure(length(side.radius)),
+            "restitution": figure(number(side.restitution)),
+            "lifts at": figure(f"{number(math.tan(side.alpha))} g"),
         }
         for name, side in (("left edge", block.positive), ("right edge", block.negative))
     ]
+
+
+def synthetic(assessment: Assessment) -> int:
+    """Return how many motions are made from random numbers."""
+    inputs = assessment.to_dict().get("inputs", [])
+    return sum(str(each["name"]).startswith(SYNTHETIC) for each in inputs)
 
 
 def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row]:
@@ -144,18 +162,19 @@ def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row
     if assessment.fragility is not None:
         scale = assessment.fragility.ensemble["scale"].isel(block=0).transpose("record", "level")
         factors = [span(float(row.min()), float(row.max())) for row in scale.values]
+    inputs: list[dict[str, Any]] = assessment.to_dict().get("inputs", [])
     hashes = [each.get("sha256", "") for each in manifest["records"]]
-    inputs: list[Row] = assessment.to_dict().get("inputs", [])
+    known = len(hashes) == len(inputs)
     return [
         {
-            "name": each["name"],
-            "synthetic": str(each["name"]).startswith(SYNTHETIC),
-            "pga": number(each["pga_g"]),
-            "pgv": number(each["pgv_m_s"]),
-            "lasts": f"{number(each['samples'] * each['dt_s'])} s",
-            "vertical": each["vertical"],
-            "factors": factors[place] if factors else "",
-            "sha256": hashes[place] if len(hashes) == len(inputs) else "",
+            "motion": named(
+                each["name"], "quarter", quiet("with vertical" if each["vertical"] else None)
+            ),
+            "PGA [g]": figure(number(each["pga_g"])),
+            "PGV [m/s]": figure(number(each["pgv_m_s"])),
+            "lasts": figure(f"{number(each['samples'] * each['dt_s'])} s"),
+            "factors": figure(factors[place] if factors else ""),
+            **({"SHA-256": digest(hashes[place][:16])} if known and hashes[place] else {}),
         }
         for place, each in enumerate(inputs)
     ]
@@ -173,23 +192,23 @@ def _state_row(each: StateFragility) -> Row:
     status = STATUS.get(shape.status, shape.status)
     if shape.step is not None:
         status += f" at {span(*shape.step)}"
-    two = isinstance(curve, TwoStageCurve)
-    given = ", given uplift" if two else ""
-    if isinstance(curve, TwoStageCurve) and curve.offset:
-        given += f", in {shape.measure[0]}"
+    single = None
+    if isinstance(curve, TwoStageCurve):
+        status += ", given uplift"
+        if curve.offset:
+            status += f", in {shape.measure[0]}"
+        single = (
+            f"one curve: median {number(plain.median)}, β {number(plain.beta)}, "
+            f"misfit {number(plain.misfit)}"
+        )
     return {
-        "name": greek(each.state.name),
+        "state": greek(each.state.name),
         "median": _banded(curve.median, curve.median_band),
-        "beta": _banded(shape.beta, shape.beta_band),
-        "status": status + given,
-        "exceeded": f"{plain.failures:,} of {plain.trials:,}",
-        "misfit": number(curve.misfit),
-        "goodness": NOTHING if shape.goodness is None else number(shape.goodness),
-        "plain": (
-            f"median {number(plain.median)}, β {number(plain.beta)}, misfit {number(plain.misfit)}"
-            if two
-            else NOTHING
-        ),
+        "β": _banded(shape.beta, shape.beta_band),
+        "curve": status + under(single),
+        "runs in it": figure(f"{plain.failures:,} of {plain.trials:,}"),
+        "misfit": figure(number(curve.misfit)),
+        "p-value": figure(NOTHING if shape.goodness is None else number(shape.goodness)),
     }
 
 
@@ -205,11 +224,13 @@ def ranking_rows(fragility: Fragility) -> list[Row]:
     trials = max(fragility.states[-1].plain.trials, 1)
     return [
         {
-            "name": " and ".join(greek(part.label) for part in each.measure),
-            "beta": number(each.beta),
-            "likelihood": f"{each.log_likelihood / trials:.4f}".replace("-", "−"),
-            "aic": f"{each.aic:.0f}",
-            "status": STATUS.get(each.status, each.status),
+            "measure": Cell(
+                prose(" and ".join(greek(part.label) for part in each.measure)), "half name"
+            ),
+            "β": figure(number(each.beta)),
+            "ln L a run": figure(f"{each.log_likelihood / trials:.4f}".replace("-", "−")),
+            "AIC": figure(f"{each.aic:.0f}"),
+            "curve": STATUS.get(each.status, each.status),
         }
         for each in fragility.ranking
     ]
@@ -217,37 +238,29 @@ def ranking_rows(fragility: Fragility) -> list[Row]:
 
 def screen_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each published formula."""
-    looks = {True: ("passes", "agrees"), False: ("does not pass", "differs"), None: ("", "")}
-    rows = []
-    for row in assessment.screens.rows:
-        word, look = looks[row.passes]
-        rows.append(
-            {
-                "name": greek(row.name),
-                "value": row.words,
-                "verdict": greek(row.verdict),
-                "word": word,
-                "look": look,
-                "equation": greek(row.equation),
-                "edition": row.edition,
-                "status": row.status,
-                "source": greek(row.source),
-                "remark": greek(row.remark),
-            }
-        )
-    return rows
+    return [
+        {
+            "formula": Cell(greek(row.name), "name"),
+            "value": Cell(row.words, "value"),
+            "verdict": beside(PASSES[row.passes], prose(greek(row.verdict)))
+            + under(prose(greek(row.remark)) or None),
+            "equation, edition": greek(row.equation) + under(row.edition),
+            "status": row.status,
+        }
+        for row in assessment.screens.rows
+    ]
 
 
 def case_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each change of the sensitivity."""
     return [
         {
-            "name": key_words(case.parameter),
-            "change": case.change,
-            "fitted": percent(case.probability),
-            "counted": percent(case.counted),
-            "runs": f"{case.fell:,} of {case.trials:,}",
-            "median": number(case.median),
+            "changed": Cell(key_words(case.parameter), "name"),
+            "to": prose(case.change),
+            "fitted": figure(percent(case.probability)),
+            "counted": figure(percent(case.counted)),
+            "runs that fall": figure(f"{case.fell:,} of {case.trials:,}"),
+            "median": figure(number(case.median)),
         }
         for case in assessment.cases
     ]
@@ -257,18 +270,17 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each remedy."""
     return [
         {
-            "name": each.name,
-            "words": each.words,
-            "change": NOTHING if each.change is None else f"{number(100.0 * each.change)} %",
-            "probability": percent(each.probability),
-            "basis": each.basis,
-            "runs": "" if each.trials is None else f"{each.fell:,} of {each.trials:,}",
-            "word": ""
-            if each.change is None or not each.trials
-            else "confirmed"
-            if each.confirmed
-            else "not confirmed",
-            "look": "agrees" if each.confirmed else "open",
+            "remedy": each.name,
+            "what to do": beside(
+                each.words,
+                CONFIRMED[each.confirmed] if each.trials and each.change is not None else "",
+            ),
+            "change": figure(
+                NOTHING if each.change is None else f"{number(100.0 * each.change)} %"
+            ),
+            "probability": figure(percent(each.probability)),
+            "from": each.basis
+            + under(None if each.trials is None else f"{each.fell:,} of {each.trials:,}"),
         }
         for each in assessment.remedies
     ]
@@ -276,24 +288,26 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
 
 def risk_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each hazard curve."""
-    rows = []
+    rows: list[Row] = []
     for risk in assessment.risks:
-        band = risk.annual_rate_band
+        hazard, band = risk.hazard, risk.annual_rate_band
         low, middle, high = (
-            f"above {number(float(risk.hazard.levels[-1]))}" if math.isinf(each) else number(each)
+            f"above {number(float(hazard.levels[-1]))}" if math.isinf(each) else number(each)
             for each in risk.contributing
         )
+        measure = under(greek(f"{hazard.label} [{hazard.unit}]"))
+        rate = prose(number(risk.annual_rate))
+        share = percent(risk.probability) + under(f"in {number(risk.years)} years")
         rows.append(
             {
-                "name": risk.hazard.name or greek(risk.hazard.label),
-                "measure": greek(f"{risk.hazard.label} [{risk.hazard.unit}]"),
-                "rate": number(risk.annual_rate),
-                "rate_band": "" if band is None else span(*band),
-                "years": number(risk.years),
-                "probability": percent(risk.probability),
-                "closed": number(risk.closed_form_rate),
-                "hclpf": number(risk.hclpf),
-                "middle": f"{middle} ({low} to {high})",
+                "hazard": named(hazard.name or greek(hazard.label), more=measure),
+                "falls a year": rate + under(None if band is None else prose(span(*band))),
+                "closed form": figure(prose(number(risk.closed_form_rate))),
+                "probability": figure(share),
+                "HCLPF": figure(number(risk.hclpf)),
+                "half of it below (5 to 95 %)": Cell(
+                    f"{middle} ({low} to {high})", label="half of it below"
+                ),
             }
         )
     return rows

@@ -8,6 +8,7 @@ from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
+from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek, percent
 
 ORDERS = (
@@ -38,7 +39,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     shown = [
         {
             "name": row["name"],
-            "badge": dict(zip(("word", "look"), BADGES[row["colour"]], strict=True)),
+            "badge": badge(*BADGES[row["colour"]]),
             "probability": percent(row["probability"]),
             "uplift": number(row["uplift_pga_g"]),
             "friction": NOTHING
@@ -55,12 +56,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "above": f"{over} objects are more likely to fall than the target of {target}.",
         "caveats": [greek(sentence) for sentence in CAVEATS],
         "counts": [
-            {
-                "word": BADGES[each][0],
-                "look": BADGES[each][1],
-                "colour": each,
-                "count": f"{count:,}",
-            }
+            {"badge": badge(*BADGES[each]), "colour": each, "count": f"{count:,}"}
             for each, count in colours.items()
             if count
         ],

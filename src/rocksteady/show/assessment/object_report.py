@@ -21,12 +21,14 @@ from rocksteady.show.assessment._assessment_tables import (
     screen_rows,
     side_rows,
     state_rows,
+    synthetic,
 )
 from rocksteady.show.assessment._objects_page import objects_html
 from rocksteady.show.export.files import save_text
 from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
+from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import (
     BADGES,
     cleaned,
@@ -112,16 +114,16 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         return objects_html(assessment, manifest)
     fragility = assessment.fragility
     word, look = BADGES[assessment.colour]
-    described, motions = assessment.described, motion_rows(assessment, manifest)
+    described = assessment.described
     values: dict[str, Any] = {
         "answer": answer_rows(assessment),
-        "answer_badge": {"word": word, "look": look},
+        "badge": badge(word if look == "open" else f"chance of falling: {word}", look),
         "cases": case_rows(assessment),
         "caveats": [greek(each) for each in CAVEATS],
         "facts": object_rows(assessment),
         "given": list(_given(described.values)),
         "method": _method(assessment),
-        "motions": motions,
+        "motions": motion_rows(assessment, manifest),
         "probability": percent(assessment.probability),
         "provenance": provenance(manifest, described.source, described.sha256),
         "name": described.name,
@@ -134,25 +136,26 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "screens": screen_rows(assessment),
         "sentence": greek(assessment.sentence),
         "sides": side_rows(assessment),
+        "sources": " ".join(greek(f"{row.name}: {row.source}.") for row in assessment.screens.rows),
         "states": [] if fragility is None else state_rows(fragility),
         "ranking": [] if fragility is None else ranking_rows(fragility),
         "target": percent(described.given.assessment.target_probability),
-        "warnings": _warnings(assessment, motions),
+        "warnings": _warnings(assessment),
     }
     return render(
         __package__, "object.html.j2", **cleaned(values), pictures=pictures_of(assessment)
     )
 
 
-def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> list[str]:
+def _warnings(assessment: Assessment) -> list[str]:
     """Return sentences on what is assumed and what limits the answer."""
     warnings = list(assessment.facts.warnings)
     if assessment.fragility is not None:
         warnings += assessment.fragility.warnings
-    made = sum(row["synthetic"] for row in motions)
+    made, motions = synthetic(assessment), len(assessment.motions)
     if made and assessment.fragility is not None:
         warnings.append(
-            f"{made} of {plural(len(motions), 'motion')} {'is' if made == 1 else 'are'} synthetic, "
+            f"{made} of {plural(motions, 'motion')} {'is' if made == 1 else 'are'} synthetic, "
             "made from random numbers and no earthquake's: the answer is an example, not one for a "
             "site."
         )
@@ -182,6 +185,7 @@ def _method(assessment: Assessment) -> dict[str, Any]:
         "draws": int(runs.sizes["draw"]),
         "ratios": span(float(ratios.min()), float(ratios.max())),
         "scatter": float(runs.attrs["scatter"]),
+        "synthetic": synthetic(assessment) > 0,
         "signs": int(runs.sizes["direction"]) > 1,
         "vertical": int(runs.sizes["vertical"]) > 1,
         "runs": f"{fragility.runs:,}",

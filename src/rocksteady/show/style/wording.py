@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping
 from typing import Any, Final
 
+from markupsafe import Markup
+
 from rocksteady.results.numbers import number
 from rocksteady.results.rendering import printable
 
@@ -116,7 +118,8 @@ def cleaned(value: Any) -> Any:
     {'name': ['a\\u202eb'], 'count': 3}
     """
     if isinstance(value, str):
-        return printable(value, keep="\n\N{NO-BREAK SPACE}")
+        words = printable(value, keep="\n\N{NO-BREAK SPACE}")
+        return Markup(words) if isinstance(value, Markup) else words
     if isinstance(value, Mapping):
         return {key: cleaned(each) for key, each in value.items()}
     if isinstance(value, list | tuple):
