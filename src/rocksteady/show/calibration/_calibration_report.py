@@ -9,10 +9,11 @@ from rocksteady.show.calibration._calibration_pictures import MOST_PICTURES, pic
 from rocksteady.show.calibration._calibration_tables import (
     MOST_ROWS,
     parameter_rows,
-    residual_rows,
     score_rows,
     sentence_of,
+    session_rows,
     unexpected_rows,
+    verdict_words,
 )
 from rocksteady.show.calibration._promises import GUARANTEES, NOT_PROMISED
 from rocksteady.show.export.provenance import provenance
@@ -38,7 +39,6 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
     """
     tests, validation = calibration.tests.tests, calibration.validation
     unexpected = unexpected_rows(calibration)
-    residuals = {by: residual_rows(calibration, by) for by in ("record", "session")}
     names = list(calibration.posteriors)
     heading = names[0] if len(names) == 1 else plural(len(names), "object")
     values: dict[str, Any] = {
@@ -51,13 +51,14 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
         "records_left_out": max(
             0, len({(test.group, test.object) for test in tests}) - MOST * MOST_PICTURES
         ),
-        "residuals": {by: rows[:LONGEST_TABLE] for by, rows in residuals.items()},
         "running": plain_name(heading),
         "scores": score_rows(validation.rows),
         "sentence": sentence_of(calibration),
+        "sessions": session_rows(calibration)[:LONGEST_TABLE],
         "several": len(names) > 1,
         "unexpected": unexpected[:MOST_ROWS],
         "unexpected_all": len(unexpected),
+        "verdicts": verdict_words(calibration),
         "warnings": [sentence(greek(each)) for each in dict.fromkeys(calibration.warnings)],
     }
     return render(

@@ -3,15 +3,17 @@
 import math
 import re
 from collections.abc import Mapping, Sequence
+from operator import itemgetter
 from typing import Any
+
+from markupsafe import Markup
 
 from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS, Scores
-from rocksteady.show.style.wording import NOTHING, greek, percent, span
-
-Row = dict[str, Any]
+from rocksteady.show.style.markup import Cell, Row, badge, beside, figure, isolated, named, under
+from rocksteady.show.style.wording import NOTHING, greek, percent, sentence, span
 
 LEAST_SCORE = 5e-5
 LABELS = {
@@ -76,25 +78,24 @@ def score_rows(rows: Mapping[str, Scores]) -> list[Row]:
     """Return a row for each predictor: scores with their bands."""
     return [
         {
-            "name": LABELS.get(key, key),
-            "scores": [
-                {
-                    "name": WORDS[name],
-                    "short": SHORT[name],
-                    "value": number(value[0]),
-                    "band": _band(value),
-                }
-                for name, value in ((name, getattr(scores, name)) for name in NAMES)
-            ],
+            "predictor": Cell(LABELS.get(key, key), "name"),
+            **{SHORT[name]: _score_cell(name, getattr(scores, name)) for name in NAMES},
         }
         for key, scores in rows.items()
     ]
 
 
-def _band(value: Sequence[float]) -> str:
-    """Return the interval of a score; nothing where it has none."""
+def _score_cell(name: str, value: Sequence[float]) -> Cell:
+    """Return a score with its band."""
+    return figure(beside(number(value[0]), under(_band(value))), WORDS[name])
+
+
+def _band(value: Sequence[float]) -> str | None:
+    """Return the interval of a score; None where it has none."""
+    if not math.isfinite(value[1]):
+        return None
     low, high = _score(value[1]), _score(value[2])
-    return (low if low == high else f"{low} to {high}") if math.isfinite(value[1]) else ""
+    return low if low == high else f"{low} to {high}"
 
 
 def _score(value: float) -> str:
@@ -102,28 +103,38 @@ def _score(value: float) -> str:
     return number(0.0 if abs(value) < LEAST_SCORE else value)
 
 
-def parameter_rows(calibration: Calibration) -> list[Row]:
-    """Return a row for each parameter of each object."""
-    several = len(calibration.posteriors) > 1
-    rows = ordered(calibration.parameters)
-    return [
-        {
-            "object": each["object"] if several and each["parameter"] == FIRST else "",
-            "name": parameter_words(each["parameter"]),
-            "prior": span(each["prior_low"], each["prior_high"]),
-            "median": NOTHING if each["median"] is None else number(each["median"]),
-            "interval": NOTHING if each["low"] is None else span(each["low"], each["high"]),
-            "outline": NOTHING if each.get("outline") is None else number(each["outline"]),
-            "verdict": each["verdict"],
-            "look": VERDICTS[each["verdict"]][0],
-            "meaning": greek(VERDICTS[each["verdict"]][1]),
-            "bound": _bound(each),
-        }
-        for each in rows
-    ]
+def parameter_rows(calibration: Calibration) -> list[Row | str]:
+    """Return a row for each parameter of each object, below the object's name if there are more."""
+    rows: list[Row | str] = []
+    for each in ordered(calibration.parameters):
+        if len(calibration.posteriors) > 1 and each["parameter"] == FIRST:
+            rows.append(each["object"])
+        look, _ = VERDICTS[each["verdict"]]
+        rows.append(
+            {
+                "parameter": parameter_words(each["parameter"]),
+                "before": figure(span(each["prior_low"], each["prior_high"])),
+                "median": figure(NOTHING if each["median"] is None else number(each["median"])),
+                Markup("90&nbsp;% of it"): figure(
+                    NOTHING if each["low"] is None else span(each["low"], each["high"]),
+                    "90 % of it",
+                ),
+                "outline": figure(
+                    NOTHING if each.get("outline") is None else number(each["outline"])
+                ),
+                "verdict": beside(badge(each["verdict"], look), _bound(each)),
+            }
+        )
+    return rows
 
 
-def ordered(rows: Sequence[Row]) -> list[Row]:
+def verdict_words(calibration: Calibration) -> str:
+    """Return the meaning of each verdict that a parameter has."""
+    verdicts = dict.fromkeys(each["verdict"] for each in ordered(calibration.parameters))
+    return " ".join(sentence(f"{each}: {greek(VERDICTS[each][1])}") for each in verdicts)
+
+
+def ordered(rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """Return the rows of parameters, of each object alpha first."""
     names = list(dict.fromkeys(each["object"] for each in rows))
     return sorted(rows, key=lambda each: (names.index(each["object"]), each["parameter"] != FIRST))
@@ -152,43 +163,40 @@ def _bound(row: Mapping[str, Any]) -> str:
 
 def unexpected_rows(calibration: Calibration) -> list[Row]:
     """Return the tests whose outcome was least expected, those of less than an even chance."""
-    predictions, tests = calibration.validation.predictions, calibration.tests.tests
-    rows = []
-    for place, test in enumerate(tests):
-        if test.fell is None or not math.isfinite(predictions.p[place]):
-            continue
-        p = float(predictions.p[place])
+    predictions, several = calibration.validation.predictions, len(calibration.posteriors) > 1
+    unlikely: list[tuple[float, Row]] = []
+    for place, test in enumerate(calibration.tests.tests):
+        p, low, high = (
+            float(each[place]) for each in (predictions.p, predictions.low, predictions.high)
+        )
         chance = p if test.fell else 1.0 - p
-        if chance < 0.5:
-            rows.append(
-                {
-                    "name": test.name,
-                    "record": test.record.name or "",
-                    "object": test.object,
-                    "gain": number(test.gain),
-                    "outcome": "fell" if test.fell else "stood",
-                    "p": number(p),
-                    "band": NOTHING
-                    if math.isnan(predictions.low[place])
-                    else span(float(predictions.low[place]), float(predictions.high[place])),
-                    "error": number(float(predictions.mc_error[place]), 2),
-                    "chance": chance,
-                }
-            )
-    return sorted(rows, key=lambda row: row["chance"])
+        if test.fell is None or not chance < 0.5:
+            continue
+        row: Row = {
+            "test": named(test.name, more=under(isolated(test.object) if several else None)),
+            "record": isolated(test.record.name or ""),
+            "gain": figure(number(test.gain)),
+            "outcome": "fell" if test.fell else "stood",
+            "predicted": figure(number(p)),
+            Markup("90&nbsp;% of draws"): figure(
+                NOTHING if math.isnan(low) else span(low, high), "90 % of draws"
+            ),
+            "± by draws": figure(number(float(predictions.mc_error[place]), 2)),
+        }
+        unlikely.append((chance, row))
+    return [row for _, row in sorted(unlikely, key=itemgetter(0))]
 
 
-def residual_rows(calibration: Calibration, by: str) -> list[Row]:
-    """Return a row for each record or session, the largest misfit first."""
-    residuals = calibration.validation.residuals.get(by, ())
-    rows = sorted(residuals, key=lambda each: (-abs(each["z"]), each["name"]))
+def session_rows(calibration: Calibration) -> list[Row]:
+    """Return a row for each session, the largest misfit first."""
+    residuals = calibration.validation.residuals.get("session", ())
     return [
         {
-            "name": each["name"],
-            "tests": f"{each['tests']}",
-            "fell": f"{each['fell']}",
-            "expected": number(each["expected"]),
-            "z": number(each["z"], 2),
+            "session": named(each["name"]),
+            "tests": figure(f"{each['tests']}"),
+            "fell": figure(f"{each['fell']}"),
+            "predicted": figure(number(each["expected"])),
+            "over its deviation": figure(number(each["z"], 2)),
         }
-        for each in rows
+        for each in sorted(residuals, key=lambda each: (-abs(each["z"]), each["name"]))
     ]
