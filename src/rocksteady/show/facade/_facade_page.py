@@ -13,7 +13,6 @@ from rocksteady.show.facade._facade_tables import (
     demand_rows,
     facade_rows,
     in_words,
-    mean_row,
     mechanism_rows,
     motion_rows,
     places,
@@ -25,6 +24,7 @@ from rocksteady.show.facade._facade_tables import (
 from rocksteady.show.plots.facades.headline import headline_of, verdict_of
 from rocksteady.show.plots.facades.languages import TABLES, Language
 from rocksteady.show.report import render
+from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import cleaned, plain_name
 
 SECTIONS = ("why", "runs", "wall", "mechanism", "demand", "method", "limits", "inputs")
@@ -61,13 +61,12 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
         "facts": facade_rows(check, words),
         "headline": headline_of(check, words) or " ".join(sentences),
         "made": words("inputs_made", **{key: made[key] for key in ("version", "kernels", "numpy")}),
-        "mean": None if runs is None else mean_row(runs, words),
         "mechanism": mechanism_rows(check, words),
         "method": [
             {"name": words[f"method_{k}_name"], "words": words(f"method_{k}", **named)}
             for k in range(1, 5)
         ],
-        "motions": motion_rows(manifest),
+        "motions": motion_rows(manifest, words),
         "name": facade.name,
         "not_covered": [words(f"not_{each}", **named) for each in NOT_COVERED],
         "provenance": made,
@@ -75,14 +74,10 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
         "running": plain_name(facade.name),
         "runs": [] if runs is None else run_rows(runs, words),
         "runs_intro": "" if runs is None else _runs_intro(runs, words),
-        "run_signs": [] if runs is None else [words[f"sign_{each}"] for each in runs.directions],
-        "sections": [
-            {"id": each, "number": place, "words": words[_section(each, check)]}
-            for place, each in enumerate(sections, 1)
-        ],
+        "sections": [(each, words[_section(each, check)]) for each in sections],
         "sentences": sentences if headline_of(check, words) else [],
         "title": words("title", name=facade.name),
-        "verdict": verdict_of(check, words),
+        "verdict": badge(**verdict_of(check, words)),
         "w": TABLES[words.code],
     }
     return render(

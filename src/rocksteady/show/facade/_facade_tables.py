@@ -16,8 +16,8 @@ from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
 from rocksteady.show.plots.facades.headline import LOOKS
 from rocksteady.show.plots.facades.languages import Language
-
-Row = dict[str, Any]
+from rocksteady.show.report import indexed, prose
+from rocksteady.show.style.markup import Cell, Row, badge, digest, figure, named, quiet, under
 
 LENGTH_DIGITS = 4
 """Digits of a size that was given."""
@@ -108,17 +108,19 @@ def _check_row(each: Check, words: Language, *, free: bool) -> Row:
     if each.method == "linear":
         key = f"{key}_free" if free else f"{key}_{each.limit_state}"
     ratio = each.ratio
+    page = words("pages", page=each.page.replace("-", "–"))
     return {
-        "state": each.limit_state,
-        "method": words[f"method_{each.method}"],
-        "formula": f"{each.formula} †",
-        "page": words("pages", page=each.page.replace("-", "–")),
-        "quantity": words(key, state=each.limit_state),
-        "demand": _amount(each.demand, each.unit, words),
-        "capacity": _amount(each.capacity, each.unit, words),
-        "ratio": "—" if ratio is None else "∞" if math.isinf(ratio) else words.number(ratio),
-        "word": words[word],
-        "look": look,
+        f"{words['col_state']}, {words['col_method']}": Cell(
+            each.limit_state + under(words[f"method_{each.method}"]), "quarter name"
+        ),
+        words["col_formula"]: Cell(prose(f"{each.formula} †") + under(page), "formula"),
+        words["col_quantity"]: indexed(prose(words(key, state=each.limit_state))),
+        words["col_demand"]: figure(indexed(_amount(each.demand, each.unit, words))),
+        words["col_capacity"]: figure(_amount(each.capacity, each.unit, words)),
+        words["col_ratio"]: figure(
+            "—" if ratio is None else "∞" if math.isinf(ratio) else words.number(ratio)
+        ),
+        words["col_verdict"]: badge(words[word], look),
     }
 
 
@@ -131,7 +133,7 @@ def _amount(value: float | None, unit: str, words: Language) -> str:
     return words.quantity(value, "g") if unit == "g" else length(value, words)
 
 
-def remarks_of_checks(check: FacadeCheck, words: Language) -> list[Row]:
+def remarks_of_checks(check: FacadeCheck, words: Language) -> list[dict[str, str]]:
     """Return how each demand was made."""
     rows = []
     for each in check.checks:
@@ -142,7 +144,7 @@ def remarks_of_checks(check: FacadeCheck, words: Language) -> list[Row]:
     return rows
 
 
-def facade_rows(check: FacadeCheck, words: Language) -> list[Row]:
+def facade_rows(check: FacadeCheck, words: Language) -> list[dict[str, str]]:
     """Return geometry, material and the ways it may rock."""
     facade = check.facade
 
@@ -197,12 +199,14 @@ def acting_rows(check: FacadeCheck, words: Language) -> list[Row]:
     )
     return [
         {
-            "name": each.name,
-            "kind": words[kind],
-            "force": words.number(getattr(each, "weight_kn", None) or each.force_kn),
-            "x": words.number(getattr(each, "x_m", None), LENGTH_DIGITS),
-            "z": words.number(each.z_m, LENGTH_DIGITS),
-            "end": _end_of(each, facade, words),
+            words["col_name"]: named(each.name, "quarter"),
+            words["col_kind"]: words[kind],
+            f"{words['col_force']} [kN]": figure(
+                words.number(getattr(each, "weight_kn", None) or each.force_kn)
+            ),
+            "x [m]": figure(words.number(getattr(each, "x_m", None), LENGTH_DIGITS)),
+            "z [m]": figure(words.number(each.z_m, LENGTH_DIGITS)),
+            words["col_end"]: indexed(_end_of(each, facade, words)),
         }
         for kind, group in groups
         for each in group
@@ -251,21 +255,23 @@ def mechanism_rows(check: FacadeCheck, words: Language) -> list[Row]:
     if mechanism.elastic_period_s is not None:
         rows.append(("T₀", "m_t0", words.quantity(mechanism.elastic_period_s, "s"), "C8.7.1.9 †"))
     return [
-        {"symbol": symbol, "meaning": words[key], "value": value, "source": source}
+        {
+            words["col_symbol"]: indexed(symbol),
+            words["col_meaning"]: indexed(words[key]),
+            words["col_value"]: figure(value),
+            words["col_source"]: source,
+        }
         for symbol, key, value, source in rows
     ]
 
 
-def demand_rows(check: FacadeCheck, words: Language) -> list[Row]:
+def demand_rows(check: FacadeCheck, words: Language) -> list[dict[str, str]]:
     """Return the spectrum of each limit state in words."""
-    rows = []
-    for state in ("SLD", "SLV", "SLC"):
-        spectrum: Any = check.demand.of(state)
-        if spectrum is not None:
-            rows.append(
-                {"name": words[state], "words": _spectrum_words(spectrum, words), "note": ""}
-            )
-    return rows
+    return [
+        {"name": words[state], "words": _spectrum_words(spectrum, words), "note": ""}
+        for state in ("SLD", "SLV", "SLC")
+        if (spectrum := check.demand.of(state)) is not None
+    ]
 
 
 def _spectrum_words(spectrum: Any, words: Language) -> str:
@@ -291,36 +297,42 @@ def _spectrum_words(spectrum: Any, words: Language) -> str:
 
 
 def run_rows(runs: FacadeRuns, words: Language) -> list[Row]:
-    """Return a row for each record."""
-    return [
+    """Return a row for each record, and one for the mean of the largest displacements."""
+    signs = [words[f"sign_{each}"] for each in runs.directions]
+    rows: list[Row] = [
         {
-            "name": name,
-            "vertical": runs.vertical[place],
-            "pga": words.number(float(runs.pga_g[place])),
-            "scale": words.number(float(runs.scale[place])),
-            "ends": [
-                _end(
-                    float(runs.displacement_m[place, sign]),
-                    float(runs.share[place, sign]),
-                    Status(int(runs.status[place, sign])),
-                    words,
-                )
-                for sign in range(len(runs.directions))
-            ],
-            "largest": _share(float(runs.share[place].max()), words),
+            words["col_record"]: named(
+                name, "quarter", quiet(words["vertical"] if runs.vertical[place] else None)
+            ),
+            f"{words['col_pga']} [g]": figure(words.number(float(runs.pga_g[place]))),
+            words["col_scale"]: figure(words.number(float(runs.scale[place]))),
+            **{sign: _end(runs, (place, k), words) for k, sign in enumerate(signs)},
+            words["col_largest"]: figure(indexed(_share(float(runs.share[place].max()), words))),
         }
         for place, name in enumerate(runs.records)
     ]
+    if runs.mean_m is not None:
+        share = runs.mean_m / runs.facade.mechanism.d0_m
+        mean = length(runs.mean_m, words) if math.isfinite(share) else ""
+        rows.append(
+            dict.fromkeys(rows[0])
+            | {
+                words["col_record"]: Cell(words["mean_row"], "quarter name"),
+                words["col_largest"]: figure(indexed(_share(share, words)) + under(mean)),
+            }
+        )
+    return rows
 
 
-def _end(displacement: float, share: float, status: Status, words: Language) -> Row:
+def _end(runs: FacadeRuns, run: tuple[int, int], words: Language) -> Cell:
     """Return the largest displacement of a run, and how it ended where that is not rest."""
-    if share == 0.0:
-        return {"words": words["still"], "status": ""}
+    displacement, status = float(runs.displacement_m[run]), Status(int(runs.status[run]))
+    if runs.share[run] == 0.0:
+        return figure(indexed(words["still"]))
     text = length(displacement, words) if math.isfinite(displacement) else words["beyond_all"]
     known = words.has(f"status_{status.label}")
     end = words[f"status_{status.label}" if known else "status_undecided"]
-    return {"words": text, "status": "" if status == Status.AT_REST else end}
+    return figure(indexed(text) + under(None if status == Status.AT_REST else end))
 
 
 def _share(share: float, words: Language) -> str:
@@ -328,21 +340,13 @@ def _share(share: float, words: Language) -> str:
     return words.number(share) if math.isfinite(share) else words["beyond_all"]
 
 
-def mean_row(runs: FacadeRuns, words: Language) -> Row | None:
-    """Return the mean of the largest displacements; None without one."""
-    mean = runs.mean_m
-    if mean is None:
-        return None
-    if math.isinf(mean):
-        return {"share": words["beyond_all"], "length": ""}
-    share = mean / runs.facade.mechanism.d0_m
-    return {"share": words.number(share), "length": length(mean, words)}
-
-
-def motion_rows(manifest: Mapping[str, Any]) -> list[Row]:
+def motion_rows(manifest: Mapping[str, Any], words: Language) -> list[Row]:
     """Return name and hash of each record."""
     return [
-        {"name": each["name"], "sha256": each["sha256"]}
+        {
+            words["col_record"]: named(each["name"], "half"),
+            "SHA-256": digest(each["sha256"][:16]),
+        }
         for each in manifest["records"]
         if "sha256" in each
     ]

@@ -152,8 +152,6 @@ ENGLISH: Final[dict[str, str]] = {
     "end_counts": "counted",
     "end_not": "not counted",
     "end_at": "to d = {place}",
-    "col_x": "x",
-    "col_z": "z",
     "kind_load": "vertical load, moves with it",
     "kind_mass": "mass, pushes in an earthquake only",
     "kind_tie": "tie, pulls inwards",

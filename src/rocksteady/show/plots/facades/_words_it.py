@@ -153,8 +153,6 @@ ITALIAN: Final[dict[str, str]] = {
     "end_counts": "considerata",
     "end_not": "non considerata",
     "end_at": "fino a d = {place}",
-    "col_x": "x",
-    "col_z": "z",
     "kind_load": "carico verticale portato",
     "kind_mass": "massa, spinge solo durante il sisma",
     "kind_tie": "catena o tirante, trattiene verso l'interno",
