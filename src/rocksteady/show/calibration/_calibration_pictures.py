@@ -40,10 +40,10 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
     if not validation.rows:
         return pictures
     pictures["reliability"] = picture(
-        partial(_reliability, calibration), 3.7, _words_of_reliability(validation)
+        partial(plot_reliability, calibration), 3.7, _words_of_reliability(validation)
     )
     pictures["temper"] = picture(
-        partial(_temper, calibration),
+        partial(plot_temper, calibration),
         3.1,
         f"Held-out log score over {plural(len(validation.temper_scores), 'temper')}; the chosen "
         f"one is {number(calibration.temper)}.",
@@ -51,7 +51,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
     if len(validation.learning) > 1:
         first, last = (validation.learning[place]["groups"] for place in (0, -1))
         pictures["learning"] = picture(
-            partial(_learning, calibration),
+            partial(plot_learning, calibration),
             3.1,
             f"Held-out accuracy after {first} to {last} groups, of the calibrated block, of a "
             "logistic on intensity and of the base rate.",
@@ -60,27 +60,11 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
         rows = validation.residuals[by]
         if len(rows) > 1:
             pictures[by] = picture(
-                partial(_residuals, calibration, by),
+                partial(plot_residuals, calibration, by=by),
                 1.1 + ROW * min(len(rows), MOST_RESIDUALS),
                 f"Falls less those predicted, of {plural(len(rows), by)}.",
             )
     return pictures
-
-
-def _reliability(calibration: Calibration, axes: Any) -> None:
-    plot_reliability(calibration, axes)
-
-
-def _temper(calibration: Calibration, axes: Any) -> None:
-    plot_temper(calibration, axes)
-
-
-def _learning(calibration: Calibration, axes: Any) -> None:
-    plot_learning(calibration, axes)
-
-
-def _residuals(calibration: Calibration, by: str, axes: Any) -> None:
-    plot_residuals(calibration, axes, by=by)
 
 
 def _ladders(calibration: Calibration) -> list[Picture]:
@@ -89,17 +73,13 @@ def _ladders(calibration: Calibration) -> list[Picture]:
     starts = range(0, len(rungs), MOST)[:MOST_PICTURES]
     return [
         picture(
-            partial(_ladder, calibration, first),
+            partial(plot_ladders, calibration, first=first),
             1.2 + ROW * len(rungs[first : first + MOST]),
             f"Outcomes over the {label} of {plural(len(rungs[first : first + MOST]), 'record')}, "
             "with the predicted probability as shade.",
         )
         for first in starts
     ]
-
-
-def _ladder(calibration: Calibration, first: int, axes: Any) -> None:
-    plot_ladders(calibration, axes, first=first)
 
 
 def _interval_words(row: dict[str, Any]) -> str:
