@@ -6,8 +6,9 @@ The class imports this module, so that its type has no name here.
 import math
 from typing import Any
 
+from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT
+from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import block_text, case_text, lean_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
@@ -60,20 +61,15 @@ def fates_described(fates: Any) -> Description:
         Column("name", "fate", left=True),
         Column("states", "states", lambda states: f"{states:,}"),
         Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
-        Column("between", CONFIDENCE_TEXT),
-    ]
-    read = [
-        {**row, "between": f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"}
-        for row in rows
+        BETWEEN,
     ]
     notes = ["Integrity is 1 on a still base: the safe area, and the radius of its largest circle."]
     rare = (Status.LOST_CONTACT, Status.UNDECIDED)
     notes += [status.advice for status in rare if (fates.fate == status).any()]
     if (fates.fate == Status.ROCKING).any():
         notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
-    return Description(
-        fates_headline(fates), facts, [Table("fractions", rows), Table("", read, columns)], notes
-    )
+    tables = [Table("fractions", rows), Table("", with_between(rows), columns)]
+    return Description(fates_headline(fates), facts, tables, notes)
 
 
 def _moment(fates: Any) -> list[Fact]:

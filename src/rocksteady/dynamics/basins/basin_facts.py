@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.confidence import CONFIDENCE, CONFIDENCE_TEXT
+from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -72,15 +73,11 @@ def basins_described(basins: Any) -> Description:
     columns = [
         Column("name", "basin", left=True),
         Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
+        *([BETWEEN] if drawn else []),
         Column("period", "period", lambda period: str(period or "")),
         Column("lowest", "lowest", lean),
         Column("highest", "highest", lean),
     ]
-    read = [dict(row) for row in rows]
-    if drawn:
-        for row in read:
-            row["between"] = f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"
-        columns.insert(2, Column("between", CONFIDENCE_TEXT))
     notes = []
     if any(attractor.kind is AttractorKind.APERIODIC for attractor in basins.attractors):
         notes.append(
@@ -95,7 +92,7 @@ def basins_described(basins: Any) -> Description:
         f"{plural(len(rows), 'basin')} at phase {number(motion.phase)} rad: {case}, "
         f"{case_text(block)}, {basins.model.name} model",
         facts,
-        [Table("fractions", rows), Table("", read, columns)],
+        [Table("fractions", rows), Table("", with_between(rows) if drawn else rows, columns)],
         notes,
     )
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins.basin_facts import basins_described
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
@@ -35,13 +36,12 @@ from rocksteady.dynamics.orbits.return_map import periodic_motion
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -82,16 +82,7 @@ class BasinFraction(Result):
 
     def describe(self) -> Description:
         """Return the share with its interval."""
-        between = f"{number(100.0 * self.low)} to {number(100.0 * self.high)} %"
-        share = f"{number(100.0 * self.share)} %"
-        facts = [
-            Fact("label", self.label, "label"),
-            Fact("states", self.states, "states"),
-            Fact("share", self.share, "share", share),
-            Fact("low", self.low, "interval", between),
-            Fact("high", self.high),
-        ]
-        return Description(f"basin {self.label}: {share} ({between})", facts)
+        return fraction_described(self, f"basin {self.label}", Fact("label", self.label, "label"))
 
 
 @checked_result
@@ -187,16 +178,10 @@ class Basins(Result):
         ----------
         E. B. Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927).
         """
-        fractions = []
-        for label, states in enumerate(self.states.tolist()):
-            share = states / self.label.size
-            low, high = share_interval(share, self.label.size, confidence)
-            fractions.append(
-                BasinFraction(
-                    label=label, states=states, share=share, low=float(low), high=float(high)
-                )
-            )
-        return tuple(fractions)
+        return tuple(
+            BasinFraction(label=label, **counted(states, self.label.size, confidence))
+            for label, states in enumerate(self.states.tolist())
+        )
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the labels as an xarray Dataset with dimensions velocity, angle and attractor.

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.basins._fate_facts import fates_described, fates_headline
+from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins._safe import measured
 from rocksteady.dynamics.basins.window import window_axes
 from rocksteady.dynamics.batch.finite import BATCH, OUTPUTS, fates_of, finite_table, thrust
@@ -19,7 +20,7 @@ from rocksteady.kernels.core.tables import JUMP, LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.confidence import CONFIDENCE, Confidence, share_interval
+from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -27,7 +28,6 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
@@ -91,18 +91,13 @@ class FateFraction(Result):
 
     def describe(self) -> Description:
         """Return the share with its interval."""
-        between = f"{number(100.0 * self.low)} to {number(100.0 * self.high)} %"
-        share = f"{number(100.0 * self.share)} %"
-        facts = [
+        return fraction_described(
+            self,
+            self.name,
             Fact("fate", self.fate.label),
             Fact("side", self.side),
             Fact("name", self.name, "fate"),
-            Fact("states", self.states, "states"),
-            Fact("share", self.share, "share", share),
-            Fact("low", self.low, "interval", between),
-            Fact("high", self.high),
-        ]
-        return Description(f"{self.name}: {share} ({between})", facts)
+        )
 
 
 @checked_result
@@ -214,21 +209,9 @@ class FateBasins(Result):
         fractions = []
         for status, side, name in ORDER:
             states = int(np.count_nonzero((self.fate == status) & (self.side == side)))
-            if not states:
-                continue
-            share = states / self.fate.size
-            low, high = share_interval(share, self.fate.size, confidence)
-            fractions.append(
-                FateFraction(
-                    fate=status,
-                    side=side,
-                    name=name,
-                    states=states,
-                    share=share,
-                    low=float(low),
-                    high=float(high),
-                )
-            )
+            if states:
+                counts = counted(states, self.fate.size, confidence)
+                fractions.append(FateFraction(fate=status, side=side, name=name, **counts))
         return tuple(fractions)
 
     def state(self, row: int, column: int) -> State:
@@ -261,21 +244,15 @@ class FateBasins(Result):
         import xarray
 
         plane = ("velocity", "angle")
-        flags = OUTPUTS[0].flags
-        meanings = {
-            "flag_values": np.array(list(flags), dtype=np.int8),
-            "flag_meanings": " ".join(flags.values()),
-        }
-        named: dict[str, dict[str, Any]] = {
-            output.name: {"long_name": output.long_name, "units": "1"} for output in OUTPUTS
-        }
-        named["fate"] |= meanings
         measures = {
             name: float(getattr(self, name)) for name in ("global_integrity", "integrity_factor")
         }
         return xarray.Dataset(
             {
-                **{name: (plane, getattr(self, name), given) for name, given in named.items()},
+                **{
+                    each.name: (plane, getattr(self, each.name), each.attributes)
+                    for each in OUTPUTS
+                },
                 "still_safe": (plane, self.still_safe, {"units": "1"}),
             },
             coords={

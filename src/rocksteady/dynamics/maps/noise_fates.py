@@ -168,22 +168,13 @@ class NoiseFates(Result):
         import xarray
 
         cells, plane = ("scale", "level", "draw"), ("scale", "level")
-        flags = OUTPUTS[0].flags
-        columns: dict[str, Any] = {
-            output.name: (
-                cells,
-                getattr(self, output.name),
-                {"long_name": output.long_name, "units": "1"},
-            )
-            for output in OUTPUTS
-        }
-        columns["fate"][2].update(
-            flag_values=np.array(list(flags), dtype=np.int8), flag_meanings=" ".join(flags.values())
-        )
         low, high = self.interval()
         return xarray.Dataset(
             {
-                **columns,
+                **{
+                    each.name: (cells, getattr(self, each.name), each.attributes)
+                    for each in OUTPUTS
+                },
                 "share": (plane, self.share, {"long_name": "share that overturns", "units": "1"}),
                 "share_low": (plane, low, {"units": "1"}),
                 "share_high": (plane, high, {"units": "1"}),
