@@ -271,12 +271,15 @@ def test_a_pronoun_as_a_variable_is_seen() -> None:
 
 
 def helps(tree: ast.Module) -> Iterator[ast.expr]:
-    """Yield the help texts of a module: of typer's parameters, and of flags of a panel."""
+    """Yield the help texts of a module: of typer's parameters, and of flags, shared ones too."""
     for node in ast.walk(tree):
         if isinstance(node, ast.keyword) and node.arg == "help":
             yield node.value
-        elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith("_flag"):
-            yield from node.args[1:2]
+        elif isinstance(node, ast.Call):
+            words = [ast.unparse(each) for each in (node.func, *node.args[:1])]
+            for place, word in enumerate(words):  # of partial(output_flag, ...) the second
+                if word.endswith("_flag"):
+                    yield from node.args[1 + place : 2 + place]
 
 
 def test_no_unit_in_a_help_text_is_taken_for_markup() -> None:
