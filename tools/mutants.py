@@ -13,6 +13,7 @@ failed, and nothing but the freeze confirms a survivor.
 import argparse
 import ast
 import contextlib
+import functools
 import hashlib
 import itertools
 import multiprocessing
@@ -301,6 +302,14 @@ def _compare(_: Path, frozen: list[str]) -> int:
     return int(_moved("things") or any(_moved(*each.split(": ", maxsplit=1)) for each in frozen))
 
 
+@functools.cache
+def _recorded(part: str) -> dict[str, str]:
+    """Return the records of a part."""
+    from tools.freeze import records
+
+    return records.loaded((records.FOLDER / f"{part}.txt").read_text(encoding="utf-8"))
+
+
 def _moved(part: str, name: str = "") -> bool:
     """Return whether a part of the freeze has moved, or a call or a picture of it."""
     from tools.freeze import records, results
@@ -310,7 +319,7 @@ def _moved(part: str, name: str = "") -> bool:
         "calls": results.freeze_calls,
         "figures": results.freeze_figures,
     }[part]
-    before = records.loaded((records.FOLDER / f"{part}.txt").read_text(encoding="utf-8"))
+    before = _recorded(part)
     if name:
         own = f"{name}{records.FILE}"
         before = {

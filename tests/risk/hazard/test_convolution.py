@@ -167,3 +167,15 @@ def test_a_lower_tail_that_rises_faster_than_the_fragility_falls_has_no_end() ->
 def test_a_flat_curve_has_no_shaking_between_its_levels() -> None:
     flat = HazardCurve(measure="pgv_m_s", levels=np.array([0.1, 1.0]), rates=np.full(2, 0.01))
     assert rate(0.3, 0.5, flat) == pytest.approx(0.01 * ndtr(math.log(1.0 / 0.3) / 0.5), rel=1e-12)
+
+
+def test_there_is_no_shaking_where_the_rate_does_not_fall_nor_below() -> None:
+    rates = np.array([0.01, 0.01, 0.01, 0.001])
+    flat = HazardCurve(measure="pgv_m_s", levels=np.geomspace(0.1, 1.0, 4), rates=rates).extended()
+    curve = Converted(Lognormal(0.3, 0.5), 1.0)
+    found = convolve(curve.probability, curve.knots, flat)
+    assert found.below == 0.0
+    *none, last, above = found.between(flat.levels).tolist()
+    assert none == [0.0, 0.0, 0.0]
+    assert last + above == pytest.approx(found.total, rel=1e-12)
+    assert above == found.above

@@ -7,6 +7,7 @@ from scipy import stats
 from rocksteady.risk.calibration.held_out.folds import (
     LADDER,
     Evidence,
+    _nested_scores,
     choose_tempers,
     effective,
     hold_out,
@@ -102,6 +103,7 @@ def test_nested_scores_are_those_of_brute_force() -> None:
     alpha = rng.uniform(0.15, 0.35, 300)
     evidence = toy(alpha, load, fell, np.zeros(300))
     tempers = choose_tempers([evidence], codes, fell)
+    nested = _nested_scores(evidence, codes, np.arange(12), fell, LADDER)
     for group in range(12):
         scores = np.zeros((len(LADDER), 11))
         for row, temper in enumerate(LADDER):
@@ -111,6 +113,7 @@ def test_nested_scores_are_those_of_brute_force() -> None:
                 p = weight @ evidence.share / weight.sum()
                 held = codes == fold
                 scores[row, place] = np.log(np.where(fell > 0, p, 1 - p)[held]).sum()
+        assert np.delete(nested[:, :, group], group, axis=1) == pytest.approx(scores)
         lost = scores[scores.sum(axis=1).argmax()] - scores
         error = lost.std(axis=1, ddof=1) * np.sqrt(11)
         row = int(np.argmax(lost.sum(axis=1) <= error + 1e-9))
