@@ -29,14 +29,8 @@ from rocksteady.kernels.batch.records import (
     record_fates,
 )
 from rocksteady.kernels.batch.waiting import fill_hardest
-from rocksteady.kernels.core.tables import (
-    AMPLITUDE,
-    CONSTANT,
-    DURATION,
-    LEAN,
-    RATE,
-    is_nonlinear,
-)
+from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.core.tuples import Blocks, Cells, Starts, States, SymmetricCells
 from rocksteady.kernels.lanes.driver import lane_fates, queued_lane_fates
 from rocksteady.kernels.lanes.settling import (
@@ -140,12 +134,12 @@ def _record_length(segments: Floats, blocks: Blocks, *_others: Any) -> Floats:
     """
     sides = blocks.sides
     strongest = np.maximum.accumulate(
-        np.abs(segments[:-1, CONSTANT]) + np.abs(segments[:-1, AMPLITUDE])
+        np.abs(segments[:-1, columns.CONSTANT]) + np.abs(segments[:-1, columns.AMPLITUDE])
     )
-    first = np.searchsorted(strongest, sides[:, :, LEAN].min(axis=1))
-    ends = np.cumsum(segments[:-1, DURATION])
+    first = np.searchsorted(strongest, sides[:, :, columns.LEAN].min(axis=1))
+    ends = np.cumsum(segments[:-1, columns.DURATION])
     left = ends[-1] - np.concatenate([[0.0], ends])[first]
-    return np.where(first < len(strongest), left * sides[:, 0, RATE], 0.0)
+    return np.where(first < len(strongest), left * sides[:, 0, columns.RATE], 0.0)
 
 
 def _hardest(segments: Floats, blocks: Blocks, *_others: Any) -> tuple[Floats, ...]:

@@ -10,15 +10,9 @@ Words of 32 bits are kept in whole numbers of 64, so that no sum or shift of the
 anything but `WORD`.
 """
 
+from rocksteady.kernels.core import tables
 from rocksteady.kernels.core._quantile import normal_quantile
-from rocksteady.kernels.core.tables import (
-    KEY,
-    RESTITUTION,
-    SCATTER,
-    SCATTERED_SIDE_COLUMNS,
-    Floats,
-    free_side,
-)
+from rocksteady.kernels.core.tables import Floats, free_side
 from rocksteady.kernels.core.typed import whole
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
@@ -41,14 +35,14 @@ LARGEST_KEY = 2**53 - 1
 @inlined
 def is_scattered(sides: Floats) -> bool:
     """Return whether a side table has restitution that scatters."""
-    return bool(sides.shape[1] >= SCATTERED_SIDE_COLUMNS)
+    return bool(sides.shape[1] >= tables.SCATTERED_SIDE_COLUMNS)
 
 
 @inlined
 def largest_draw(sides: Floats, row: int) -> float:
     """Return the largest restitution that an impact on a side may have."""
-    mean: float = abs(sides[row, RESTITUTION])
-    if is_scattered(sides) and sides[row, SCATTER] > 0.0:
+    mean: float = abs(sides[row, tables.RESTITUTION])
+    if is_scattered(sides) and sides[row, tables.SCATTER] > 0.0:
         return 0.5 * (1.0 + mean)
     return mean
 
@@ -65,10 +59,10 @@ def largest_restitution(sides: Floats) -> float:
 @compiled
 def restitution_of(sides: Floats, row: int, impact: int) -> float:
     """Return the restitution of an impact on a side that scatters; impacts count from 1 on."""
-    mean, deviation = abs(sides[row, RESTITUTION]), sides[row, SCATTER]
-    sign = -1.0 if sides[row, RESTITUTION] <= 0.0 else 1.0
+    mean, deviation = abs(sides[row, tables.RESTITUTION]), sides[row, tables.SCATTER]
+    sign = -1.0 if sides[row, tables.RESTITUTION] <= 0.0 else 1.0
     if deviation > 0.0:
-        key, top = int(sides[row, KEY]), largest_draw(sides, row)
+        key, top = int(sides[row, tables.KEY]), largest_draw(sides, row)
         for attempt in range(ATTEMPTS):
             value: float = mean + deviation * normal_quantile(uniform(key, impact, attempt))
             if 0.0 < value <= top:

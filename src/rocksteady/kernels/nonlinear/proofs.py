@@ -23,16 +23,10 @@ times the duration.
 import math
 from typing import NamedTuple
 
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.forcing import Forcing, largest_forcing
 from rocksteady.kernels.core.harmonics import largest_ahead
-from rocksteady.kernels.core.tables import (
-    CEILING,
-    LEAN,
-    LIFT_CEILING,
-    RATE,
-    Floats,
-    slenderness,
-)
+from rocksteady.kernels.core.tables import Floats, slenderness
 from rocksteady.kernels.core.tuples import Tables
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
@@ -56,8 +50,8 @@ def point_of_no_return(segments: Floats, index: int, sides: Floats, side: int) -
     """
     row = 0 if side > 0 else 1
     alpha = slenderness(sides, row)
-    ceiling: float = segments[index, CEILING] / sides[row, LEAN]
-    weight = 1.0 - segments[index, LIFT_CEILING]
+    ceiling: float = segments[index, columns.CEILING] / sides[row, columns.LEAN]
+    weight = 1.0 - segments[index, columns.LIFT_CEILING]
     if weight <= 0.0 or ceiling == math.inf:
         return math.inf
     if alpha == 0.0:
@@ -90,7 +84,7 @@ def stepped_bounce(
     """Return a bounce on a segment, so long after its start, with a speed in reference units."""
     segments, sides = tables
     row = 0 if side > 0 else 1
-    lean, rate = sides[row, LEAN], sides[row, RATE]
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
     drive = side_drive(segments, index, sides, side, elapsed)
     return SteppedBounce(drive, phase, speed / (lean * rate), rate)
 

@@ -9,23 +9,8 @@ or one of low slenderness, the series takes its place.
 
 import math
 
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import (
-    ALPHA,
-    CEILING,
-    CONSTANT,
-    DURATION,
-    ENDED_BY_SPAN,
-    LEAN,
-    LEFT_OUT,
-    LIFT,
-    LIFT_CEILING,
-    LIFT_SLOPE,
-    PASSAGE_COLUMNS,
-    PEAK_ANGLE,
-    PEAK_SPEED,
-    RATE,
-    SAFELY,
-    SLOPE,
     Floats,
     March,
     Rise,
@@ -65,23 +50,24 @@ def fly_through(
     rows, peaks = kept
     side, angle, velocity, segment, _, _, _, flights = state
     row = 0 if side > 0 else 1
-    alpha, lean, rate = sides[row, ALPHA], sides[row, LEAN], sides[row, RATE]
-    left_out = sides[0, LEFT_OUT]
-    h = segments[segment, DURATION] * rate
+    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
+    alpha, left_out = sides[row, columns.ALPHA], sides[0, columns.LEFT_OUT]
+    h = segments[segment, columns.DURATION] * rate
     pull = side / lean
     slowing = 1.0 / rate
     flat = HALF_PI / alpha
     y, v = side * angle / lean, side * velocity / (lean * rate)
-    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= columns.PASSAGE_COLUMNS
     top_angle = top_speed = 0.0
     if watch:
-        top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
+        top_angle, top_speed = peaks[columns.PEAK_ANGLE], peaks[columns.PEAK_SPEED] / (lean * rate)
     stop = min(end_of_run(segments, segment), segment + limit - flights)
     first, fallen = segment, False
     while segment < stop:
-        shaking = pull * segments[segment, CONSTANT]
-        shaking_slope = pull * slowing * segments[segment, SLOPE]
-        lift, lift_slope = segments[segment, LIFT], slowing * segments[segment, LIFT_SLOPE]
+        shaking = pull * segments[segment, columns.CONSTANT]
+        shaking_slope = pull * slowing * segments[segment, columns.SLOPE]
+        lift = segments[segment, columns.LIFT]
+        lift_slope = slowing * segments[segment, columns.LIFT_SLOPE]
         weight = 1.0 + lift
         if min(weight, weight + lift_slope * h) <= WEIGHTLESS:
             break
@@ -112,10 +98,10 @@ def fly_through(
         if record or rises:
             now = March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights)
             if record:
-                write_row(rows, now, segments[segment, DURATION], ENDED_BY_SPAN)
+                write_row(rows, now, segments[segment, columns.DURATION], columns.ENDED_BY_SPAN)
             if rises:
-                top = max(peaks[PEAK_SPEED], top_speed * lean * rate)
-                rise = Rise(y, v, later_y, h, segments[segment, CEILING] / lean)
+                top = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
+                rise = Rise(y, v, later_y, h, segments[segment, columns.CEILING] / lean)
                 keep_passage(peaks, now, top_angle, top, rise)
         if watch and (fastest > top_speed or highest > top_angle):
             if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):
@@ -134,8 +120,8 @@ def fly_through(
             fallen = True  # nothing that is still to come can bring it back
             break
     if watch:
-        peaks[PEAK_ANGLE] = top_angle
-        peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
+        peaks[columns.PEAK_ANGLE] = top_angle
+        peaks[columns.PEAK_SPEED] = max(peaks[columns.PEAK_SPEED], top_speed * lean * rate)
     if segment == first:  # untouched, to the last bit
         return segment, angle, velocity, flights, fallen
     return segment, side * y * lean, side * v * lean * rate, flights, fallen
@@ -144,9 +130,9 @@ def fly_through(
 @compiled
 def uplift_at(sides: Floats, row: int) -> float:
     """Return a base acceleration over 1 + l just below uplift at lean tan(alpha)/alpha."""
-    alpha = sides[row, ALPHA]
+    alpha = sides[row, columns.ALPHA]
     sine, cosine = sincos_near(alpha)
-    return float(sides[row, LEAN] * sine / (alpha * cosine) * (1.0 - MARGIN))
+    return float(sides[row, columns.LEAN] * sine / (alpha * cosine) * (1.0 - MARGIN))
 
 
 @compiled
@@ -167,17 +153,17 @@ def rest_through(
         below = -math.inf
     elif free < 0:
         above = math.inf
-    duration = segments[segment, DURATION]
+    duration = segments[segment, columns.DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)
-    lightest = SAFELY - segments[segment, LIFT_CEILING]
-    faint = segments[segment, CEILING] < SAFELY * lightest * min(above, -below)
+    lightest = columns.SAFELY - segments[segment, columns.LIFT_CEILING]
+    faint = segments[segment, columns.CEILING] < columns.SAFELY * lightest * min(above, -below)
     if faint and not record and segment < stop:
         return stop, flights + (stop - segment)
     while segment < stop:
-        start, weight = segments[segment, CONSTANT], 1.0 + segments[segment, LIFT]
-        end = start + segments[segment, SLOPE] * duration
-        later = weight + segments[segment, LIFT_SLOPE] * duration
+        start, weight = segments[segment, columns.CONSTANT], 1.0 + segments[segment, columns.LIFT]
+        end = start + segments[segment, columns.SLOPE] * duration
+        later = weight + segments[segment, columns.LIFT_SLOPE] * duration
         if min(weight, later) <= WEIGHTLESS:
             break
         if max(start - above * weight, end - above * later) >= 0.0:
@@ -186,7 +172,7 @@ def rest_through(
             break
         if record:
             state = March(0, 0.0, 0.0, segment, 0, 0.0, 0, flights)
-            write_row(rows, state, duration, ENDED_BY_SPAN)
+            write_row(rows, state, duration, columns.ENDED_BY_SPAN)
         segment += 1
         flights += 1
     return segment, flights

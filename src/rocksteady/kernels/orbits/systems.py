@@ -7,6 +7,7 @@ compiler makes two versions of it, each with the branches of its own kind.
 from functools import cache
 from typing import Any, NamedTuple
 
+from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.clock import side_phase
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.core.harmonics import (
@@ -14,17 +15,7 @@ from rocksteady.kernels.core.harmonics import (
     is_antisymmetric,
     level_of,
 )
-from rocksteady.kernels.core.tables import (
-    ALPHA,
-    LEAN,
-    LEFT_OUT,
-    RATE,
-    RESTITUTION,
-    Floats,
-    free_side,
-    is_nonlinear,
-    left_out_of,
-)
+from rocksteady.kernels.core.tables import Floats, free_side, is_nonlinear, left_out_of
 from rocksteady.kernels.core.typed import ONE
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined, retyped
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
@@ -90,11 +81,12 @@ def for_system(kernel: Any, system: EitherSystem) -> Any:
 @compiled
 def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
     """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides."""
-    size_here, turn_here = amplitude / sides[0, LEAN], frequency / sides[0, RATE]
-    size_there, turn_there = amplitude / sides[1, LEAN], frequency / sides[1, RATE]
+    size_here, turn_here = amplitude / sides[0, tables.LEAN], frequency / sides[0, tables.RATE]
+    size_there, turn_there = amplitude / sides[1, tables.LEAN], frequency / sides[1, tables.RATE]
     alpha_here = alpha_there = left_out = 0.0
     if is_nonlinear(sides):
-        alpha_here, alpha_there, left_out = sides[0, ALPHA], sides[1, ALPHA], sides[0, LEFT_OUT]
+        alpha_here, alpha_there = sides[0, tables.ALPHA], sides[1, tables.ALPHA]
+        left_out = sides[0, tables.LEFT_OUT]
         here = Drive(alpha_here, 0.0, 0.0, size_here, turn_here, 0.0, 0.0, 0.0)
         there = Drive(alpha_there, 0.0, 0.0, size_there, turn_there, 0.0, 0.0, 0.0)
         positive, negative = foot_forcing(here), foot_forcing(there)
@@ -107,10 +99,10 @@ def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
         positive,
         negative,
         frequency,
-        (sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        (sides[0, tables.RESTITUTION], sides[1, tables.RESTITUTION]),
         free_side(sides),
-        (sides[0, LEAN], sides[1, LEAN]),
-        (sides[0, RATE], sides[1, RATE]),
+        (sides[0, tables.LEAN], sides[1, tables.LEAN]),
+        (sides[0, tables.RATE], sides[1, tables.RATE]),
         (alpha_here, alpha_there),
         amplitude,
         left_out,

@@ -20,22 +20,10 @@ from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
 from rocksteady.errors import InputError
 from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core import tables
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.scatter import LARGEST_DEVIATION, LARGEST_KEY
-from rocksteady.kernels.core.tables import (
-    ALPHA,
-    KEY,
-    LEAN,
-    LIFT,
-    PEAK_ANGLE,
-    PEAK_COLUMNS,
-    PEAK_SPEED,
-    RATE,
-    RESTITUTION,
-    SCATTER,
-    SCATTERED_SIDE_COLUMNS,
-    is_nonlinear,
-)
+from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.core.tuples import Blocks, PeakFates
 from rocksteady.kernels.devices import run_cells
 from rocksteady.model.blocks.block import Block
@@ -132,10 +120,10 @@ def shaken_fates(
     """
     count = len(scale)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    tops = np.full((count, PEAK_COLUMNS), np.nan)
+    tops = np.full((count, tables.PEAK_COLUMNS), np.nan)
     side_rows = sides.copy()
-    side_rows[:, :, LEAN] /= scale[:, np.newaxis]
-    elastic = (np.abs(sides[:, :, RESTITUTION]) == 1.0).all(axis=1)
+    side_rows[:, :, tables.LEAN] /= scale[:, np.newaxis]
+    elastic = (np.abs(sides[:, :, tables.RESTITUTION]) == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
     # Vertical motion is scaled in its table, where it counts in units of gravity.
     lifted = np.array([each.vertical is not None for each in grounds], dtype=np.bool_)[ground]
@@ -145,8 +133,8 @@ def shaken_fates(
         table = _table(shaking, is_nonlinear(side_rows[cells[0]]), weight)
         if shaking.vertical is not None:
             table = table.copy()
-            table[:, LIFT:] *= scale[cells[0]]
-        fates = _room(len(cells), PEAK_COLUMNS if peaks else 0)
+            table[:, tables.LIFT :] *= scale[cells[0]]
+        fates = _room(len(cells), tables.PEAK_COLUMNS if peaks else 0)
         blocks = Blocks(side_rows[cells], afterwards[cells])
         run_cells(record_fates, table, blocks, FLIGHT_LIMIT, fates)
         status[cells], impacts[cells] = fates.status, fates.impacts
@@ -154,11 +142,11 @@ def shaken_fates(
             tops[cells] = fates.peaks
         left = cells[fates.status == LEFT_OVER]
         if len(left):  # what a device has no room for
-            fates = _room(len(left), PEAK_COLUMNS)
+            fates = _room(len(left), tables.PEAK_COLUMNS)
             blocks = Blocks(side_rows[left], afterwards[left])
             record_fates(table, blocks, FLIGHT_LIMIT, fates)
             status[left], impacts[left], tops[left] = fates
-    return Fared(status, impacts, tops[:, PEAK_ANGLE], tops[:, PEAK_SPEED])
+    return Fared(status, impacts, tops[:, tables.PEAK_ANGLE], tops[:, tables.PEAK_SPEED])
 
 
 def _room(count: int, columns: int) -> PeakFates:
@@ -191,8 +179,8 @@ def sides_in_si(block: Block, model: Model) -> Floats:
     Parameters, errors and shape are those of `dynamics.history.nonlinear_tables.sides_of`.
     """
     sides = sides_of(block, model)
-    sides[:, LEAN] *= block.uplift_acceleration
-    sides[:, RATE] *= block.p
+    sides[:, tables.LEAN] *= block.uplift_acceleration
+    sides[:, tables.RATE] *= block.p
     return sides
 
 
@@ -221,9 +209,10 @@ def rectangles_in_si(
     if one_sided:
         pattern = pattern.against_wall()
     sides = np.repeat(sides_in_si(pattern, model)[np.newaxis], len(alpha), axis=0)
-    sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
-    sides[:, :, RATE] = p[:, np.newaxis]
-    sides[:, :, ALPHA : ALPHA + 1] = alpha[:, np.newaxis, np.newaxis]  # of the nonlinear model
+    sides[:, :, tables.LEAN] = (alpha * gravity)[:, np.newaxis]
+    sides[:, :, tables.RATE] = p[:, np.newaxis]
+    if sides.shape[2] > tables.ALPHA:  # of the nonlinear model
+        sides[:, :, tables.ALPHA] = alpha[:, np.newaxis]
     factor = Impacts.of(impact).factor
     ratios = np.full(len(alpha), impact if factor is None else math.nan)
     if factor is not None:
@@ -258,10 +247,10 @@ def give_restitutions(sides: Floats, ratios: Floats) -> None:
         From 0 to 1, shape (cells, 2), or (cells, 1) for both sides; for a block against a wall the
         first counts.
     """
-    wall = sides[:, 0, RESTITUTION] <= 0.0
-    sides[:, :, RESTITUTION] = ratios
-    sides[wall, 0, RESTITUTION] *= -1.0
-    sides[wall, 1, RESTITUTION] = 1.0  # never flown
+    wall = sides[:, 0, tables.RESTITUTION] <= 0.0
+    sides[:, :, tables.RESTITUTION] = ratios
+    sides[wall, 0, tables.RESTITUTION] *= -1.0
+    sides[wall, 1, tables.RESTITUTION] = 1.0  # never flown
 
 
 def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
@@ -302,10 +291,10 @@ def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
         raise InputError(
             "keys", keys, "a key is a whole number from 0 to 2^53 - 1", "number the cells from 0"
         )
-    scattered = np.zeros((len(sides), 2, SCATTERED_SIDE_COLUMNS))
+    scattered = np.zeros((len(sides), 2, tables.SCATTERED_SIDE_COLUMNS))
     scattered[:, :, : sides.shape[2]] = sides
-    scattered[:, :, SCATTER] = deviation[:, np.newaxis]
-    scattered[:, :, KEY] = keys[:, np.newaxis]
+    scattered[:, :, tables.SCATTER] = deviation[:, np.newaxis]
+    scattered[:, :, tables.KEY] = keys[:, np.newaxis]
     return scattered
 
 
@@ -328,7 +317,7 @@ def load_kernel(model: Model) -> None:
     nobody = np.empty((0, *pattern.shape))
     still = Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=1.0)
     table = _table(GroundShaking(record=still), is_nonlinear(pattern), 1.0)
-    record_fates(table, Blocks(nobody, np.empty(0)), 1, _room(0, PEAK_COLUMNS))
+    record_fates(table, Blocks(nobody, np.empty(0)), 1, _room(0, tables.PEAK_COLUMNS))
 
 
 @lru_cache(maxsize=16)
