@@ -13,6 +13,7 @@ from rocksteady.kernels.nonlinear._short import (
     DEGREE,
     LONGEST,
     ShortStep,
+    StepDrive,
     fill_short,
     short_step,
     state_after,
@@ -38,19 +39,8 @@ def coefficients(short: ShortStep, angle: float, velocity: float) -> Floats:
 
 
 def stepped(drive: Drive, angle: float, velocity: float, step: float, left_out: float) -> ShortStep:
-    weight = 1.0 + drive.lift
-    return short_step(
-        drive.alpha,
-        drive.constant,
-        drive.slope,
-        weight,
-        drive.lift_slope,
-        angle,
-        velocity,
-        False,
-        step,
-        left_out,
-    )
+    driven = StepDrive(drive.alpha, drive.constant, drive.slope, 1.0 + drive.lift, drive.lift_slope)
+    return short_step(driven, Instant(0.0, angle, velocity, 0.0, 1.0, False), step, left_out)
 
 
 def spread(rng: np.random.Generator, low: float, high: float) -> float:
@@ -240,7 +230,8 @@ def test_a_block_that_lifts_off_does_not_sink() -> None:
     alpha = 0.3
     level = math.tan(alpha) / alpha * (1.0 - 1e-15)
     for lifting, least in ((True, 0.0), (False, -1e-14)):
-        short = short_step(alpha, level, 2.0, 1.0, 0.0, 0.0, 0.0, lifting, 0.01, LEFT_OUT)
+        at = Instant(0.0, 0.0, 0.0, 0.0, 1.0, lifting)
+        short = short_step(StepDrive(alpha, level, 2.0, 1.0, 0.0), at, 0.01, LEFT_OUT)
         assert least <= short.second <= 0.0
         assert short.third == pytest.approx(2.0 * math.cos(alpha) / 6.0, rel=1e-15)
 

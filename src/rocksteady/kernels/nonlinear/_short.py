@@ -29,6 +29,7 @@ from typing import NamedTuple
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near, small_sinc_cos
 from rocksteady.kernels.machine_code.compilation import inlined
+from rocksteady.kernels.nonlinear.drive import Instant
 
 DEGREE = 8
 ANGLE = 0
@@ -39,6 +40,16 @@ ONWARD = 0.2
 """Part of a step over which the moduli of the estimate grow: t^n n!/(8 ... (n + 7)) is less."""
 SMALL = 0.785
 """Largest angle of `small_sinc_cos`, a little below pi/4."""
+
+
+class StepDrive(NamedTuple):
+    """What drives a side at the start of a step; all but alpha is linear in time."""
+
+    alpha: float
+    shaking: float  # h and h'
+    shaking_slope: float
+    weight: float  # 1 + l and l'
+    weight_slope: float
 
 
 class ShortStep(NamedTuple):
@@ -55,37 +66,20 @@ class ShortStep(NamedTuple):
 
 
 @inlined
-def short_step(
-    alpha: float,
-    shaking: float,
-    shaking_slope: float,
-    weight: float,
-    weight_slope: float,
-    angle: float,
-    velocity: float,
-    lifting: bool,
-    step: float,
-    left_out: float,
-) -> ShortStep:
+def short_step(drive: StepDrive, at: Instant, step: float, left_out: float) -> ShortStep:
     """Return the Taylor coefficients of a short step.
 
     Parameters
     ----------
-    alpha
-        Of the side.
-    shaking, shaking_slope
-        h and h' at the start of the step.
-    weight, weight_slope
-        1 + l and l'.
-    angle, velocity
-        y and y'.
-    lifting
-        The block is just lifting off from rest, so that it does not sink, whatever rounding says.
+    drive, at
+        What drives the side at the start of the step, and its state there.
     step
         Length of the step.
     left_out
         Part of the motion that a step may leave out.
     """
+    alpha, shaking, shaking_slope, weight, weight_slope = drive
+    _, angle, v, _, _, lifting = at
     square = alpha * alpha
     tilt = alpha * (1.0 - angle)
     if abs(tilt) < SMALL:
@@ -94,7 +88,6 @@ def short_step(
     else:
         sine, cosine = sincos_near(tilt)
         sine /= alpha
-    v = velocity
     force = shaking * cosine - weight * sine
     if lifting:
         force = max(force, 0.0)

@@ -25,6 +25,7 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._short import (
     DEGREE,
+    StepDrive,
     fill_short,
     short_step,
     state_after,
@@ -71,9 +72,9 @@ def fly_through(
         weight = 1.0 + lift
         if min(weight, weight + lift_slope * h) <= WEIGHTLESS:
             break
-        short = short_step(
-            alpha, shaking, shaking_slope, weight, lift_slope, y, v, FALSE, h, left_out
-        )
+        at = Instant(0.0, y, v, 0.0, 1.0, FALSE)
+        driven = StepDrive(alpha, shaking, shaking_slope, weight, lift_slope)
+        short = short_step(driven, at, h, left_out)
         degree = DEGREE
         if short.exact:
             bend, third = 2.0 * short.second, third_of(short, h)
@@ -82,7 +83,6 @@ def fly_through(
             if y + h * (v + h * (short.second + h * short.third)) <= 0.0:
                 break  # it lands
             drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope, 0.0)
-            at = Instant(0.0, y, v, 0.0, 1.0, FALSE)
             degree, step = expand_series(drive, at, reach_of(v, h), left_out, work)
             if step < h:
                 break

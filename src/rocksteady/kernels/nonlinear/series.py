@@ -27,7 +27,7 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
-from rocksteady.kernels.nonlinear._short import DEGREE, fill_short, short_step
+from rocksteady.kernels.nonlinear._short import DEGREE, StepDrive, fill_short, short_step
 from rocksteady.kernels.nonlinear.drive import Drive, Instant
 
 TERMS = 24
@@ -101,24 +101,14 @@ def expand(
     """
     if drive.alpha == 0.0:
         return expand_linear(drive, at, reach, left_out, work)
-    time, angle, velocity, _, _, lifting = at
+    time, angle, velocity, _, _, _ = at
     if drive.frequency == 0.0:
         shaking = drive.constant + drive.slope * time
         weight = 1.0 + drive.lift + drive.lift_slope * time
+        driven = StepDrive(drive.alpha, shaking, drive.slope, weight, drive.lift_slope)
         step = reach
         for _ in range(2):
-            short = short_step(
-                drive.alpha,
-                shaking,
-                drive.slope,
-                weight,
-                drive.lift_slope,
-                angle,
-                velocity,
-                lifting,
-                step,
-                left_out,
-            )
+            short = short_step(driven, at, step, left_out)
             if short.exact:
                 fill_short(short, angle, velocity, work)
                 return DEGREE, step
