@@ -8,6 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.tables import FOUND
+from rocksteady.kernels.linear.extrema import restarted
 from rocksteady.kernels.linear.flight import (
     LONG,
     SHORT,
@@ -15,11 +17,11 @@ from rocksteady.kernels.linear.flight import (
     flight_acceleration,
     flight_state,
     make_flight,
-    rebased,
     shifted_flight,
     velocity_flight,
     wrapped,
 )
+from rocksteady.kernels.linear.zeros import Zero
 from tests.every import every
 from tests.oracles import ExactFlight, mp
 from tests.strategies import logarithmic, phases, sample_size
@@ -177,16 +179,8 @@ def test_a_flight_told_from_a_later_start_is_the_same_flight(
     flight, forcing, exact = both(*case)
     angle, velocity = at(flight, forcing, first)
     phase = flight.phase + forcing.frequency * first
-    later, shifted = rebased(
-        flight,
-        forcing,
-        first,
-        angle,
-        velocity,
-        wrapped(phase),
-        math.sin(phase),
-        math.cos(phase),
-    )
+    zero = Zero(FOUND, first, 0, phase, math.sin(phase), math.cos(phase), angle, velocity)
+    later, shifted = restarted(flight, forcing, zero)
     y, v = exact.state(mp.mpf(first) + mp.mpf(second))
     found, speed = at(later, shifted, second)
     turned = 1.0 + forcing.frequency * (first + second)

@@ -10,7 +10,7 @@ from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
-from rocksteady.kernels.linear.zeros import next_zero
+from rocksteady.kernels.linear.zeros import Zero, next_zero
 from tests.oracles import ExactFlight, mp
 from tests.strategies import inner_sample_size, sample_size
 
@@ -42,9 +42,7 @@ def test_the_jacobian_agrees_with_differences_in_fifty_digits() -> None:
             continue
         checked += 1
         f, v = mp.mpf(phase), mp.mpf(velocity)
-        found = landing_jacobian(
-            forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
-        )
+        found = landing_jacobian(forcing, restitution, flight, zero)
         columns = []
         for df, dv in ((step, 0), (0, step)):
             more = landing(amplitude, frequency, restitution, f + df, v + dv, zero.time)
@@ -77,9 +75,7 @@ def test_its_determinant_is_that_of_a_flow_that_keeps_area() -> None:
         if zero.event != FOUND or abs(zero.velocity) < 1e-2:
             continue
         checked += 1
-        a, b, c, d = landing_jacobian(
-            forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
-        )
+        a, b, c, d = landing_jacobian(forcing, restitution, flight, zero)
         landed = -restitution * zero.velocity
         # v' dv' dpsi' = restitution^2 v dv dpsi
         size = abs(a * d) + abs(b * c)
@@ -123,15 +119,9 @@ def test_in_a_long_flight_it_keeps_the_digits_of_the_landing() -> None:
         forcing = make_forcing(-1.0, 0.0, amplitude, frequency)
         start = float(phase)
         flight = make_flight(forcing, 0.0, float(velocity), start, math.sin(start), math.cos(start))
-        found = landing_jacobian(
-            forcing,
-            restitution,
-            flight,
-            length,
-            float(landed),
-            float(mp.sin(psi)),
-            float(end_cosine),
-        )
+        sine, cosine = float(mp.sin(psi)), float(end_cosine)
+        zero = Zero(FOUND, length, 0, float(psi), sine, cosine, 0.0, float(landed))
+        found = landing_jacobian(forcing, restitution, flight, zero)
         largest = max(abs(entry) for entry in truth)
         for exact_entry, got in zip(truth, found, strict=True):
             assert abs(got - exact_entry) <= 1e-12 * largest

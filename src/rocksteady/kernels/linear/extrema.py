@@ -6,14 +6,16 @@ flights, so that `rocksteady.kernels.linear.zeros` isolates their zeros too.
 
 import math
 
-from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.exponential import exp
 from rocksteady.kernels.linear.flight import (
+    LONG,
     Flight,
     flight_state,
-    rebased,
+    make_flight,
     shifted_flight,
     velocity_flight,
     wrapped,
@@ -131,6 +133,27 @@ def last_rise(flight: Flight, forcing: Forcing, level: float, span: float, endle
 
 @compiled
 def restarted(flight: Flight, forcing: Forcing, zero: Zero) -> tuple[Flight, Forcing]:
-    """Return a flight that goes on from one of its zeros, to look for the next."""
+    """Return the same motion counted from a zero, its growing part carried over unrounded."""
+    later = forcing
+    if forcing.slope != 0.0:
+        constant = forcing.constant + forcing.slope * zero.time
+        later = make_forcing(constant, forcing.slope, forcing.amplitude, forcing.frequency)
     phase = wrapped(zero.phase)
-    return rebased(flight, forcing, zero.time, 0.0, zero.velocity, phase, zero.sine, zero.cosine)
+    start = make_flight(later, zero.angle, zero.velocity, phase, zero.sine, zero.cosine)
+    if zero.time < LONG and flight.reference == 0.0:
+        return start, later
+    return (
+        Flight(
+            zero.angle,
+            zero.velocity,
+            phase,
+            zero.sine,
+            zero.cosine,
+            start.sinh_part,
+            start.cosh_part,
+            flight.growing,
+            flight.reference - zero.time,
+            flight.decaying * exp(-zero.time),
+        ),
+        later,
+    )

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI, Forcing, make_forcing
-from rocksteady.kernels.elementary.exponential import exp, exp_clamped, exp_near, expm1_near
+from rocksteady.kernels.elementary.exponential import exp_clamped, exp_near, expm1_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 SHORT = 0.25
@@ -136,52 +136,6 @@ def short_flight_state(flight: Flight, forcing: Forcing, time: float) -> tuple[f
 def flight_acceleration(forcing: Forcing, time: float, angle: float, sine: float) -> float:
     """Return y'' = y + r."""
     return angle + forcing.constant + forcing.slope * time + forcing.amplitude * sine
-
-
-@compiled
-def rebased(
-    flight: Flight,
-    forcing: Forcing,
-    time: float,
-    angle: float,
-    velocity: float,
-    phase: float,
-    sine: float,
-    cosine: float,
-) -> tuple[Flight, Forcing]:
-    """Return the same motion counted from `time`, its growing part carried over unrounded."""
-    later = make_flight_forcing_later(forcing, time)
-    start = make_flight(later, angle, velocity, phase, sine, cosine)
-    if time < LONG and flight.reference == 0.0:
-        return start, later
-    return (
-        Flight(
-            angle,
-            velocity,
-            phase,
-            sine,
-            cosine,
-            start.sinh_part,
-            start.cosh_part,
-            flight.growing,
-            flight.reference - time,
-            flight.decaying * exp(-time),
-        ),
-        later,
-    )
-
-
-@compiled
-def make_flight_forcing_later(forcing: Forcing, time: float) -> Forcing:
-    """Return the forcing with its slope counted from `time`."""
-    if forcing.slope == 0.0:
-        return forcing
-    return make_forcing(
-        forcing.constant + forcing.slope * time,
-        forcing.slope,
-        forcing.amplitude,
-        forcing.frequency,
-    )
 
 
 @compiled

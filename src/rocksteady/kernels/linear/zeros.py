@@ -140,16 +140,7 @@ def next_zero(
                 if not (start < step.time <= end):
                     break
                 if step.final:
-                    return Zero(
-                        FOUND,
-                        step.time,
-                        cycle,
-                        step.phase,
-                        step.sine,
-                        step.cosine,
-                        0.0,
-                        step.velocity,
-                    )
+                    return zero_at(step, cycle)
                 near = step.time
         if forcing.kind == ONE_SIGN and endless:
             late = settling_time(flight, forcing)
@@ -299,9 +290,7 @@ def polished(
                 break  # no number lies between them
         step = series_step(flight, forcing, sign, start, start_phase, time)
         if step.final and low <= step.time <= high:
-            return Zero(
-                FOUND, step.time, cycle, step.phase, step.sine, step.cosine, 0.0, step.velocity
-            )
+            return zero_at(step, cycle)
         if sign * step.angle > 0.0:
             low = time
         else:
@@ -324,6 +313,12 @@ class Step(NamedTuple):
     cosine: float
     velocity: float
     angle: float
+
+
+@inlined
+def zero_at(step: Step, cycle: int) -> Zero:
+    """Return the zero on which a step has landed, so many whole turns after the start."""
+    return Zero(FOUND, step.time, cycle, step.phase, step.sine, step.cosine, 0.0, step.velocity)
 
 
 @inlined

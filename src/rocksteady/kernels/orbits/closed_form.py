@@ -27,9 +27,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.forcing import EPSILON, grazes, make_forcing
+from rocksteady.kernels.core.forcing import EPSILON, Forcing, grazes, make_forcing
 from rocksteady.kernels.core.tables import FOUND
-from rocksteady.kernels.core.typed import FALSE
+from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import expm1
 from rocksteady.kernels.elementary.hyperbolic import tanh
@@ -39,7 +39,7 @@ from rocksteady.kernels.linear.arcs import exponentials
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
-from rocksteady.kernels.linear.zeros import next_zero
+from rocksteady.kernels.linear.zeros import Zero, next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Booleans2, Floats1, Floats2, Integers1, Integers2
 
@@ -203,30 +203,24 @@ def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) ->
 @compiled
 def half_cycle_flight(
     amplitude: float, frequency_ratio: float, order: int, orbit: Symmetric
-) -> Flight:
-    """Return the half cycle as a flight whose growing part is known from both of its ends.
+) -> tuple[Flight, Forcing]:
+    """Return the half cycle as a flight whose growing part is known from both ends; its forcing.
 
     From the initial velocity alone the growing part would be lost to rounding in long half cycles.
     Angle 0 at both ends (eqs 10, 12) gives it instead.
     """
     w = frequency_ratio
-    beta = amplitude / (1.0 + w * w)
+    forcing = make_forcing(-1.0, 0.0, amplitude, w)
+    beta = forcing.beta
     length = order * math.pi / w
     h = tanh(0.5 * length)
     first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0  # eq 15, and that of the end
     growing, decaying = exponentials(first, last, length)
-    return Flight(
-        0.0,
-        w * orbit.velocity,
-        wrapped(orbit.phase),
-        orbit.sine,
-        orbit.cosine,
-        h - beta * orbit.sine / h,  # eq 14 with the velocity of eq 19
-        first,
-        growing,
-        length,
-        decaying,
-    )
+    phase, speed = wrapped(orbit.phase), w * orbit.velocity
+    a = h - beta * orbit.sine / h  # eq 14 with the velocity of eq 19
+    sine, cosine = orbit.sine, orbit.cosine
+    flight = Flight(0.0, speed, phase, sine, cosine, a, first, growing, length, decaying)
+    return flight, forcing
 
 
 @compiled
@@ -235,13 +229,11 @@ def half_cycle_jacobian(
 ) -> tuple[float, float, float, float]:
     """Return the derivative of the half-cycle map in (phase, du/ds after impact), row by row."""
     w = frequency_ratio
-    forcing = make_forcing(-1.0, 0.0, amplitude, w)
-    flight = half_cycle_flight(amplitude, w, order, orbit)
-    landing = -w * orbit.velocity / restitution  # eq 13
-    length = order * math.pi / w
-    return landing_jacobian(
-        forcing, restitution, flight, length, landing, -orbit.sine, -orbit.cosine
-    )
+    flight, forcing = half_cycle_flight(amplitude, w, order, orbit)
+    length, landing = order * math.pi / w, -w * orbit.velocity / restitution  # eq 13
+    end = wrapped(orbit.phase + math.pi)
+    zero = Zero(FOUND, length, ZERO, end, -orbit.sine, -orbit.cosine, 0.0, landing)
+    return landing_jacobian(forcing, restitution, flight, zero)
 
 
 @compiled
@@ -254,8 +246,7 @@ def half_cycle_shape(
     """
     w = frequency_ratio
     length = order * math.pi / w
-    forcing = make_forcing(-1.0, 0.0, amplitude, w)
-    flight = half_cycle_flight(amplitude, w, order, orbit)
+    flight, forcing = half_cycle_flight(amplitude, w, order, orbit)
     peak, _, _, extrema = inner_extrema(flight, forcing, length)
     if not orbit.velocity > 0.0:
         return peak, extrema, False
@@ -276,8 +267,7 @@ def fill_half_cycle(
     states: Floats2,
 ) -> None:
     """Fill angle and velocity (per pivot time), shape (2, times), at times of the half cycle."""
-    forcing = make_forcing(-1.0, 0.0, amplitude, frequency_ratio)
-    flight = half_cycle_flight(amplitude, frequency_ratio, order, orbit)
+    flight, forcing = half_cycle_flight(amplitude, frequency_ratio, order, orbit)
     for i in range(len(time)):
         phase = orbit.phase + frequency_ratio * time[i]
         sine, cosine = sincos_near(phase)

@@ -237,9 +237,7 @@ def passage_of(
             system.shares,
         )
     else:
-        j11, j12, j21, j22 = landing_jacobian(
-            forcing, abs(restitution), flight, zero.time, zero.velocity, zero.sine, zero.cosine
-        )
+        j11, j12, j21, j22 = landing_jacobian(forcing, abs(restitution), flight, zero)
     return Passage(
         IMPACT, after, zero.time / rate, landing, Jacobian(j11, j12 / unit, j21 * unit, j22)
     )
