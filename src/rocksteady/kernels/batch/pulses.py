@@ -18,15 +18,14 @@ import numpy as np
 from rocksteady.kernels.batch._lossless_bound import largest_margin
 from rocksteady.kernels.batch._still_base import HALF_PI, NEAR, fate_on_still_base, over_the_top
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
+from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import Floats, March, is_nonlinear
 from rocksteady.kernels.core.tuples import Kept, PulseFates, Tables, Until
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.replay import recorded_peaks
-from rocksteady.kernels.nonlinear.drive import SteppedFlight, side_drive
+from rocksteady.kernels.march.replay import beginning_of, recorded_peaks, stepped_from
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
@@ -163,23 +162,11 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
     last
         How its last flight began.
     """
-    row = 0 if last.side > 0 else 1
-    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
-    frequency = segments[last.segment, columns.FREQUENCY]
-    first_half, first_phase = segment_start(segments, last.segment)
-    since = elapsed_time(last.half_cycles, last.phase, first_half, first_phase, frequency)
-    seen_phase, _ = side_phase(last.half_cycles, last.phase, last.side, frequency)
-    flight = SteppedFlight(
-        side_drive(segments, last.segment, sides, last.side, since),
-        seen_phase,
-        last.side * last.angle / lean,
-        last.side * last.velocity / (lean * rate),
-        math.inf,
-        sides[0, columns.LEFT_OUT],
-    )
-    lifting = last.angle == 0.0 and last.velocity == 0.0
+    start = beginning_of(segments, sides, last)
+    flight = stepped_from(segments, sides, start, math.inf)
+    lifting, lean, rate = last.angle == 0.0 and last.velocity == 0.0, start.lean, start.rate
     work, nothing = np.empty((WORK_ROWS, TERMS)), np.zeros(0)
     zero = fly(flight, FALSE, math.inf, lifting, nothing, lean, rate, work, np.empty((0, TERMS)))
     if zero.event == columns.STALLED:
         return math.nan
-    return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)
+    return max(zero.velocity, 0.0) / -over_the_top(sides, 0 if last.side > 0 else 1, 0.0)

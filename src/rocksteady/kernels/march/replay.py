@@ -1,6 +1,7 @@
 """Replay of a march: state at any time, peaks, time of overturning."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +9,14 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
 from rocksteady.kernels.core.forcing import Forcing, side_forcing
-from rocksteady.kernels.core.tables import Floats, is_nonlinear, is_series, is_stepped, left_out_of
+from rocksteady.kernels.core.tables import (
+    Floats,
+    March,
+    is_nonlinear,
+    is_series,
+    is_stepped,
+    left_out_of,
+)
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
@@ -29,56 +37,72 @@ from rocksteady.kernels.nonlinear.replay import (
 from rocksteady.kernels.nonlinear.series import ANGLE, TERMS, WORK_ROWS, angle_at, load_shares
 
 
-@compiled
-def row_flight(
-    segments: Floats, sides: Floats, rows: Floats, index: int
-) -> tuple[Flight, Forcing, float, float]:
-    """Return a recorded flight in its side's units, its forcing, and the side's lean and rate."""
-    segment = int(rows[index, columns.ROW_SEGMENT])
-    half, phase = int(rows[index, columns.ROW_HALF_CYCLES]), rows[index, columns.ROW_PHASE]
-    side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
-    row = 0 if side > 0 else 1
-    lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
-    frequency = segments[segment, columns.FREQUENCY]
-    first_half, first_phase = segment_start(segments, segment)
-    since = elapsed_time(half, phase, first_half, first_phase, frequency)
-    forcing = side_forcing(segments, segment, sides, side, since)
-    seen, _ = side_phase(half, phase, side, frequency)
-    sine, cosine = sincos_near(seen)
-    flight = make_flight(
-        forcing,
-        side * rows[index, columns.ROW_ANGLE] / lean,
-        side * rows[index, columns.ROW_VELOCITY] / (lean * rate),
-        seen,
-        sine,
-        cosine,
-    )
-    return flight, forcing, lean, rate
+class Beginning(NamedTuple):
+    """Where a flight begins, in the units of its side."""
+
+    segment: int
+    side: int
+    since: float  # pivot time since the start of the segment
+    phase: float  # as the side sees it; of a series as it is
+    angle: float
+    velocity: float
+    lean: float  # of the side
+    rate: float
 
 
-@compiled
-def row_start(
-    segments: Floats, sides: Floats, rows: Floats, index: int, duration: float
-) -> tuple[SteppedFlight, float, float]:
-    """Return a recorded flight in steps, of a duration, and the side's lean and rate."""
-    segment = int(rows[index, columns.ROW_SEGMENT])
-    half, phase = int(rows[index, columns.ROW_HALF_CYCLES]), rows[index, columns.ROW_PHASE]
-    side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
+@inlined
+def beginning_of(segments: Floats, sides: Floats, state: March) -> Beginning:
+    """Return where the flight of a march in some state begins."""
+    segment, side, half, phase = state.segment, state.side, state.half_cycles, state.phase
     row = 0 if side > 0 else 1
     lean, rate = sides[row, columns.LEAN], sides[row, columns.RATE]
     frequency = segments[segment, columns.FREQUENCY]
     first_half, first_phase = segment_start(segments, segment)
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     seen, _ = side_phase(half, phase, ONE if is_series(segments, segment) else side, frequency)
-    flight = SteppedFlight(
-        side_drive(segments, segment, sides, side, since),
-        seen,
-        side * rows[index, columns.ROW_ANGLE] / lean,
-        side * rows[index, columns.ROW_VELOCITY] / (lean * rate),
-        duration * rate,
-        left_out_of(sides),
-    )
-    return flight, lean, rate
+    angle, velocity = side * state.angle / lean, side * state.velocity / (lean * rate)
+    return Beginning(segment, side, since, seen, angle, velocity, lean, rate)
+
+
+@compiled
+def stepped_from(segments: Floats, sides: Floats, start: Beginning, span: float) -> SteppedFlight:
+    """Return the flight in steps that begins somewhere, over a span of side time."""
+    drive = side_drive(segments, start.segment, sides, start.side, start.since)
+    left_out = left_out_of(sides)
+    return SteppedFlight(drive, start.phase, start.angle, start.velocity, span, left_out)
+
+
+@inlined
+def row_start(segments: Floats, sides: Floats, rows: Floats, index: int) -> Beginning:
+    """Return where the flight of a row begins."""
+    side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
+    angle, velocity = rows[index, columns.ROW_ANGLE], rows[index, columns.ROW_VELOCITY]
+    half, phase = int(rows[index, columns.ROW_HALF_CYCLES]), rows[index, columns.ROW_PHASE]
+    segment = int(rows[index, columns.ROW_SEGMENT])
+    state = March(side, angle, velocity, segment, half, phase, 0, 0)
+    return beginning_of(segments, sides, state)
+
+
+@compiled
+def row_flight(
+    segments: Floats, sides: Floats, rows: Floats, index: int
+) -> tuple[Flight, Forcing, float, float]:
+    """Return a recorded flight in its side's units, its forcing, and the side's lean and rate."""
+    start = row_start(segments, sides, rows, index)
+    forcing = side_forcing(segments, start.segment, sides, start.side, start.since)
+    sine, cosine = sincos_near(start.phase)
+    flight = make_flight(forcing, start.angle, start.velocity, start.phase, sine, cosine)
+    return flight, forcing, start.lean, start.rate
+
+
+@compiled
+def row_in_steps(
+    segments: Floats, sides: Floats, rows: Floats, index: int, duration: float
+) -> tuple[SteppedFlight, float, float]:
+    """Return a recorded flight in steps, of a duration, and the side's lean and rate."""
+    start = row_start(segments, sides, rows, index)
+    flight = stepped_from(segments, sides, start, duration * start.rate)
+    return flight, start.lean, start.rate
 
 
 @allocating
@@ -98,7 +122,7 @@ def fill_in_steps(
     orders = max((segments.shape[1] - columns.SHARES) // 2, 0)
     work = np.empty((WORK_ROWS + orders, TERMS))
     row, steps = -1, 0  # whose step the working space holds, and which
-    flight, lean, rate = row_start(segments, sides, rows, ZERO, 0.0)
+    flight, lean, rate = row_in_steps(segments, sides, rows, ZERO, 0.0)
     side = 0.0
     leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
     for i in range(len(index)):
@@ -115,7 +139,7 @@ def fill_in_steps(
                 continue
             if orders > 0:
                 load_shares(segments[segment, columns.SHARES :], work)
-            flight, lean, rate = row_start(
+            flight, lean, rate = row_in_steps(
                 segments, sides, rows, row, rows[row, columns.ROW_DURATION]
             )
             leg, steps = leg_from(flight, 0.0, flight.angle, flight.velocity, work), 1
@@ -202,7 +226,7 @@ def last_crossing_in(
         segment = int(rows[index, columns.ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
             duration = rows[index, columns.ROW_DURATION]
-            stepped, _, rate = row_start(segments, sides, rows, index, duration)
+            stepped, _, rate = row_in_steps(segments, sides, rows, index, duration)
             side = 1 if rows[index, columns.ROW_SIDE] > 0.0 else -1
             lost = point_of_no_return(segments, segment, sides, side)
             shares = shares_in(segments, segment, series)
@@ -251,7 +275,7 @@ def recorded_peaks_in(
         duration = last_duration if index == len(rows) - 1 else rows[index, columns.ROW_DURATION]
         segment = int(rows[index, columns.ROW_SEGMENT])
         if is_stepped(segments, segment, sides):
-            stepped, lean, rate = row_start(segments, sides, rows, index, duration)
+            stepped, lean, rate = row_in_steps(segments, sides, rows, index, duration)
             fast = speed / (lean * rate)
             if not stays_below(stepped, angle, fast):
                 shares = shares_in(segments, segment, series)
