@@ -14,8 +14,8 @@ from typing import NamedTuple
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.core.typed import ONE, ZERO
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.core.typed import FALSE, ONE, TRUE, ZERO
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers2
 from rocksteady.kernels.orbits.return_map import (
     FALL,
@@ -115,25 +115,8 @@ def laid_out(
     that any motion takes, to the last bit: near the end of a chatter a rounding decides how many
     bounces there are, and on what follows.
     """
-    state = Section(state.side, state.half_cycles % 2, state.phase, state.speed)
-    first = later(state, halves)
-    total = identity()
-    residual = 0.0
-    rests = grazes = 0
-    for k in range(passages):
-        put(table, k, state)
-        step = next_passage(system, state, guess)
-        if step.kind in (FALL, STAY, STUCK):
-            return Fixed(False, math.inf, total, rests, grazes)
-        rests += 1 if step.kind == UPLIFT else 0
-        grazes += 1 if step.kind == GRAZE else 0
-        target = first if k + 1 == passages else step.state
-        if step.state.side != target.side:
-            return Fixed(False, math.inf, total, rests, grazes)
-        residual = max(residual, missed(table, k, step, target))
-        total = product(step.jacobian, total)
-        state, guess = step.state, guess_after(step)
-    return Fixed(residual <= CLOSED, residual, total, rests, grazes)
+    put(table, ZERO, Section(state.side, state.half_cycles % 2, state.phase, state.speed))
+    return passed_through(system, passages, halves, guess, TRUE, table)
 
 
 @compiled
@@ -145,12 +128,21 @@ def measured(system: System, passages: int, periods: int, table: Floats2) -> Fix
 @compiled
 def closed_after(system: System, passages: int, halves: int, table: Floats2) -> Fixed:
     """Do so for states that come back after so many half periods, odd ones to the mirror image."""
+    return passed_through(system, passages, halves, -1.0, FALSE, table)
+
+
+@inlined
+def passed_through(
+    system: System, passages: int, halves: int, guess: float, follows: bool, table: Floats2
+) -> Fixed:
+    """Take the passages from the states of a table; `follows` writes each next state first."""
     total = identity()
     residual = 0.0
     rests = grazes = 0
     for k in range(passages):
-        state = state_at(table, k)
-        step = next_passage(system, state, table[k, TIME] if table[k, TIME] > 0.0 else -1.0)
+        if not follows:
+            guess = table[k, TIME] if table[k, TIME] > 0.0 else -1.0
+        step = next_passage(system, state_at(table, k), guess)
         if step.kind in (FALL, STAY, STUCK):
             return Fixed(False, math.inf, total, rests, grazes)
         rests += 1 if step.kind == UPLIFT else 0
@@ -158,11 +150,14 @@ def closed_after(system: System, passages: int, halves: int, table: Floats2) -> 
         if k + 1 == passages:
             target = later(state_at(table, ZERO), halves)
         else:
+            if follows:
+                put(table, k + 1, step.state)
             target = state_at(table, k + 1)
         if step.state.side != target.side:
             return Fixed(False, math.inf, total, rests, grazes)
         residual = max(residual, missed(table, k, step, target))
         total = product(step.jacobian, total)
+        guess = guess_after(step)
     return Fixed(residual <= CLOSED, residual, total, rests, grazes)
 
 

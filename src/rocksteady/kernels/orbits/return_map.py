@@ -25,11 +25,7 @@ from typing import NamedTuple
 from rocksteady.kernels.core.clock import clock, side_clock, side_phase, uplift_clock
 from rocksteady.kernels.core.forcing import SINE, Forcing, grazes, starts_positive
 from rocksteady.kernels.core.harmonics import level_of, lifts_at
-from rocksteady.kernels.core.tables import (
-    FOUND,
-    NO_RETURN,
-    Floats,
-)
+from rocksteady.kernels.core.tables import FOUND, NO_RETURN, Floats
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.extrema import highest_angle
@@ -138,14 +134,13 @@ def flight_from(system: System, state: Section) -> Flight:
 def next_passage(system: System, state: Section, guess: float) -> Passage:
     """Return the passage that follows a state; `guess` is a time near which the impact may be."""
     row = 0 if state.side > 0 else 1
-    forcing = forcing_of(system, state.side)
     flight = flight_from(system, state)
     if state.speed > 0.0:
         if comes_to_rest(system, state, flight.sine):
             return uplift_after(system, state.half_cycles, state.phase)
     elif not lifts_in(system, system.shares, row, flight.phase):  # it touches its base and stays
         return uplift_after(system, state.half_cycles, state.phase)
-    return passage_of(system, row, state.half_cycles, state.phase, flight, forcing, guess)
+    return passage_of(system, state, flight, guess)
 
 
 @compiled
@@ -184,28 +179,19 @@ def first_passage(system: System, state: AnyState) -> Passage:
     if side == 0:
         return uplift_after(system, half_cycles, phase)
     row = 0 if side > 0 else 1
-    forcing = forcing_of(system, side)
     seen, _ = seen_from(system.shares, half_cycles, phase, side, system.frequency)
     lean, rate = system.lean[row], system.rate[row]
     sine, cosine = sincos_near(seen)
-    flight = make_flight(
-        forcing, side * angle / lean, side * velocity / (lean * rate), seen, sine, cosine
-    )
-    return passage_of(system, row, half_cycles, phase, flight, forcing, -1.0)
+    y, v = side * angle / lean, side * velocity / (lean * rate)
+    flight = make_flight(forcing_of(system, side), y, v, seen, sine, cosine)
+    return passage_of(system, Section(side, half_cycles, phase, abs(velocity)), flight, -1.0)
 
 
 @compiled
-def passage_of(
-    system: System,
-    row: int,
-    half_cycles: int,
-    phase: float,
-    flight: Flight,
-    forcing: Forcing,
-    guess: float,
-) -> Passage:
-    """Return the passage at the end of a flight on the side of a row."""
-    side = 1 if row == 0 else -1
+def passage_of(system: System, state: Section, flight: Flight, guess: float) -> Passage:
+    """Return the passage at the end of a flight that begins in a state, at any angle."""
+    side, half_cycles, phase, _ = state
+    row, forcing = 0 if side > 0 else 1, forcing_of(system, side)
     lifting = flight.angle == 0.0 and flight.velocity == 0.0
     derivative = (0.0, 0.0, 0.0, 0.0)
     if system.left_out > 0.0:
@@ -228,13 +214,9 @@ def passage_of(
     if grazes(landing, forcing.amplitude, forcing.frequency):
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
     if system.left_out > 0.0:
+        drive = drive_of(system, row)
         j11, j12, j21, j22 = landing_derivative(
-            drive_of(system, row),
-            abs(restitution),
-            flight.phase,
-            zero,
-            derivative,
-            system.shares,
+            drive, abs(restitution), flight.phase, zero, derivative, system.shares
         )
     else:
         j11, j12, j21, j22 = landing_jacobian(forcing, abs(restitution), flight, zero)
@@ -358,18 +340,14 @@ def highest_after(system: System, state: Section, passage: Passage) -> tuple[flo
         return highest_of(system, state, passage.time), 0.0
     if state.speed == 0.0:
         return 0.0, 0.0
-    row = 0 if state.side > 0 else 1
-    flight, forcing = flight_from(system, state), forcing_of(system, state.side)
-    bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
+    bounce = passage_of(system, state, flight_from(system, state), -1.0)
     if bounce.kind != IMPACT:
         return 0.0, 0.0
     here = highest_of(system, state, bounce.time)
     if system.free != 0:
         return here, 0.0
     state = bounce.state
-    row = 0 if state.side > 0 else 1
-    flight, forcing = flight_from(system, state), forcing_of(system, state.side)
-    bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
+    bounce = passage_of(system, state, flight_from(system, state), -1.0)
     if bounce.kind != IMPACT:
         return here, 0.0
     return here, highest_of(system, state, bounce.time)
