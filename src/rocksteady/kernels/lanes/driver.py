@@ -112,23 +112,16 @@ def queued_lane_fates(
                     fresh = cell >= 0
                     if not fresh:
                         break
-                    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    sides[:, columns.RESTITUTION] = restitution[cell]
+                    a, w, r = amplitude[cell], frequency_ratio[cell], restitution[cell]
+                    harmonic_segment(segments, a, w, phase[cell])
+                    sides[:, columns.RESTITUTION] = r
                     start = start_of(angle[cell], velocity[cell], phase[cell])
                     end_half, stop = start.half_cycles + 2 * cycles, start.phase
                     code, state = launched(tables, start, end_half, stop)
                     if code != columns.UNDECIDED:
                         note_in_lanes(fates, cell, code, state, most)
                         continue
-                    load(
-                        lanes,
-                        j,
-                        cell,
-                        amplitude[cell],
-                        frequency_ratio[cell],
-                        restitution[cell],
-                        stop,
-                    )
+                    load(lanes, j, cell, a, w, r, stop)
                     put_lane(lanes, j, state, end_half)
                     busy += 1
             if together(busy) == 0:

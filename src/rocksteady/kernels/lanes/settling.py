@@ -118,15 +118,8 @@ def queued_lane_attractors(
                     fresh = cell >= 0
                     if not fresh:
                         break
-                    load(
-                        lanes,
-                        j,
-                        cell,
-                        amplitude[cell],
-                        frequency_ratio[cell],
-                        restitution[cell],
-                        0.0,
-                    )
+                    a, w, r = amplitude[cell], frequency_ratio[cell], restitution[cell]
+                    load(lanes, j, cell, a, w, r, 0.0)
                     start = state_of(states, cell)
                     half = start.half_cycles
                     toward = start.side * start.velocity
@@ -135,8 +128,8 @@ def queued_lane_attractors(
                         put_section(lanes, j, flight, half + FAR, ZERO)
                         lanes[lane.STAGE + j] = lane.LAUNCH
                     else:
-                        sides[:, RESTITUTION] = restitution[cell]
-                        system = make_system(amplitude[cell], frequency_ratio[cell], sides)
+                        sides[:, RESTITUTION] = r
+                        system = make_system(a, w, sides)
                         first = first_passage(system, start)
                         after = (first.state.half_cycles - half) // 2
                         if first.kind in (FALL, STAY):

@@ -280,31 +280,19 @@ def march_in_model(
         if keeps:
             top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
         lifting = angle == 0.0 and velocity == 0.0
+        y, v = side * angle / lean, side * velocity / (lean * rate)
         if stepped:
             # What is still to come bounds the linear motion on segments that end, too.
             lasting = endless or (series and not nonlinear)
             lost = point_of_no_return(segments, segment, sides, side) if lasting else math.inf
-            stepping = SteppedFlight(
-                side_drive(segments, segment, sides, side, since),
-                seen_phase,
-                side * angle / lean,
-                side * velocity / (lean * rate),
-                span * rate,
-                left_out_of(sides),
-            )
+            drive = side_drive(segments, segment, sides, side, since)
+            stepping = SteppedFlight(drive, seen_phase, y, v, span * rate, left_out_of(sides))
             zero = fly(stepping, lasting, lost, lifting, peaks, lean, rate, work, work[:0])
             duration = zero.time / rate
             if zero.event == STALLED:
                 return UNDECIDED, state
         else:
-            flight = make_flight(
-                forcing,
-                side * angle / lean,
-                side * velocity / (lean * rate),
-                seen_phase,
-                sine,
-                cosine,
-            )
+            flight = make_flight(forcing, y, v, seen_phase, sine, cosine)
             zero = next_zero(flight, forcing, span * rate, endless, lifting, guess)
             duration = math.inf if zero.event == NO_RETURN else zero.time / rate
             if watch:
@@ -315,7 +303,7 @@ def march_in_model(
         if keeps and zero.event != FOUND:
             later = math.inf if zero.event == NO_RETURN else zero.angle
             ceiling = segments[segment, CEILING] / lean
-            rise = Rise(side * angle / lean, side * velocity, later, span * rate, ceiling)
+            rise = Rise(y, side * velocity, later, span * rate, ceiling)
             keep_passage(peaks, state, top_angle, top_speed, rise)
         if zero.event == NO_RETURN:
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)

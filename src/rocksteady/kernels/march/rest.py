@@ -47,6 +47,7 @@ from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
 from rocksteady.kernels.elementary.logarithm import log
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
+from rocksteady.kernels.nonlinear.proofs import linear_bounds
 
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100
@@ -202,11 +203,8 @@ def settles(restitution: float, span: float, here: Bounce, there: Bounce, highes
     pull_there = -largest_forcing(there.forcing, there.phase, 0.0)
     if pull_here <= here.speed or pull_there <= there.speed:
         return False
-    window = (
-        4.0
-        * max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
-        / (1.0 - restitution)
-    )
+    longer = max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
+    window = 4.0 * longer / (1.0 - restitution)
     if window > span:
         return False
     growth_here, duration_here, top_here = bounce_bounds(here, window * here.rate)
@@ -224,11 +222,7 @@ def bounce_bounds(bounce: Bounce, window: float) -> tuple[float, float, float]:
     """Return upper bounds of a bounce's growth of velocity squared, its duration and its top."""
     forcing, phase, velocity, rate = bounce
     pull = -largest_forcing(forcing, phase, window)
-    if pull <= velocity:
-        return math.inf, math.inf, math.inf
-    root = math.sqrt((pull - velocity) * (pull + velocity))
-    growth = 1.0 + 4.0 * steepest_forcing(forcing) * velocity / (pull * root)
-    return growth, 2.0 * velocity / (root * rate), velocity * velocity / (pull + root)
+    return linear_bounds(pull, steepest_forcing(forcing), velocity, rate)
 
 
 @compiled

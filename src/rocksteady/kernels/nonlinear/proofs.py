@@ -111,11 +111,8 @@ def bounces_settle(
     pull_there = -acceleration(there.drive, 0.0, 0.0, swing_at(there.drive, shares, there.phase))
     if pull_there <= there.speed:
         return False
-    window = (
-        4.0
-        * max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
-        / (1.0 - restitution)
-    )
+    longer = max(here.speed / (pull_here * here.rate), there.speed / (pull_there * there.rate))
+    window = 4.0 * longer / (1.0 - restitution)
     if window > span:
         return False
     growth_here, lasts_here, top_here = bounce_bounds(here, window * here.rate, shares)
@@ -175,7 +172,7 @@ def shaking_bounds(
 def linear_bounds(
     pull: float, steepest: float, velocity: float, rate: float
 ) -> tuple[float, float, float]:
-    """Return what `bounce_bounds` does in the linear model, for bounds of -r and of |r'|."""
+    """Return what `bounce_bounds` does in the linear model: c is `pull`, L `steepest`."""
     if pull <= velocity:
         return math.inf, math.inf, math.inf
     root = math.sqrt((pull - velocity) * (pull + velocity))
