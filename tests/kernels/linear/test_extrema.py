@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.linear.extrema import flight_peaks, highest_angle, inner_extrema, last_rise
-from rocksteady.kernels.linear.flight import Flight, make_flight
+from rocksteady.kernels.linear.flight import Flight, Parts, make_flight
 from rocksteady.kernels.linear.zeros import next_zero
 from tests.every import every
 from tests.strategies import (
@@ -146,7 +146,7 @@ def test_a_falling_block_rises_through_the_critical_angle_for_the_last_time() ->
     assert found == pytest.approx(math.atanh(1.0 / 1.05), rel=1e-14)
     # Hovering about the level under shaking before it falls: the last of many rises.
     forcing = make_forcing(-1.0, 0.0, 4.0, 5.0)
-    hovering = Flight(1.0, 0.0, 0.0, 0.0, 1.0, 1e-9, 0.0, 1e-9, 0.0, 0.0)
+    hovering = Flight(1.0, 0.0, 0.0, 0.0, 1.0, Parts(1e-9, 0.0, 1e-9, 0.0, 0.0))
     last = last_rise(hovering, forcing, 1.0, math.inf, True)
     beta = 4.0 / 26.0
     later = last + np.linspace(1e-6, 5.0, 20_000)

@@ -14,6 +14,7 @@ from rocksteady.kernels.linear.flight import (
     LONG,
     SHORT,
     Flight,
+    Parts,
     flight_acceleration,
     flight_state,
     make_flight,
@@ -163,7 +164,7 @@ def test_the_equation_of_motion_holds(
 def test_a_tiny_growing_part_decides_a_long_flight(growing: float) -> None:
     # On the balanced motion but for `growing`: y - balanced = growing e^t, to its own precision.
     forcing = make_forcing(-1.0, 0.0, 2.0, 3.0)
-    flight = Flight(1.0, growing, 0.0, 0.0, 1.0, 0.6, 0.0, growing, 0.0, 0.0)
+    flight = Flight(1.0, growing, 0.0, 0.0, 1.0, Parts(0.6, 0.0, growing, 0.0, 0.0))
     for time in (2.0, 10.0, 40.0):
         angle, _ = at(flight, forcing, time)
         balanced = 1.0 - 0.2 * math.sin(3.0 * time)

@@ -22,7 +22,7 @@ from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.elementary.circular import cos, sin, sincos_near
 from rocksteady.kernels.elementary.exponential import exp, expm1
 from rocksteady.kernels.elementary.hyperbolic import sinh, tanh
-from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, wrapped
+from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, Parts, wrapped
 from rocksteady.kernels.machine_code.compilation import compiled
 
 SMALL = 0.25
@@ -160,6 +160,5 @@ def arc_flight(forcing: Forcing, duration: float, first: float, last: float) -> 
     chord = cos(first + 0.5 * w * duration) * w * sine_ratio(0.5 * w * duration)
     swing = beta * chord * sinh_ratio(duration) - begin * tanh(0.5 * duration)
     velocity = swing - beta * w * cosine
-    return Flight(
-        0.0, velocity, wrapped(first), sine, cosine, swing, begin, growing, duration, decaying
-    )
+    parts = Parts(swing, begin, growing, duration, decaying)
+    return Flight(0.0, velocity, wrapped(first), sine, cosine, parts)

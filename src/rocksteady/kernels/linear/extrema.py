@@ -14,6 +14,7 @@ from rocksteady.kernels.elementary.exponential import exp
 from rocksteady.kernels.linear.flight import (
     LONG,
     Flight,
+    Parts,
     flight_state,
     make_flight,
     shifted_flight,
@@ -140,20 +141,9 @@ def restarted(flight: Flight, forcing: Forcing, zero: Zero) -> tuple[Flight, For
         later = make_forcing(constant, forcing.slope, forcing.amplitude, forcing.frequency)
     phase = wrapped(zero.phase)
     start = make_flight(later, zero.angle, zero.velocity, phase, zero.sine, zero.cosine)
-    if zero.time < LONG and flight.reference == 0.0:
+    _, _, growing, reference, decaying = flight.parts
+    if zero.time < LONG and reference == 0.0:
         return start, later
-    return (
-        Flight(
-            zero.angle,
-            zero.velocity,
-            phase,
-            zero.sine,
-            zero.cosine,
-            start.sinh_part,
-            start.cosh_part,
-            flight.growing,
-            flight.reference - zero.time,
-            flight.decaying * exp(-zero.time),
-        ),
-        later,
-    )
+    a, b, _, _, _ = start.parts
+    parts = Parts(a, b, growing, reference - zero.time, decaying * exp(-zero.time))
+    return Flight(zero.angle, zero.velocity, phase, zero.sine, zero.cosine, parts), later

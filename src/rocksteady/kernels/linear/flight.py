@@ -30,6 +30,16 @@ LONG = 0.25
 LARGEST_EXPONENT = 700.0  # e^700 is finite; only signs matter there
 
 
+class Parts(NamedTuple):
+    """Coefficients of the closed form of a flight."""
+
+    sinh: float  # a
+    cosh: float  # b
+    growing: float  # G
+    reference: float
+    decaying: float  # H
+
+
 class Flight(NamedTuple):
     """Initial state of a flight and the coefficients of its closed form."""
 
@@ -38,11 +48,7 @@ class Flight(NamedTuple):
     phase: float  # psi at t = 0, in [-pi/2, 3 pi/2)
     sine: float
     cosine: float
-    sinh_part: float  # a
-    cosh_part: float  # b
-    growing: float  # G
-    reference: float
-    decaying: float  # H
+    parts: Parts
 
 
 @inlined
@@ -52,7 +58,8 @@ def make_flight(
     """Return the flight that starts with `angle` and `velocity` at `phase`."""
     a = velocity + forcing.slope + forcing.beta * forcing.frequency * cosine
     b = angle + forcing.constant + forcing.beta * sine
-    return Flight(angle, velocity, phase, sine, cosine, a, b, 0.5 * (a + b), 0.0, 0.5 * (b - a))
+    parts = Parts(a, b, 0.5 * (a + b), 0.0, 0.5 * (b - a))
+    return Flight(angle, velocity, phase, sine, cosine, parts)
 
 
 @compiled
@@ -71,7 +78,7 @@ def flight_state(
     """Return angle and velocity at `time`, where the forcing's phase has this sine and cosine."""
     if time < SHORT and forcing.frequency * time < SHORT:
         return short_flight_state(flight, forcing, time)
-    beta = forcing.beta
+    beta, parts = forcing.beta, flight.parts
     if time < LONG:
         grown = expm1_near(time)  # e^t - 1
         decayed = grown / (1.0 + grown)  # 1 - e^-t
@@ -79,26 +86,26 @@ def flight_state(
         cosh_less_1 = 0.5 * grown * decayed
         angle = (
             flight.angle
-            + flight.sinh_part * sinh
-            + flight.cosh_part * cosh_less_1
+            + parts.sinh * sinh
+            + parts.cosh * cosh_less_1
             - forcing.slope * time
             + beta * (flight.sine - sine)
         )
         velocity = (
             flight.velocity
-            + flight.sinh_part * cosh_less_1
-            + flight.cosh_part * sinh
+            + parts.sinh * cosh_less_1
+            + parts.cosh * sinh
             + beta * forcing.frequency * (flight.cosine - cosine)
         )
         return angle, velocity
-    if flight.reference == 0.0:
+    if parts.reference == 0.0:
         up = exp_near(min(time, LARGEST_EXPONENT))
         down = 1.0 / up
     else:
-        up = exp_clamped(time - flight.reference)
+        up = exp_clamped(time - parts.reference)
         down = exp_clamped(-time)
-    up *= flight.growing
-    down *= flight.decaying
+    up *= parts.growing
+    down *= parts.decaying
     angle = up + down - forcing.constant - forcing.slope * time - beta * sine
     velocity = up - down - forcing.slope - beta * forcing.frequency * cosine
     return angle, velocity
@@ -149,21 +156,9 @@ def velocity_flight(flight: Flight, forcing: Forcing) -> tuple[Flight, Forcing]:
     )
     acceleration = flight_acceleration(forcing, 0.0, flight.angle, flight.sine)
     phase = wrapped(flight.phase + HALF_PI)
-    return (
-        Flight(
-            flight.velocity,
-            acceleration,
-            phase,
-            flight.cosine,
-            -flight.sine,
-            flight.cosh_part,
-            flight.sinh_part,
-            flight.growing,
-            flight.reference,
-            -flight.decaying,
-        ),
-        rate,
-    )
+    a, b, growing, reference, decaying = flight.parts
+    parts = Parts(b, a, growing, reference, -decaying)
+    return Flight(flight.velocity, acceleration, phase, flight.cosine, -flight.sine, parts), rate
 
 
 @compiled
@@ -172,18 +167,5 @@ def shifted_flight(flight: Flight, forcing: Forcing, level: float) -> tuple[Flig
     lowered = make_forcing(
         forcing.constant + level, forcing.slope, forcing.amplitude, forcing.frequency
     )
-    return (
-        Flight(
-            flight.angle - level,
-            flight.velocity,
-            flight.phase,
-            flight.sine,
-            flight.cosine,
-            flight.sinh_part,
-            flight.cosh_part,
-            flight.growing,
-            flight.reference,
-            flight.decaying,
-        ),
-        lowered,
-    )
+    angle, velocity, phase, sine, cosine, parts = flight
+    return Flight(angle - level, velocity, phase, sine, cosine, parts), lowered

@@ -71,6 +71,16 @@ class Zero(NamedTuple):
     velocity: float
 
 
+class Piece(NamedTuple):
+    """What lies between two nodes."""
+
+    sign: float  # of y, which F has not
+    cycle: int  # whole turns of the forcing before it
+    start: float
+    start_phase: float
+    end: float
+
+
 @inlined
 def next_zero(
     flight: Flight, forcing: Forcing, span: float, endless: bool, lifting: bool, guess: float
@@ -92,7 +102,7 @@ def next_zero(
         positive = starts_positive(forcing, phase)
         if angle == 0.0 and velocity == 0.0 and not positive:
             sign = -1.0
-    growing = sign * flight.growing
+    growing = sign * flight.parts.growing
 
     if span <= 0.0:  # rounding put an impact on or past the end
         return Zero(SPAN_END, 0.0, 0, phase, flight.sine, flight.cosine, angle, velocity)
@@ -163,15 +173,13 @@ def next_zero(
             if sign * end_velocity > 0.0 and tangents_meet_below(
                 sign * angle, sign * velocity, sign * end_angle, sign * end_velocity, end - start
             ):
-                dip = dip_contact(
-                    flight, forcing, sign, cycle, start, start_phase, angle, velocity, end
-                )
+                piece = Piece(sign, cycle, start, start_phase, end)
+                dip = dip_contact(flight, forcing, piece, angle, velocity)
                 if dip.event == FOUND:
                     return dip
         if found:
-            return polished(
-                flight, forcing, sign, cycle, start, start_phase, end, end_angle, end_velocity
-            )
+            piece = Piece(sign, cycle, start, start_phase, end)
+            return polished(flight, forcing, piece, end_angle, end_velocity)
 
         # 3. No: on to the next piece, unless none can follow.
         if settled and growing == 0.0:  # balanced for ever: neither falls nor comes back
@@ -192,9 +200,9 @@ def settling_time(flight: Flight, forcing: Forcing) -> float:
 
     From there on F keeps its sign.
     """
-    growing = abs(flight.growing)
-    rest = abs(flight.decaying) + abs(forcing.constant) + forcing.beta + forcing.swing
-    late = 50.0 + log1p(rest) if growing == 0.0 else flight.reference + log1p(rest / growing)
+    growing, reference = abs(flight.parts.growing), flight.parts.reference
+    rest = abs(flight.parts.decaying) + abs(forcing.constant) + forcing.beta + forcing.swing
+    late = 50.0 + log1p(rest) if growing == 0.0 else reference + log1p(rest / growing)
     return max(late, 0.0) + 1e-3
 
 
@@ -203,12 +211,12 @@ def no_return(
     flight: Flight, forcing: Forcing, sign: float, time: float, angle: float, velocity: float
 ) -> bool:
     """Return whether F > 0 now and g > 0 for ever after, on an endless forcing without slope."""
-    growing = sign * flight.growing
+    growing = sign * flight.parts.growing
     if growing <= 0.0 or forcing.slope != 0.0:
         return False
     if sign * angle < 0.0 or (angle == 0.0 and sign * velocity <= 0.0):
         return False
-    up = 2.0 * growing * exp_clamped(time - flight.reference)
+    up = 2.0 * growing * exp_clamped(time - flight.parts.reference)
     return up >= forcing.swing + sign * forcing.constant
 
 
@@ -227,17 +235,10 @@ def tangents_meet_below(
 
 @compiled
 def dip_contact(
-    flight: Flight,
-    forcing: Forcing,
-    sign: float,
-    cycle: int,
-    start: float,
-    start_phase: float,
-    angle: float,
-    velocity: float,
-    end: float,
+    flight: Flight, forcing: Forcing, piece: Piece, angle: float, velocity: float
 ) -> Zero:
-    """Newton from the left on the convex F: its first zero, or none."""
+    """Newton from the left on the convex F, from a state at its start: its first zero, or none."""
+    sign, cycle, start, start_phase, end = piece
     time, phase = start, start_phase
     sine, cosine = flight.sine, flight.cosine
     angle, velocity = sign * angle, sign * velocity
@@ -262,17 +263,10 @@ def dip_contact(
 
 @inlined
 def polished(
-    flight: Flight,
-    forcing: Forcing,
-    sign: float,
-    cycle: int,
-    start: float,
-    start_phase: float,
-    end: float,
-    end_angle: float,
-    end_velocity: float,
+    flight: Flight, forcing: Forcing, piece: Piece, end_angle: float, end_velocity: float
 ) -> Zero:
     """Polish the one descending zero between `start` and `end`, where F > 0 and F <= 0."""
+    sign, cycle, start, start_phase, end = piece
     low, high = start, end
     # From the far end, where a falling F is usually concave; or, for a short bounce, from the
     # parabola that it nearly is.

@@ -37,7 +37,7 @@ from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.elementary.lengths import hypot
 from rocksteady.kernels.linear.arcs import exponentials
 from rocksteady.kernels.linear.extrema import inner_extrema
-from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
+from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, Parts, flight_state, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import Zero, next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
@@ -218,9 +218,8 @@ def half_cycle_flight(
     growing, decaying = exponentials(first, last, length)
     phase, speed = wrapped(orbit.phase), w * orbit.velocity
     a = h - beta * orbit.sine / h  # eq 14 with the velocity of eq 19
-    sine, cosine = orbit.sine, orbit.cosine
-    flight = Flight(0.0, speed, phase, sine, cosine, a, first, growing, length, decaying)
-    return flight, forcing
+    parts = Parts(a, first, growing, length, decaying)
+    return Flight(0.0, speed, phase, orbit.sine, orbit.cosine, parts), forcing
 
 
 @compiled
