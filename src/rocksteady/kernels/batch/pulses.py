@@ -98,12 +98,8 @@ def pulse_fates(
         if code != columns.AT_REST:
             row = 0 if end.side > 0 else 1
             unit = own[row, columns.LEAN] * own[row, columns.RATE]
-            fate = fate_on_still_base(
-                own,
-                end.side,
-                end.side * end.angle / own[row, columns.LEAN],
-                end.side * end.velocity / unit,
-            )
+            y, v = end.side * end.angle / own[row, columns.LEAN], end.side * end.velocity / unit
+            fate = fate_on_still_base(own, end.side, y, v)
             margin[i] = fate.margin
             if fate.margin > 0.0:
                 status[i] = columns.OVERTURNED

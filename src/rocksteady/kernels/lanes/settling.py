@@ -162,13 +162,9 @@ def queued_lane_attractors(
 @compiled
 def put_section(lanes: Floats, j: int, state: Section, end_half: int, impacts: int) -> None:
     """Give a lane a state after so many impacts."""
-    velocity = state.side * state.speed
-    put_lane(
-        lanes,
-        j,
-        March(state.side, 0.0, velocity, ZERO, state.half_cycles, state.phase, impacts, ZERO),
-        end_half,
-    )
+    side, half_cycles, phase, speed = state
+    march = March(side, 0.0, side * speed, ZERO, half_cycles, phase, impacts, ZERO)
+    put_lane(lanes, j, march, end_half)
     lanes[lane.STAGE + j] = lane.LANDED
 
 

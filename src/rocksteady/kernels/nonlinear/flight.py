@@ -169,15 +169,9 @@ def fly(
         if varied:
             advance(drive, work, degree, ends, course)
         if watch:
+            before, fastest = peaks[tables.PEAK_ANGLE], peaks[tables.PEAK_SPEED] / (lean * rate)
             top_angle, top_speed = largest(
-                work,
-                degree,
-                ends,
-                third,
-                angle,
-                velocity,
-                peaks[tables.PEAK_ANGLE],
-                peaks[tables.PEAK_SPEED] / (lean * rate),
+                work, degree, ends, third, angle, velocity, before, fastest
             )
             peaks[tables.PEAK_ANGLE] = top_angle
             peaks[tables.PEAK_SPEED] = max(peaks[tables.PEAK_SPEED], top_speed * lean * rate)

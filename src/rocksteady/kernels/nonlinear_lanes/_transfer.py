@@ -21,7 +21,7 @@ def load(
 ) -> None:
     """Give a lane the constants of a cell; `stop` is the phase at which its run ends."""
     delta: float = max(sides[0, RESTITUTION], sides[1, RESTITUTION])
-    load_sides(lanes, k, amplitude, frequency, sides, delta)
+    load_sides(lanes, k, amplitude, frequency, sides)
     lanes[lane.CELL + k] = cell
     lanes[lane.ALLOWED + k] = log(sides[0, LEFT_OUT]) / LN2
     # Bounces are proved to end only if kappa, of the worse side, is (1 + delta)/2 at most.

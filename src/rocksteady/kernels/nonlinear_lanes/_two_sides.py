@@ -24,30 +24,20 @@ def unlike(sides: Floats) -> bool:
 
 
 @compiled
-def load_sides(
-    lanes: Floats, k: int, amplitude: float, frequency: float, sides: Floats, delta: float
-) -> None:
-    """Give a lane the constants of both sides, the positive one first.
-
-    `delta` is the larger restitution of the two.
-    """
-    load_side(lanes, k, amplitude, frequency, sides, 0, delta)
-    load_side(lanes, k + lane.OTHER, amplitude, frequency, sides, 1, delta)
+def load_sides(lanes: Floats, k: int, amplitude: float, frequency: float, sides: Floats) -> None:
+    """Give a lane the constants of both sides, the positive one first."""
+    load_side(lanes, k, amplitude, frequency, sides, 0)
+    load_side(lanes, k + lane.OTHER, amplitude, frequency, sides, 1)
     lanes[lane.SIDE + k] = 1.0
     lanes[lane.APART + k] = FAR if unlike(sides) else 0.0
 
 
 @compiled
 def load_side(
-    lanes: Floats,
-    k: int,
-    amplitude: float,
-    frequency: float,
-    sides: Floats,
-    row: int,
-    delta: float,
+    lanes: Floats, k: int, amplitude: float, frequency: float, sides: Floats, row: int
 ) -> None:
     """Fill the constants of one side, with shaking in its units."""
+    delta: float = max(sides[0, RESTITUTION], sides[1, RESTITUTION])
     alpha: float = sides[row, ALPHA]
     unit: float = sides[row, LEAN] * sides[row, RATE]
     amplitude /= sides[row, LEAN]
