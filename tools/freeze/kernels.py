@@ -37,7 +37,7 @@ FEWER = {
 one of a batch has some 20 cells."""
 ROOM = {"march": LIMIT, "series_settle": MEMORY, "settle": MEMORY}
 """Rows that the empty tables of a call have at least: another motion may need more of them."""
-AS_RECORDED = {"last_crossing", "peaks_until_overturning"}
+AS_RECORDED = {"fill_landings", "last_crossing", "peaks_until_overturning", "run_facts"}
 """Entries whose arguments are results of others, and only as such consistent."""
 
 

@@ -15,7 +15,7 @@ from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.lanes import driver, settling
 from rocksteady.kernels.linear import oscillator
 from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
-from rocksteady.kernels.march import march, replay
+from rocksteady.kernels.march import facts, march, replay
 from rocksteady.kernels.nonlinear import drive
 from rocksteady.kernels.nonlinear_lanes import loop
 from rocksteady.kernels.orbits import (
@@ -52,6 +52,9 @@ _KERNELS: tuple[Any, ...] = (
     replay.last_crossing,
     replay.peaks_until_overturning,
     replay.recorded_peaks,
+    facts.run_end,
+    facts.run_facts,
+    facts.fill_landings,
     clock.clock,
     clock.segment_start,
     tables.is_nonlinear,

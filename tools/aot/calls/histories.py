@@ -16,11 +16,14 @@ from rocksteady.kernels.core.tables import (
     SEGMENT_COLUMNS,
     March,
 )
+from rocksteady.kernels.march.facts import LANDING_ROWS
 from tools.aot.calls.drawn import MOTIONS, Drawn
 from tools.aot.calls.recorder import Recorder
 
 LIMIT = 400
 """Flights after which a march is given up."""
+RESTING = "pulse"
+"""The kind of motion under which marches end at rest."""
 
 
 def record_histories(call: Recorder) -> None:
@@ -29,7 +32,9 @@ def record_histories(call: Recorder) -> None:
         for nonlinear in (False, True):
             drawn = Drawn.by_name(f"{kind}, {nonlinear}")
             segments = drawn.segments(kind, nonlinear=nonlinear)
-            _history(call, drawn, segments, LIMIT)
+            sides, status, rows = _history(call, drawn, segments, LIMIT)
+            if kind == RESTING:
+                _facts(call, segments, sides, rows, status)
     drawn = Drawn.by_name("base that falls away")
     _history(call, drawn, drawn.segments("record", nonlinear=True, lift=6.0), LIMIT)
     drawn = Drawn.by_name("march cut short")
@@ -57,10 +62,14 @@ def record_small_parts(call: Recorder) -> None:
     for side in (1, -1):
         slender = drawn.sides(1, nonlinear=True, alike=0.0)[0]
         call("jump_share", slender, side, drawn.between(0.0, 0.9))
+    for kind in ("harmonic", "pulse"):
+        ending = Drawn.by_name(f"ends under {kind}")
+        shaken = ending.segments(kind, nonlinear=False)
+        call("run_end", shaken, ending.sides(1, nonlinear=False)[0], ending.between(1.0, 99.0))
 
 
-def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> None:
-    """Record a march with its rows, and its replay."""
+def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> tuple[Any, int, Any]:
+    """Record a march with its rows, and its replay; return sides, status and rows."""
     sides = drawn.sides(1, nonlinear=segments.shape[1] > SEGMENT_COLUMNS)[0]
     half, phase = call.quietly("segment_start", segments, 0)
     moving = drawn.chance(0.7)
@@ -70,7 +79,7 @@ def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> None:
     start = March(side, angle, velocity, 0, half, phase, 0, 0)
     stop = (half + 40, phase) if len(segments) == 1 else (0, drawn.between(5.0, 40.0))
     slow = drawn.over(1e-4, 1.0)
-    _marched(call, (segments, sides, start, *stop, slow, limit), drawn)
+    return sides, *_marched(call, (segments, sides, start, *stop, slow, limit), drawn)
 
 
 def _fall(call: Recorder, *, nonlinear: bool) -> None:
@@ -88,15 +97,24 @@ def _fall(call: Recorder, *, nonlinear: bool) -> None:
             status, end = call.quietly("march", *given, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
             if status == OVERTURNED and end.impacts > 3:
                 break
-        rows = _marched(call, given, drawn)
+        _, rows = _marched(call, given, drawn)
         call("last_crossing", segments, sides, rows, drawn.between(0.2, 0.8) if attempt else 1.0)
         call("peaks_until_overturning", segments, sides, rows)
+        _facts(call, segments, sides, rows, OVERTURNED)
 
 
-def _marched(call: Recorder, given: tuple[Any, ...], drawn: Drawn) -> Any:
-    """Record a march that keeps its rows, states at some times and peaks; return the rows."""
+def _facts(call: Recorder, segments: Any, sides: Any, rows: Any, status: int) -> None:
+    """Record what a march amounts to."""
+    starts = np.zeros(len(rows))
+    call("run_facts", segments, sides, rows, status, starts)
+    landings = np.zeros((LANDING_ROWS, len(rows)))
+    call("fill_landings", segments, sides, rows, starts, landings)
+
+
+def _marched(call: Recorder, given: tuple[Any, ...], drawn: Drawn) -> tuple[int, Any]:
+    """Record a march that keeps its rows, states at some times and peaks; return them."""
     segments, sides = given[:2]
-    _, end = call.quietly("march", *given, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
+    status, end = call.quietly("march", *given, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     call("march", *given, rows, np.zeros(PEAK_COLUMNS))
     index = np.sort(drawn.rng.integers(0, len(rows), 12))
@@ -105,4 +123,4 @@ def _marched(call: Recorder, given: tuple[Any, ...], drawn: Drawn) -> Any:
     call("fill_states", segments, sides, rows, index, span * drawn.rng.random(12), states)
     last = min(float(rows[-1, ROW_DURATION]), 0.7)
     call("recorded_peaks", segments, sides, rows, last)
-    return rows
+    return status, rows

@@ -15,6 +15,7 @@ const PulseFates = { status: 'i1', impacts: 'i1', side: 'i1', during: 'i1', marg
 const March = { side: 'i', angle: 'f', velocity: 'f', segment: 'i', half_cycles: 'i', phase: 'f', impacts: 'i', flights: 'i' };
 const Until = { half_cycles: 'i', phase: 'f', rest_velocity: 'f', limit: 'i' };
 const Kept = { rows: 'f2', peaks: 'f1' };
+const RunFacts = { last: 'f', end: 'f', passing: 'i', since: 'f', overturned: 'f', rested: 'f', peaks: ['f', 'f', 'f'] };
 const Points = { amplitude: 'f1', frequency_ratio: 'f1', restitution: 'f1', order: 'i1' };
 const Steady = { region: 'i1', boundaries: 'f2', phase: 'f2', velocity: 'f2', trace: 'f2', peak: 'f2', extrema: 'i2', admissible: 'b2' };
 const Symmetric = { phase: 'f', sine: 'f', cosine: 'f', velocity: 'f', trace: 'f' };
@@ -51,6 +52,9 @@ export const signatures = {
   last_crossing: { takes: ['f2', 'f2', 'f2', 'f'], gives: ['i', 'f'] },
   peaks_until_overturning: { takes: ['f2', 'f2', 'f2'], gives: ['f', 'f', 'f'] },
   recorded_peaks: { takes: ['f2', 'f2', 'f2', 'f'], gives: ['f', 'f', 'f'] },
+  run_end: { takes: [Tables, 'f'], gives: ['i', 'f'] },
+  run_facts: { takes: [Tables, 'f2', 'i', 'f1'], gives: RunFacts },
+  fill_landings: { takes: [Tables, 'f2', 'f1', 'f2'], gives: 'i' },
   clock: { takes: ['f'], gives: ['i', 'f'] },
   segment_start: { takes: ['f2', 'i'], gives: ['i', 'f'] },
   is_nonlinear: { takes: ['f2'], gives: 'b' },

@@ -11,16 +11,13 @@ from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, refuse_vertical
-from rocksteady.dynamics.history.simulate import (
-    ELASTIC_TIME,
-    FLIGHT_LIMIT,
-    LONGEST_REST,
-)
+from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.elementary.arrays import atan2, exp, hypot, sincos
+from rocksteady.kernels.march.facts import ELASTIC_TIME, LONGEST_REST
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 from rocksteady.model.blocks.block import Block

@@ -15,6 +15,7 @@ from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
+from rocksteady.kernels.march.facts import RunFacts
 from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import impact_friction
@@ -65,10 +66,7 @@ class Physical:
         def flights(self) -> Flights: ...
 
         @property
-        def _last_duration(self) -> float: ...
-
-        @property
-        def _overturning(self) -> tuple[int, float] | None: ...
+        def _facts(self) -> RunFacts: ...
 
         def _times(self, pt: ArrayLike) -> Floats: ...
 
@@ -269,7 +267,7 @@ class Physical:
         block = self._shaken_block
         if block is None or block.one_sided:
             return None
-        count = len(self.rows) if self._overturning is None else self._overturning[0]
+        count = self._facts.passing if self._facts.passing >= 0 else len(self.rows)
         ended = self.rows[:count, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT
         signs = set(np.sign(self.rows[:count, columns.ROW_SIDE][ended]).tolist())
         sides = {1.0: (block.positive, block.negative), -1.0: (block.negative, block.positive)}
@@ -281,10 +279,10 @@ class Physical:
         if self._shaken_block is None:
             return None
         count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()
-        durations[-1] = self._last_duration
-        if self._overturning is not None:
-            last, since = self._overturning
-            count, durations[last] = last + 1, since
+        durations[-1] = self._facts.last
+        if self._facts.passing >= 0:
+            count = self._facts.passing + 1
+            durations[count - 1] = self._facts.since
         flying = np.flatnonzero(self.rows[:count, columns.ROW_SIDE])
         if not len(flying):
             return None

@@ -1,6 +1,5 @@
 """Time history of one block, computed from its base motion and initial state."""
 
-import math
 from dataclasses import replace
 from typing import Annotated
 
@@ -14,9 +13,9 @@ from rocksteady.dynamics.history.nonlinear_tables import (
 )
 from rocksteady.dynamics.history.start import HasStart, Start, initial_march, start_of
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.kernels.core.clock import segment_start
-from rocksteady.kernels.core.tables import FREQUENCY, ROW_COLUMNS
+from rocksteady.kernels.core.tables import ROW_COLUMNS
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
+from rocksteady.kernels.march.facts import run_end
 from rocksteady.kernels.march.march import march
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -30,12 +29,6 @@ from rocksteady.outcomes import Status
 
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""
-
-ELASTIC_TIME = 1.0e4
-"""Pivot time p t that a block without loss is followed on a still base, on which it never rests."""
-
-LONGEST_REST = 1.0e15
-"""Pivot time that any other block is given to come to rest on a still base: no end, in effect."""
 
 LONGEST_RUN = 1.0e15
 """Most forcing periods of a run; their half periods are still counted exactly."""
@@ -138,19 +131,8 @@ def simulate(
     else:
         refuse_vertical(vertical)
         segments = segment_table(shaken, block)
-    if segments[-1, FREQUENCY] != 0.0:
-        # Whole half cycles are counted as an integer, so that the run ends in the exact phase.
-        first_half, first_phase = segment_start(segments, 0)
-        halves = math.floor(2.0 * cycles)
-        stop_half = first_half + halves
-        stop_phase = first_phase + (2.0 * cycles - halves) * math.pi
-        if stop_phase >= math.pi:
-            stop_half, stop_phase = stop_half + 1, stop_phase - math.pi
-    else:
-        stop_half = 0
-        stop_phase = ELASTIC_TIME if bare.lossless else LONGEST_REST
     tables = Tables(segments, sides)
-    until = Until(stop_half, stop_phase, SMALLEST_BOUNCE, max_flights)
+    until = Until(*run_end(tables, cycles), SMALLEST_BOUNCE, max_flights)
     _, end = march(tables, begin, until, Kept(np.zeros((0, ROW_COLUMNS)), np.zeros(0)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     status, _ = march(tables, begin, until, Kept(rows, np.zeros(0)))

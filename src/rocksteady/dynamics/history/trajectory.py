@@ -16,15 +16,11 @@ from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
-from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.kernels.march.replay import (
-    fill_states,
-    last_crossing,
-    peaks_until_overturning,
-    recorded_peaks,
-)
+from rocksteady.kernels.core.tuples import Tables
+from rocksteady.kernels.elementary.arrays import sin, tan
+from rocksteady.kernels.march.facts import LANDING_ROWS, RunFacts, fill_landings, run_facts
+from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
@@ -39,9 +35,6 @@ if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-
-OVERTURNED_SHOWN_TO = 2.0
-"""|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
 
 
 @checked_result
@@ -90,23 +83,22 @@ class Trajectory(Described):
     impacts_left_out: int = 0
 
     @cached_property
+    def _timed(self) -> tuple[Floats, RunFacts]:
+        """Pivot time at which each row begins, and what the run amounts to."""
+        starts = np.empty(len(self.rows))
+        tables = Tables(self.segments, self.sides)
+        return starts, run_facts(tables, self.rows, int(self.status), starts)
+
+    @property
+    def _facts(self) -> RunFacts:
+        """What the run amounts to."""
+        return self._timed[1]
+
+    @cached_property
     def flights(self) -> Flights:
         """All flights and rests in order."""
-        segment_starts = base_motion.segment_starts(self.segments)
-        first_half, first_phase = np.zeros((2, len(self.segments)))
-        for i in np.flatnonzero(self.segments[:, columns.FREQUENCY]).tolist():
-            first_half[i], first_phase[i] = segment_start(self.segments, i)
-        index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
-        frequency = self.segments[index, columns.FREQUENCY]
-        # Half cycles are counted as integers, so that a long run loses no digits before the end.
-        halves = self.rows[:, columns.ROW_HALF_CYCLES] - first_half[index]
-        local = self.rows[:, columns.ROW_PHASE] - first_phase[index]
-        turned = (halves * math.pi + local) / np.where(frequency > 0.0, frequency, 1.0)
         return Flights(
-            # A flight shorter than a clock's last digit may not seem to begin before the last.
-            pt=np.maximum.accumulate(
-                segment_starts[index] + np.where(frequency > 0.0, turned, local)
-            ),
+            pt=self._timed[0],
             duration=self.rows[:, columns.ROW_DURATION],
             side=self.rows[:, columns.ROW_SIDE].astype(np.int64),
             angle=self.rows[:, columns.ROW_ANGLE],
@@ -114,21 +106,7 @@ class Trajectory(Described):
             ended_by=self.rows[:, columns.ROW_EVENT].astype(np.int64),
         )
 
-    @cached_property
-    def _last_duration(self) -> float:
-        """Duration of the last row; for an endless fall, until |u| = `OVERTURNED_SHOWN_TO`."""
-        duration = float(self.rows[-1, columns.ROW_DURATION])
-        if self.status is not Status.OVERTURNED or math.isfinite(duration):
-            return duration
-        side = 0 if self.rows[-1, columns.ROW_SIDE] > 0.0 else 1
-        tilt = abs(float(self.rows[-1, columns.ROW_ANGLE])) / float(self.sides[side, columns.LEAN])
-        level = max(OVERTURNED_SHOWN_TO, 1.0 + tilt)
-        if is_nonlinear(self.sides):  # further than on its side no block falls
-            level = min(level, 0.5 * math.pi / float(self.sides[side, columns.ALPHA]))
-        row, since = last_crossing(self.segments, self.sides, self.rows, level)
-        return since if row == len(self.rows) - 1 else 0.0
-
-    @cached_property
+    @property
     def end_time_pt(self) -> float:
         """Pivot time up to which the trajectory reaches.
 
@@ -136,9 +114,9 @@ class Trajectory(Described):
         flight began further out, one slenderness more than that); where the proof came at the end
         of a segment of the base motion, it is that end.
         """
-        return float(self.flights.pt[-1]) + self._last_duration
+        return float(self._facts.end)
 
-    @cached_property
+    @property
     def rest_time_pt(self) -> float | None:
         """Pivot time at which the block came to rest where it stayed; None if it did not.
 
@@ -152,53 +130,16 @@ class Trajectory(Described):
         vertical motion, a times ``cos(alpha)``.  Against a wall all bounces are to one side, and
         those still to come last ``2 v/((1 - a) (1 - r))``.
         """
-        if self.status is not Status.AT_REST:
-            return None
-        resting = self.flights.side == 0
-        first = int(np.flatnonzero(~resting)[-1]) + 1 if (~resting).any() else 0
-        start = float(self.flights.pt[first])
-        if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
-            return start
-        velocity = abs(float(self._landings.velocity_after[-1]))
-        towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
-        if self.block.one_sided:
-            lost = 1.0 - self.block.restitution
-            return start + 2.0 * velocity / (self._pull(0, start, -towards) * lost)
-        last = 0 if self.flights.side[first - 1] > 0 else 1
-        here, ratio_there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
-        near, far = self._pull(1 - last, start, towards), self._pull(last, start, -towards)
-        # The loss of two impacts, 1 - here there, in a form that does not cancel.
-        lost = (1.0 - here) * (1.0 + ratio_there) + (here - ratio_there)
-        return start + 2.0 * velocity * (1.0 / near + here / far) / lost
+        return float(self._facts.rested) if self.status is Status.AT_REST else None
 
-    def _pull(self, row: int, s: float, push: float) -> float:
-        """Return how strongly a block on its base is pulled back from a side, against a push."""
-        lean, rate = self.sides[row, [columns.LEAN, columns.RATE]].tolist()
-        if not is_nonlinear(self.sides):
-            return float(rate * rate * (lean - push))
-        alpha = float(self.sides[row, columns.ALPHA])
-        weight = 1.0 + base_motion.lift(self.segments, s)
-        moment = lean * (weight * sin(alpha) / alpha)
-        return float(rate * rate * (moment - push * cos(alpha)))
-
-    @cached_property
-    def _overturning(self) -> tuple[int, float] | None:
-        """Row in which the block passes |theta| = alpha for the last time, and when since."""
-        if self.status is not Status.OVERTURNED:
-            return None
-        return last_crossing(self.segments, self.sides, self.rows, 1.0)
-
-    @cached_property
+    @property
     def overturn_time_pt(self) -> float | None:
         """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
 
         The alpha is that of the side to which it falls.  A block that is tilted further from its
         start on overturns at time 0.
         """
-        if self._overturning is None:
-            return None
-        row, since = self._overturning
-        return float(self.flights.pt[row]) + since
+        return float(self._facts.overturned) if self.status is Status.OVERTURNED else None
 
     @property
     def peak(self) -> float:
@@ -208,13 +149,13 @@ class Trajectory(Described):
         """
         return max(self.side_peaks)
 
-    @cached_property
+    @property
     def side_peaks(self) -> tuple[float, float]:
         """Largest |theta|/alpha on the positive and on the negative side, each in its own alpha.
 
         As for `peak`; 0 of a side to which the block does not go.
         """
-        positive, negative, _ = self._peaks
+        positive, negative, _ = self._facts.peaks
         return positive, negative
 
     @property
@@ -224,14 +165,7 @@ class Trajectory(Described):
         In the positive side's alpha and p on either side.  Times alpha it is the angular velocity
         over p [rad].
         """
-        return self._peaks[2]
-
-    @cached_property
-    def _peaks(self) -> tuple[float, float, float]:
-        """Largest |theta|/alpha on either side, and the largest velocity."""
-        if self.status is Status.OVERTURNED:
-            return peaks_until_overturning(self.segments, self.sides, self.rows)
-        return recorded_peaks(self.segments, self.sides, self.rows, self._last_duration)
+        return self._facts.peaks[2]
 
     @property
     def balances(self) -> tuple[float, float]:
@@ -277,24 +211,16 @@ class Trajectory(Described):
     @cached_property
     def _landings(self) -> Impacts:
         """All impacts, however slow."""
-        index = np.flatnonzero(self.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
-        side = self.flights.side[index]
-        landing = np.empty((3, len(index)))
-        durations = self.rows[index, columns.ROW_DURATION]
-        fill_states(self.segments, self.sides, self.rows, index, durations, landing)
-        restitution = self.sides[np.where(side > 0, 0, 1), columns.RESTITUTION]
-        # The clock reading of an impact is that of the flight or rest which it begins; only at the
-        # flight limit does none follow.
-        after = np.minimum(index + 1, len(self.rows) - 1)
-        lone = after == index
-        pt = np.where(lone, self.flights.pt[index] + durations, self.flights.pt[after])
+        landings, tables = np.empty((LANDING_ROWS, len(self.rows))), (self.segments, self.sides)
+        count = fill_landings(Tables(*tables), self.rows, self._timed[0], landings)
+        pt, half_cycles, phase, side, before, after = landings[:, :count]
         return Impacts(
             pt=pt,
-            half_cycles=self.rows[after, columns.ROW_HALF_CYCLES].astype(np.int64),
-            phase=self.rows[after, columns.ROW_PHASE],
-            side=side,
-            velocity_before=landing[1],
-            velocity_after=restitution * landing[1],
+            half_cycles=half_cycles.astype(np.int64),
+            phase=phase,
+            side=side.astype(np.int64),
+            velocity_before=before,
+            velocity_after=after,
         )
 
     @cached_property
@@ -306,7 +232,7 @@ class Trajectory(Described):
         rounding decides how the run goes on, and another way of computing it may end otherwise.
         """
         durations = self.rows[:, columns.ROW_DURATION].copy()
-        durations[-1] = self._last_duration
+        durations[-1] = self._facts.last
         course = Course(self.rows, self.segments, self.sides, durations, self.flights.pt)
         return growth_of(course, self._landings)
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
-from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
+from rocksteady.dynamics.history.simulate import FLIGHT_LIMIT
 from rocksteady.errors import InputError
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core import tables
@@ -26,6 +26,7 @@ from rocksteady.kernels.core.scatter import LARGEST_DEVIATION, LARGEST_KEY
 from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.core.tuples import Blocks, PeakFates
 from rocksteady.kernels.devices import run_cells
+from rocksteady.kernels.march.facts import ELASTIC_TIME, LONGEST_REST
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sides import Side, housner_ratio, wall_ratio

@@ -12,6 +12,12 @@ export type Floats = KernelArray<'f', Float64Array>;
 export type Integers = KernelArray<'i', BigInt64Array>;
 export type Booleans = KernelArray<'b', Uint8Array>;
 
+/** A motion and a block, with the columns of `rocksteady.kernels.core.tables`. */
+export interface Tables {
+  segments: Floats;
+  sides: Floats;
+}
+
 /** What a flight needs to know of one segment, from one side, in that side's own units. */
 export interface Forcing {
   kind: number;
@@ -116,12 +122,6 @@ export interface Outcomes {
   real: Floats;
 }
 
-/** A motion and a block, with the columns of `rocksteady.kernels.core.tables`. */
-export interface Tables {
-  segments: Floats;
-  sides: Floats;
-}
-
 /** State of a march between two flights. */
 export interface March {
   side: number;
@@ -177,6 +177,17 @@ export interface PeakFates {
   status: Integers;
   impacts: Integers;
   peaks: Floats;
+}
+
+/** What a recorded march amounts to, in pivot time; nan where it does not apply. */
+export interface RunFacts {
+  last: number;
+  end: number;
+  passing: number;
+  since: number;
+  overturned: number;
+  rested: number;
+  peaks: [number, number, number];
 }
 
 /** Any state of a block, as `rocksteady.kernels.core.tables.March` has it. */
@@ -235,6 +246,8 @@ export interface Kernels {
   fill_exp(x: Floats, out: Floats): void;
   /** Fill `out` with the length of (x, y) of each pair. */
   fill_hypot(x: Floats, y: Floats, out: Floats): void;
+  /** Fill the impacts of a recorded march, however slow, and return how many there are. */
+  fill_landings(tables: Tables, rows: Floats, starts: Floats, landings: Floats): number;
   /** Fill `out` with the natural logarithm of each x. */
   fill_log(x: Floats, out: Floats): void;
   /** Fill `out` with log(1 + x) of each x. */
@@ -257,14 +270,10 @@ export interface Kernels {
   harmonic_segment(segments: Floats, amplitude: number, frequency: number, phase: number): void;
   /** Return the largest |theta|/alpha of the passage after a state, on its side and the other. */
   highest_after(system: System, state: Section, passage: Passage): [number, number];
-  /** Return whether a side table asks for the nonlinear equation of motion. */
-  is_nonlinear(sides: Floats): boolean;
   /** Return whether half of an orbit turns it into its mirror image. */
   is_symmetric(system: System, table: Floats, passages: number, periods: number): boolean;
   /** Follow motions of symmetric blocks until it is known what they settle to. */
   lane_attractors(cells: SymmetricCells, states: States, cycles: number, outcomes: Outcomes): void;
-  /** Return row and time since its start at which the last flight last rises through a level. */
-  last_crossing(segments: Floats, sides: Floats, rows: Floats, level: number): [number, number];
   /** Return the exact determinant of the Jacobian of an orbit that starts towards a side. */
   loss(system: System, side: number, passages: number, rests: number): number;
   /** Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides. */
@@ -277,16 +286,16 @@ export interface Kernels {
   multipliers(jacobian: Jacobian, determinant: number): [[number, number], [number, number]];
   /** Return the passage that follows a state; `guess` is a time near which the impact may be. */
   next_passage(system: System, state: Section, guess: number): Passage;
-  /** Return what `recorded_peaks` does, until a block that falls passes its alpha for good. */
-  peaks_until_overturning(segments: Floats, sides: Floats, rows: Floats): [number, number, number];
   /** Find the orbit of m passages and n periods near a state, and leave its states in a table. */
   polish(system: System, state: Section, passages: number, periods: number, table: Floats): Fixed;
   /** March a block from rest through a pulse of many sizes and write its fates. */
   pulse_fates(tables: Tables, amplitude: Floats, frequency_ratio: Floats, rest_velocity: number, limit: number, fates: PulseFates): void;
   /** March blocks from rest through one motion and note how each fares. */
   record_fates(segments: Floats, blocks: Blocks, limit: number, fates: PeakFates): void;
-  /** Return the largest |theta|/alpha on either side, and the largest |velocity|. */
-  recorded_peaks(segments: Floats, sides: Floats, rows: Floats, last_duration: number): [number, number, number];
+  /** Return half cycles and phase (or time) on the last segment at which a run ends. */
+  run_end(tables: Tables, cycles: number): [number, number];
+  /** Return times and peaks of a recorded march, and fill the time at which each row begins. */
+  run_facts(tables: Tables, rows: Floats, status: number, starts: Floats): RunFacts;
   /** Return half cycles and phase (or time) at the start of a segment. */
   segment_start(segments: Floats, index: number): [number, number];
   /** Follow a motion from any state until it is known what it settles to. */

@@ -4,7 +4,8 @@
 /** @import { History } from '../physics/history.mjs' */
 /** @import { Case } from '../physics/case.mjs' */
 /** @import { Kernels } from '../kernels/loader.mjs' */
-import { FLIGHT_COLUMNS, FLIGHT_SIDE, motionAt } from '../physics/history.mjs';
+import { motionAt } from '../physics/history.mjs';
+import { FLIGHT_COLUMNS, FLIGHT_SIDE } from '../physics/run.mjs';
 import { make } from '../shell/layout.mjs';
 import { blockNumbers, caseOf } from '../shell/state.mjs';
 import { drawBlockScene, shapeOf } from './scene.mjs';

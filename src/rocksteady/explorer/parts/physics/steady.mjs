@@ -1,6 +1,5 @@
 // Symmetric steady states in closed form at a point, with their Floquet multipliers.
 
-import { evaluate } from './case.mjs';
 import { impactOf, steadySolutions } from './start.mjs';
 
 /** @import { Kernels } from '../kernels/loader.mjs' */
@@ -81,13 +80,4 @@ export function halfMultipliers(trace, restitution) {
  */
 function squaredPair([real, imaginary]) {
   return [real * real - imaginary * imaginary, 2 * real * imaginary];
-}
-
-/**
- * Return the modulus of a multiplier.
- * @param {Kernels} kernels
- * @param {[number, number]} multiplier
- */
-export function modulusOf(kernels, multiplier) {
-  return evaluate(kernels, 'hypot', multiplier[0], multiplier[1]);
 }

@@ -2,7 +2,8 @@
 // it rock; each the same bits as `simulate` in Python.
 import { evaluate, GRAVITY, sidesOf } from '../case.mjs';
 import { basePiece, pulsePieces, tableOfPieces } from './shapes.mjs';
-import { fateFromRest, runFromRest } from './run.mjs';
+import { fateOf } from '../run.mjs';
+import { runFromRest } from './run.mjs';
 
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
 /** @import { SampledRun } from './run.mjs' */
@@ -100,7 +101,7 @@ function marchLimits(demand) {
 /** @param {string} status */
 function designFate(status) {
   if (status === 'overturned') return DESIGN_FATE.overturns;
-  return status === 'undecided' || status === 'lost contact' ? DESIGN_FATE.undecided
+  return status === 'undecided' || status.startsWith('lost') ? DESIGN_FATE.undecided
     : DESIGN_FATE.stands;
 }
 
@@ -117,10 +118,10 @@ export function designCells(kernels, { sizes, ...design }) {
   sizes.forEach((each, k) => {
     const block = rectangleOf(kernels, each), restitution = design.restitution ?? block.housner;
     if (!(restitution > 0)) return;
-    const { segments, sides } = tablesOf(kernels, design, block, restitution);
-    const { status, peak } = fateFromRest(kernels, segments, sides, marchLimits(design.demand));
-    segments.free();
-    sides.free();
+    const tables = tablesOf(kernels, design, block, restitution);
+    const { status, peak } = fateOf(kernels, tables, marchLimits(design.demand));
+    tables.segments.free();
+    tables.sides.free();
     fates[k] = designFate(status);
     if (fates[k] === DESIGN_FATE.stands) peaks[k] = peak;
   });
@@ -139,10 +140,10 @@ export function designRun(kernels, { sizes, samples, until, ...design }) {
   const uplift = design.nonlinear ? evaluate(kernels, 'tan', block.alpha) : block.alpha;
   const known = { ...block, restitution, uplift };
   if (!(restitution > 0)) return { block: known, fate: DESIGN_FATE.impossible, run: null };
-  const { segments, sides } = tablesOf(kernels, design, block, restitution);
-  const run = runFromRest(kernels, segments, sides, { ...marchLimits(design.demand), samples, until });
-  segments.free();
-  sides.free();
+  const tables = tablesOf(kernels, design, block, restitution);
+  const run = runFromRest(kernels, tables, { ...marchLimits(design.demand), samples, until });
+  tables.segments.free();
+  tables.sides.free();
   return { block: known, fate: designFate(run.status), run };
 }
 

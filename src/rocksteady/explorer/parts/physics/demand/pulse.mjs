@@ -91,7 +91,7 @@ export function pulseHistory(kernels, given) {
   const pieces = pulsePieces(kernels, given.shape, given.amplitude, given.ratio);
   const segments = tableOfPieces(kernels, pieces, given);
   const sides = sidesOf(kernels, { ...given, frequencyRatio: given.ratio });
-  const run = runFromRest(kernels, segments, sides, given);
+  const run = runFromRest(kernels, { segments, sides }, given);
   for (const array of [segments, sides]) array.free();
   return { ...run, duration: run.starts[run.starts.length - 1] };
 }

@@ -1,19 +1,11 @@
 // A block at rest on the floor when a recorded ground motion begins: one run, its neighbours, the
 // fates over scales, the rocking spectrum.  Horizontal motion alone; bits as in Python.
 
-import { COUNTED, GRAVITY, evaluate, sidesOf } from '../case.mjs';
-import { AT_REST, BY_IMPACT, FLIGHT_ANGLE, FLIGHT_COLUMNS, FLIGHT_DURATION, FLIGHT_EVENT, FLIGHT_PHASE,
-  FLIGHT_SIDE, RUN_STATUS, statesAt } from '../history.mjs';
+import { GRAVITY, evaluate, sidesOf } from '../case.mjs';
+import { flightsAt, runOf, statesAt } from '../run.mjs';
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
 
-const STILL_START = {
-  side: 0, angle: 0, velocity: 0, segment: 0, half_cycles: 0, phase: 0, impacts: 0, flights: 0,
-};
 const RUN_FLIGHTS = 4_000_000; // flights after which a run ends
-const SMALLEST_REBOUND = 1e-8; // du/d(pt), below which chatter may come to rest
-const TIME_WITHOUT_LOSS = 1e4; // pivot time on the still base of a block without loss
-const TIME_TO_REST = 1e15; // pivot time of any other block
-const FALL_SHOWN_TO = 2; // |theta|/alpha
 const LONGEST_SAMPLE = 1e6; // pivot time
 const LARGEST_SAMPLE = 1e50; // in units of alpha g
 
@@ -121,169 +113,24 @@ export function refusedMotion({ samples, dt }, block) {
  * @returns {RecordRun}
  */
 export function runRecord(kernels, motion, block, points = 0) {
-  const unit = block.alpha * GRAVITY;
-  const segments = recordTable(kernels, motion, block.nonlinear, block.p, unit);
+  const step = motion.dt * block.p;
+  const segments = recordTable(kernels, motion, block.nonlinear, block.p, block.alpha * GRAVITY);
   const sides = sidesOf(kernels, { ...block, amplitude: 0, frequencyRatio: 0 });
-  const nothing = kernels.array('f', [0]), none = kernels.array('f', [0, FLIGHT_COLUMNS]);
-  const stop = block.restitution === 1 ? TIME_WITHOUT_LOSS : TIME_TO_REST;
-  /** @param {Floats} rows */
-  const marched = (rows) => kernels.march(
-    { segments, sides }, STILL_START,
-    { half_cycles: 0, phase: stop, rest_velocity: SMALLEST_REBOUND, limit: RUN_FLIGHTS },
-    { rows, peaks: nothing },
-  );
-  const [code, { flights, impacts }] = marched(none);
-  const rows = kernels.array('f', [flights, FLIGHT_COLUMNS]);
-  marched(rows);
-  const known = code === AT_REST && flights === RUN_FLIGHTS ? impacts : null;
-  const run = { kernels, segments, sides, rows, status: RUN_STATUS[code], known };
-  try {
-    return describedRun(run, motion.dt * block.p, block, points);
-  } finally {
-    for (const array of [segments, sides, nothing, none, rows]) array.free();
-  }
-}
-
-/**
- * @typedef {{ kernels: Kernels, segments: Floats, sides: Floats, rows: Floats, status: string,
- *   known: number | null }} Marched  known: impacts of a run at rest at its limit of flights
- */
-
-/**
- * @param {Marched} run
- * @param {number} step  of the samples, in pivot time
- * @param {RecordBlock} block
- * @param {number} points
- * @returns {RecordRun}
- */
-function describedRun(run, step, block, points) {
-  const { kernels, segments, sides, rows, status } = run, fell = status === 'overturned';
-  const count = rows.shape[0], starts = flightStarts(run, step), row = count - 1;
-  const last = lastDuration(run, block);
-  const [positive, negative, peakVelocity] = fell
-    ? kernels.peaks_until_overturning(segments, sides, rows)
-    : kernels.recorded_peaks(segments, sides, rows, last);
-  const end = starts[row] + last;
-  const { pt: landings, velocity } = recordLandings(run, starts);
-  const counts = (/** @type {number} */ _, /** @type {number} */ k) =>
-    Math.abs(block.restitution * velocity[k]) >= COUNTED;
-  const impacts = landings.filter(counts);
-  let overturned = null;
-  if (fell) {
-    const [crossed, since] = kernels.last_crossing(segments, sides, rows, 1);
-    overturned = starts[crossed] + since;
-  }
-  const rested = status === 'at-rest' ? recordRest(run, starts, step, block, velocity[velocity.length - 1]) : null;
-  const shown = rested === null ? Math.min(end, starts[row] + 10)
+  const run = runOf(kernels, { segments, sides });
+  const { status, end, overturned, rested, impacts } = run;
+  const [positive, negative, peakVelocity] = run.peaks;
+  const shown = rested === null ? Math.min(end, run.starts[run.flights - 1] + 10)
     : Math.min(end, Math.max(1.05 * rested, step * (segments.shape[0] - 1)) + 0.1);
-  const pt = points > 0 ? curveTimes(fell ? end : shown, points, impacts) : none64();
+  const pt = points > 0 ? curveTimes(overturned === null ? shown : end, points, impacts.time)
+    : new Float64Array(0);
+  const states = statesAt(kernels, run.tables, run.rows, flightsAt(run.starts, pt));
+  segments.free();
+  sides.free();
   return {
     status, peak: Math.max(positive, negative), peakVelocity, end, overturned, rested,
-    impacts, impactVelocities: velocity.filter(counts),
-    impactCount: run.known ?? impacts.length, pt,
-    angle: anglesAt(run, starts, pt),
+    impacts: impacts.time, impactVelocities: impacts.before, impactCount: run.impactCount, pt,
+    angle: states.slice(0, pt.length),
   };
-}
-
-function none64() {
-  return new Float64Array(0);
-}
-
-/**
- * Return the pivot times at which flights begin.
- * @param {Marched} run
- * @param {number} step
- */
-function flightStarts({ segments, rows }, step) {
-  const begins = new Float64Array(segments.shape[0]), flights = rows.values;
-  for (let k = 1; k < begins.length; k++) begins[k] = begins[k - 1] + step;
-  const starts = new Float64Array(rows.shape[0]);
-  let latest = -Infinity;
-  for (let row = 0; row < starts.length; row++) {
-    const at = row * FLIGHT_COLUMNS;
-    latest = Math.max(latest, begins[flights[at]] + flights[at + FLIGHT_PHASE]);
-    starts[row] = latest;
-  }
-  return starts;
-}
-
-/**
- * Return the duration of the last flight; of an endless fall, until |theta| is twice alpha.
- * @param {Marched} run
- * @param {RecordBlock} block
- */
-function lastDuration({ kernels, segments, sides, rows, status }, block) {
-  const row = rows.shape[0] - 1, at = row * FLIGHT_COLUMNS, flights = rows.values;
-  const duration = flights[at + FLIGHT_DURATION];
-  if (status !== 'overturned' || Number.isFinite(duration)) return duration;
-  let level = Math.max(FALL_SHOWN_TO, 1 + Math.abs(flights[at + FLIGHT_ANGLE]));
-  if (block.nonlinear) level = Math.min(level, (0.5 * Math.PI) / block.alpha);
-  const [crossed, since] = kernels.last_crossing(segments, sides, rows, level);
-  return crossed === row ? since : 0;
-}
-
-/**
- * Return pivot times and velocities of all impacts, however slow.
- * @param {Marched} run
- * @param {Float64Array} starts
- */
-function recordLandings(run, starts) {
-  const flights = run.rows.values, count = starts.length;
-  const ended = Array.from(starts.keys())
-    .filter((row) => flights[row * FLIGHT_COLUMNS + FLIGHT_EVENT] === BY_IMPACT);
-  const durations = ended.map((row) => flights[row * FLIGHT_COLUMNS + FLIGHT_DURATION]);
-  const pt = Float64Array.from(ended, (row, k) =>
-    row === count - 1 ? starts[row] + durations[k] : starts[row + 1]);
-  const { kernels, segments, sides, rows } = run;
-  const states = statesAt(kernels, segments, sides, rows, ended, durations);
-  return { pt, velocity: states.slice(ended.length, 2 * ended.length) };
-}
-
-/**
- * Return when the block came to rest where it stayed, the bounces still to come included.
- * @param {Marched} run
- * @param {Float64Array} starts
- * @param {number} step
- * @param {RecordBlock} block
- * @param {number} landed  du/d(pt) before the last impact, however slow
- */
-function recordRest({ kernels, segments, rows }, starts, step, block, landed) {
-  const flights = rows.values, cell = (/** @type {number} */ row, /** @type {number} */ column) =>
-    flights[row * FLIGHT_COLUMNS + column];
-  let first = starts.length;
-  while (first > 0 && cell(first - 1, FLIGHT_SIDE) === 0) first -= 1;
-  const start = starts[first];
-  if (first === 0 || cell(first - 1, FLIGHT_EVENT) !== BY_IMPACT) return start;
-  const { restitution } = block;
-  const velocity = Math.abs(restitution * landed);
-  const side = cell(first - 1, FLIGHT_SIDE);
-  const towards = -side * accelerationAt(segments, step, start);
-  /** @param {number} push */
-  const pull = (push) => {
-    if (!block.nonlinear) return 1 - push;
-    const own = evaluate(kernels, 'sin', block.alpha) / block.alpha;
-    return own - push * evaluate(kernels, 'cos', block.alpha);
-  };
-  const lost = (1 - restitution) * (1 + restitution);
-  return start + (2 * velocity * (1 / pull(towards) + restitution / pull(-towards))) / lost;
-}
-
-/**
- * Return the base acceleration at a pivot time, in units of alpha g.
- * @param {Floats} segments
- * @param {number} step
- * @param {number} pt
- */
-function accelerationAt(segments, step, pt) {
-  const [count, columns] = segments.shape, cells = segments.values;
-  let begin = 0, row = 0;
-  for (let next = 0; row + 1 < count; row++) {
-    next = begin + step;
-    if (next > pt) break;
-    begin = next;
-  }
-  const at = row * columns;
-  return cells[at + COLUMN_CONSTANT] + cells[at + COLUMN_SLOPE] * (pt - begin);
 }
 
 /**
@@ -295,31 +142,11 @@ function accelerationAt(segments, step, pt) {
 function curveTimes(end, points, impacts) {
   const even = Float64Array.from({ length: points }, (_, k) => (end / (points - 1)) * k);
   even[points - 1] = end;
-  const few = impacts.length <= points ? impacts.filter((pt) => pt <= end) : none64();
+  const few = impacts.filter((pt) => impacts.length <= points && pt <= end);
   const all = new Float64Array(points + few.length);
   all.set(even);
   all.set(few, points);
   return all.sort();
-}
-
-/**
- * Return theta/alpha at pivot times in order.
- * @param {Marched} run
- * @param {Float64Array} starts
- * @param {Float64Array} pt
- */
-function anglesAt(run, starts, pt) {
-  /** @type {number[]} */
-  const index = [];
-  const since = [];
-  let row = 0;
-  for (const time of pt) {
-    while (row + 1 < starts.length && starts[row + 1] <= time) row += 1;
-    index.push(row);
-    since.push(Math.max(time - starts[row], 0));
-  }
-  const { kernels, segments, sides, rows } = run;
-  return statesAt(kernels, segments, sides, rows, index, since).slice(0, index.length);
 }
 
 /**
@@ -352,8 +179,8 @@ function fatesUnder(kernels, motion, block, lean, rate) {
       cells[at + 2] = rate[cell];
     }
   }
-  const time = block.restitution === 1 ? TIME_WITHOUT_LOSS : TIME_TO_REST;
   const table = recordTable(kernels, motion, block.nonlinear);
+  const [, time] = kernels.run_end({ segments: table, sides: one }, 0);
   const afterwards = kernels.array('f', [count], new Float64Array(count).fill(time));
   const status = kernels.array('i', [count]), impacts = kernels.array('i', [count]);
   const peaks = kernels.array('f', [count, 2]);

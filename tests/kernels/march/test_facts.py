@@ -1,0 +1,114 @@
+"""What a march amounts to: times of its flights, of its rest and of its fall, and its impacts."""
+
+import math
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.tables import (
+    AT_REST,
+    COUNTED,
+    ENDED_BY_IMPACT,
+    OVERTURNED,
+    ROCKING,
+    ROW_EVENT,
+    ROW_PHASE,
+)
+from rocksteady.kernels.core.tuples import Tables
+from rocksteady.kernels.march.facts import (
+    ELASTIC_TIME,
+    LANDING_ROWS,
+    LONGEST_REST,
+    RunFacts,
+    fill_landings,
+    run_end,
+    run_facts,
+)
+from tests.every import every
+from tests.kernels.tables import Piece, Run, both_sides, harmonic, run, table
+
+Floats = NDArray[np.float64]
+
+
+def facts_of(ran: Run, sides: Floats) -> tuple[Floats, RunFacts, Floats]:
+    """Return the times at which rows begin, what the march amounts to, and its impacts."""
+    starts, tables = np.zeros(len(ran.rows)), Tables(ran.segments, sides)
+    facts = run_facts(tables, ran.rows, ran.status, starts)
+    landings = np.zeros((LANDING_ROWS, len(ran.rows)))
+    count = fill_landings(tables, ran.rows, starts, landings)
+    return starts, facts, landings[:, :count]
+
+
+def test_rows_begin_where_the_ones_before_end_and_impacts_are_between_them() -> None:
+    pieces = (Piece(1.5, 0.1, -0.2, 1.2, 3.0, 0.4), Piece(1.0, jump=0.05), Piece(4.0))
+    sides = both_sides(0.8)
+    for ran in (
+        run(harmonic(2.0, 4.0, 0.3), sides, side=1, velocity=0.3, half_cycles=30),
+        run(table(*pieces, Piece()), sides, side=1, velocity=0.2, until=7.5, rest_velocity=1e-8),
+    ):
+        starts, facts, landings = facts_of(ran, sides)
+        assert starts == pytest.approx(ran.times(), abs=1e-12)
+        (ended,) = np.nonzero(ran.rows[:-1, ROW_EVENT] == ENDED_BY_IMPACT)
+        count = len(ended)
+        assert count > 3
+        time, _, phase, side, before, after = landings[:, :count]
+        assert time.tolist() == starts[ended + 1].tolist()
+        assert phase.tolist() == ran.rows[ended + 1, ROW_PHASE].tolist()
+        assert (np.sign(before) == -side).all()
+        assert after == pytest.approx(0.8 * before, rel=1e-15)
+        assert (facts.end, facts.passing) == (starts[-1] + facts.last, -1)
+        assert math.isnan(facts.overturned)
+
+
+def test_a_block_rests_after_the_bounces_that_are_not_recorded() -> None:
+    # On a still base a bounce of velocity v lasts 2 atanh(v), and the next has r v.
+    r, velocity = 0.5, 0.2
+    sides = both_sides(r)
+    ran = run(table(Piece()), sides, side=1, velocity=velocity, rest_velocity=1e-8)
+    starts, facts, landings = facts_of(ran, sides)
+    assert ran.status == AT_REST
+    total = sum(2.0 * math.atanh(velocity * r**k) for k in range(60))
+    assert facts.rested == pytest.approx(total, rel=1e-12)
+    assert starts[-1] < facts.rested < facts.end
+    assert np.abs(landings[5, -1]) < COUNTED
+    still = run(table(Piece()), sides)
+    assert facts_of(still, sides)[1].rested == 0.0
+
+
+def test_a_fall_passes_the_slenderness_and_is_followed_to_twice_that() -> None:
+    # y = 1 - cosh t + V sinh t: y = 1 where tanh t = 1/V, y = 2 where it is (1 + ...)/V.
+    sides, velocity = both_sides(0.5), 1.3
+    ran = run(table(Piece()), sides, side=-1, velocity=-velocity)
+    assert ran.status == OVERTURNED
+    _, facts, _ = facts_of(ran, sides)
+    assert (facts.passing, facts.since) == (0, facts.overturned)
+    assert facts.overturned == pytest.approx(math.atanh(1.0 / velocity), rel=1e-13)
+    reached = 1.0 - math.cosh(facts.end) + velocity * math.sinh(facts.end)
+    assert reached == pytest.approx(2.0, rel=1e-12)
+    assert facts.peaks[:2] == (0.0, 1.0)
+    assert facts.peaks[2] == pytest.approx(velocity)
+
+
+def test_a_march_without_rows_has_no_times() -> None:
+    sides = both_sides(0.5)
+    tables = Tables(table(Piece()), sides)
+    facts = run_facts(tables, np.zeros((0, 8)), ROCKING, np.zeros(0))
+    assert (facts.end, facts.peaks) == (0.0, (0.0, 0.0, 0.0))
+
+
+@every(
+    ("segments", "restitution", "end"),
+    [
+        (table(Piece(2.0, 1.0), Piece()), 0.8, (0, LONGEST_REST)),
+        (table(Piece(2.0, 1.0), Piece()), 1.0, (0, ELASTIC_TIME)),
+        (harmonic(2.0, 4.0), 1.0, (14, 0.5 * math.pi)),
+        (harmonic(2.0, 4.0, 0.75 * math.pi), 0.8, (15, 0.25 * math.pi)),
+    ],
+)
+def test_where_a_run_of_seven_and_a_quarter_periods_ends(
+    segments: Floats, restitution: float, end: tuple[int, float]
+) -> None:
+    half, phase = run_end(Tables(segments, both_sides(restitution)), 7.25)
+    assert half == end[0]
+    assert phase == pytest.approx(end[1])
