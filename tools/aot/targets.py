@@ -52,11 +52,11 @@ _WASM = (
     "wasm32-wasi",
 )
 _CALLED_BY_PAGES = """
-    clock fill_atan2 fill_clocks fill_cos fill_curves fill_exp fill_hypot fill_landings fill_log
-    fill_log1p fill_next_up fill_peaks fill_sin fill_states fill_steady fill_tan half_cycle_jacobian
-    harmonic_segment highest_after is_symmetric lane_attractors loss make_system march measured
-    multipliers next_passage polish pulse_fates record_fates run_end run_facts segment_start settle
-    settle_cells symmetric_from symmetric_orbit
+    clock fill_atan2 fill_bounds fill_clocks fill_cos fill_curves fill_exp fill_hypot fill_landings
+    fill_lines fill_log fill_log1p fill_next_up fill_peaks fill_pulse fill_sin fill_states
+    fill_steady fill_tan half_cycle_jacobian harmonic_segment highest_after is_symmetric
+    lane_attractors loss make_system march measured multipliers next_passage polish pulse_fates
+    record_fates run_end run_facts segment_start settle settle_cells symmetric_from symmetric_orbit
 """
 # Every processor of these levels runs the fastest forms that they have; no step is fused on any.
 _LEVELS = {"v2": "", "v3": "", "v4": "-prefer-256-bit"}

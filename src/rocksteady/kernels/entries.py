@@ -10,7 +10,7 @@ import time
 from typing import Any
 
 from rocksteady.kernels.batch import attractors, harmonic, pulses, records, waiting
-from rocksteady.kernels.core import clock, tables
+from rocksteady.kernels.core import clock, motions, tables
 from rocksteady.kernels.elementary import loops
 from rocksteady.kernels.lanes import driver, settling
 from rocksteady.kernels.linear import oscillator
@@ -59,6 +59,11 @@ _KERNELS: tuple[Any, ...] = (
     clock.segment_start,
     tables.is_nonlinear,
     drive.jump_share,
+    # Base motions.
+    motions.fill_pulse,
+    motions.fill_lines,
+    motions.fill_bounds,
+    motions.ricker_at,
     # Steady states.
     closed_form.fill_steady,
     closed_form.fill_curves,

@@ -43,6 +43,7 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
         batches.record_steady_states(call, f"steady, {k}", 20, shapes=k != 3)
     histories.record_histories(call)
     histories.record_small_parts(call)
+    histories.record_motions(call)
     orbits.record_steady_orbits(call)
     orbits.record_passages(call)
     orbits.record_orbits(call)

@@ -5,6 +5,14 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.kernels.core.motions import (
+    CLOSED,
+    MAVROEIDIS_PAPAGEORGIOU,
+    PIECE_COLUMNS,
+    RICKER,
+    RICKER_ANTISYMMETRIC,
+    PulseNumbers,
+)
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
@@ -66,6 +74,22 @@ def record_small_parts(call: Recorder) -> None:
         ending = Drawn.by_name(f"ends under {kind}")
         shaken = ending.segments(kind, nonlinear=False)
         call("run_end", shaken, ending.sides(1, nonlinear=False)[0], ending.between(1.0, 99.0))
+
+
+def record_motions(call: Recorder) -> None:
+    """Record tables of pulses of every form, and of samples."""
+    for form in (CLOSED, RICKER, RICKER_ANTISYMMETRIC, MAVROEIDIS_PAPAGEORGIOU):
+        drawn = Drawn.by_name(f"pulse of form {form}")
+        pieces = drawn.rng.uniform(0.5, 2.0, (2 if form == CLOSED else 0, PIECE_COLUMNS))
+        reach, gamma, peak = drawn.between(3.0, 5.0), drawn.between(1.2, 3.0), 0.9
+        pulse = PulseNumbers(form, pieces, *drawn.shaking(), 3e-2, reach, gamma, 0.4, peak)
+        count, _ = call.quietly("fill_pulse", pulse, np.zeros((0, SEGMENT_COLUMNS)))
+        call("fill_pulse", pulse, np.zeros((count, SEGMENT_COLUMNS)))
+    drawn = Drawn.by_name("samples and bounds")
+    samples = drawn.rng.normal(size=12)
+    call("fill_lines", samples, drawn.between(0.01, 0.1), np.zeros((12, SEGMENT_COLUMNS)))
+    call("fill_bounds", drawn.segments("impulses", nonlinear=False))
+    call("ricker_at", True, drawn.between(2.0, 3.0))
 
 
 def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> tuple[Any, int, Any]:

@@ -8,6 +8,15 @@ from typing import Any
 
 from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
+from rocksteady.model.motions._pulse_shapes import (
+    MAVROEIDIS_PAPAGEORGIOU,
+    RICKER,
+    RICKER_ANTISYMMETRIC,
+    SHAPES,
+    peak_of_unit_velocity,
+    pieces_of,
+    reach_of,
+)
 from tools.aot.targets import PAGE, TARGETS
 
 WEB = Path(__file__).parents[3] / "src" / "rocksteady" / "explorer" / "parts" / "kernels"
@@ -15,6 +24,16 @@ WEB = Path(__file__).parents[3] / "src" / "rocksteady" / "explorer" / "parts" / 
 REPLAY = Path(__file__).parent / "replay.mjs"
 """Repeats recorded calls in node."""
 NOTE = "// Made by `python -m tools.aot.web` from the annotations of the kernels.\n"
+NOTE_ON_PULSES = "// Made by `python -m tools.aot.web` from the shapes of pulses in Python.\n"
+PULSE_TYPES = """\
+/**
+ * Shapes by name; where a Ricker wavelet ends, by the tolerance of its lines.
+ * @type {Record<string, { words: string, form: number, pieces: number[][],
+ *   reach: Record<number, number>, oscillations: number, phase: number, peak: number }>}
+ */
+"""
+TOLERANCES = (1e-6, 1e-4)
+"""Tolerances of lines along a wavelet with which the page works."""
 LEGEND = (
     "// Letters: f number, i integer, b truth value, c complex number; f2 an array of rank 2.\n"
 )
@@ -78,13 +97,29 @@ def types(names: Iterable[str] = ENTRIES) -> str:
     return NOTE + HEAD + interfaces + kernels + TAIL
 
 
+def pulses() -> str:
+    """Return the shapes of single pulses for the page: words, and the numbers of `fill_pulse`."""
+    lines = []
+    for name, shape in SHAPES.items():
+        pieces = [list(piece) for piece in pieces_of(name)]
+        sampled = shape.form in (RICKER, RICKER_ANTISYMMETRIC)
+        reach = {part: reach_of(shape.form, part) for part in TOLERANCES if sampled}
+        gamma, nu = (2.0, 0.0) if shape.form == MAVROEIDIS_PAPAGEORGIOU else (1.0, 0.0)
+        peak = peak_of_unit_velocity(gamma, nu) if gamma > 1.0 else 1.0
+        numbers = f"pieces: {pieces}, reach: {reach}"
+        numbers += f", oscillations: {gamma}, phase: {nu}, peak: {peak}"
+        lines.append(f"  '{name}': {{ words: '{shape.words}', form: {shape.form}, {numbers} }},\n")
+    return f"{NOTE_ON_PULSES}\n{PULSE_TYPES}export const PULSES = {{\n{''.join(lines)}}};\n"
+
+
 _CALLED = TARGETS[PAGE].entries
 FILES: dict[Path, Callable[[], str]] = {
     WEB / "signatures.mjs": lambda: signatures(_CALLED),
     WEB / "loader.d.mts": lambda: types(_CALLED),
+    WEB / "pulses.mjs": pulses,
     REPLAY.with_name("signatures.mjs"): signatures,
 }
-"""What makes each file: the page's know the kernels that it calls, the other one knows all."""
+"""What makes each file: the page's know the kernels that it calls, the last one knows all."""
 
 
 def _letters(hint: Any, named: dict[str, str]) -> str:

@@ -16,6 +16,7 @@ const March = { side: 'i', angle: 'f', velocity: 'f', segment: 'i', half_cycles:
 const Until = { half_cycles: 'i', phase: 'f', rest_velocity: 'f', limit: 'i' };
 const Kept = { rows: 'f2', peaks: 'f1' };
 const RunFacts = { last: 'f', end: 'f', passing: 'i', since: 'f', overturned: 'f', rested: 'f', peaks: ['f', 'f', 'f'] };
+const PulseNumbers = { form: 'i', pieces: 'f2', amplitude: 'f', frequency_ratio: 'f', tolerance: 'f', reach: 'f', oscillations: 'f', phase: 'f', peak: 'f' };
 const Points = { amplitude: 'f1', frequency_ratio: 'f1', restitution: 'f1', order: 'i1' };
 const Steady = { region: 'i1', boundaries: 'f2', phase: 'f2', velocity: 'f2', trace: 'f2', peak: 'f2', extrema: 'i2', admissible: 'b2' };
 const Symmetric = { phase: 'f', sine: 'f', cosine: 'f', velocity: 'f', trace: 'f' };
@@ -59,6 +60,10 @@ export const signatures = {
   segment_start: { takes: ['f2', 'i'], gives: ['i', 'f'] },
   is_nonlinear: { takes: ['f2'], gives: 'b' },
   jump_share: { takes: ['f2', 'i', 'f'], gives: 'f' },
+  fill_pulse: { takes: [PulseNumbers, 'f2'], gives: ['i', 'f'] },
+  fill_lines: { takes: ['f1', 'f', 'f2'], gives: null },
+  fill_bounds: { takes: ['f2'], gives: null },
+  ricker_at: { takes: ['b', 'f'], gives: 'f' },
   fill_steady: { takes: [Points, 'b', Steady], gives: null },
   fill_curves: { takes: ['f1', 'f1', 'i1', 'f2'], gives: null },
   fill_half_cycle: { takes: ['f', 'f', 'i', Symmetric, 'f1', 'f2'], gives: null },

@@ -20,7 +20,7 @@ from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.bounds import length
 from rocksteady.model.checks.validation import LARGEST, Ends, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
-from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.pulses import LISTED_PULSES, Pulse
 from rocksteady.model.motions.segments import Harmonic
 
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
@@ -155,9 +155,7 @@ class PulseFlags:
         "--pulse NAME",
         "Shake with a single pulse, after which the base stands still; its size and frequency "
         "are those of -A and -W, or --accel-g and --freq-hz. "
-        "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
-        "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
-        "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
+        f"{LISTED_PULSES} (whose nu is --phase).",
     )
     oscillations: float | None = options.motion_flag(
         "--oscillations GAMMA", "Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2."

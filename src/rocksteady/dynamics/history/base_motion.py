@@ -10,9 +10,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.lowering import ceilings, samples_alike
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.motions import fill_bounds
 from rocksteady.kernels.elementary.arrays import acos, sin, sincos
 
 Floats = NDArray[np.float64]
@@ -76,8 +76,7 @@ def motion_after(table: Floats, time: float) -> Floats:
     first[columns.PHASE] += first[columns.FREQUENCY] * since
     if rest.shape[1] > columns.LIFT:
         first[columns.LIFT] += first[columns.LIFT_SLOPE] * since
-    rest[:, columns.CEILING] = ceilings(rest)
-    rest[:, columns.ALIKE] = samples_alike(rest)
+    fill_bounds(rest)
     return np.ascontiguousarray(rest)
 
 

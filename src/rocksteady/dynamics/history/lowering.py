@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.motions import fill_bounds, fill_lines
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
@@ -63,8 +64,7 @@ def segment_table(
             row[columns.AMPLITUDE] *= total
             row[columns.ORDERS] = len(shares) // 2
             row[columns.SHARES : columns.SHARES + len(shares)] = shares
-    table[:, columns.CEILING] = ceilings(table)
-    table[:, columns.ALIKE] = samples_alike(table)
+    fill_bounds(table)
     return table
 
 
@@ -86,14 +86,8 @@ def record_table(record: Record, *, rate: float = 1.0, acceleration: float = 1.0
         As for `segment_table`.
     """
     samples = record.acceleration_m_s2 / acceleration
-    step = record.dt_s * rate
     table = np.zeros((len(samples), columns.SEGMENT_COLUMNS))
-    table[:, columns.DURATION] = step
-    table[-1, columns.DURATION] = math.inf
-    table[:-1, columns.CONSTANT] = samples[:-1]
-    table[:-1, columns.SLOPE] = np.diff(samples) / step
-    table[:, columns.CEILING] = ceilings(table)
-    table[:, columns.ALIKE] = samples_alike(table)
+    fill_lines(samples, record.dt_s * rate, table)
     return table
 
 
@@ -125,34 +119,6 @@ def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None
     return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
 
 
-def samples_alike(table: Floats) -> Floats:
-    """Return how many samples like it follow each segment at once."""
-    lasting = table[:, columns.DURATION]
-    plain = table[:, columns.FREQUENCY] == 0.0
-    broken = np.ones(len(table), dtype=np.bool_)  # between a segment and the next
-    broken[:-1] = (
-        (lasting[:-1] != lasting[1:])
-        | np.isinf(lasting[:-1])
-        | ~(plain[:-1] & plain[1:])
-        | (table[1:, columns.JUMP] != 0.0)
-    )
-    order = np.arange(len(table))
-    ends = np.minimum.accumulate(np.where(broken, order, len(table))[::-1])[::-1]
-    alike: Floats = (ends - order).astype(np.float64)
-    return alike
-
-
-def ceilings(table: Floats) -> Floats:
-    """Return an upper bound of |a| from each segment's start on; infinite before a jump to come."""
-    start = table[:, columns.CONSTANT]
-    endless = np.isinf(table[:, columns.DURATION])  # without a slope, whose product would be nan
-    rise = table[:, columns.SLOPE] * np.where(endless, 0.0, table[:, columns.DURATION])
-    largest = np.maximum(np.abs(start), np.abs(start + rise)) + table[:, columns.AMPLITUDE]
-    ceilings: Floats = np.maximum.accumulate(largest[::-1])[::-1]
-    jumps = np.flatnonzero(table[:, columns.JUMP])
-    if len(jumps):
-        ceilings[: jumps[-1]] = math.inf
-    return ceilings
 
 
 def only_side(sides: Floats) -> int:

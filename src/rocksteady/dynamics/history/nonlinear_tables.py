@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.lowering import (
-    ceilings,
-    samples_alike,
     segment_table,
     side_attributes,
 )
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.motions import fill_bounds
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear, slender_block
@@ -170,8 +169,7 @@ def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0)
     table[:, columns.JUMP] = np.where(since == 0.0, flat[index, columns.JUMP], 0.0)
     table[:, columns.CONSTANT] += flat[index, columns.SLOPE] * since
     table[:, columns.PHASE] += flat[index, columns.FREQUENCY] * since
-    table[:, columns.CEILING] = ceilings(table)
-    table[:, columns.ALIKE] = samples_alike(table)
+    fill_bounds(table)
     middle = np.append(0.5 * (cuts[:-1] + cuts[1:]), math.inf)
     above = np.searchsorted(bends, middle, side="right") - 1
     slope = lifted[above, columns.SLOPE]
@@ -183,7 +181,8 @@ def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0)
     lift[:, columns.DURATION] = table[:, columns.DURATION]
     lift[:, columns.CONSTANT] = table[:, columns.LIFT]
     lift[:, columns.SLOPE] = table[:, columns.LIFT_SLOPE]
-    table[:, columns.LIFT_CEILING] = ceilings(lift)
+    fill_bounds(lift)
+    table[:, columns.LIFT_CEILING] = lift[:, columns.CEILING]
     return table
 
 

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
-from rocksteady.dynamics.history.lowering import ceilings, samples_alike, segment_table
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, lifted_table, sides_of
 from rocksteady.dynamics.history.start import HasStart, Rest, State, refuse_behind_wall, start_of
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.motions import fill_bounds
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -449,7 +450,7 @@ def _scaled(part: Record | Floats, factor: float, block: Block | DimensionlessBl
         return segment_table(part.scaled(factor), block)
     table = part.copy()
     table[:, SIZED] *= factor
-    table[:, columns.CEILING] = ceilings(table)
+    fill_bounds(table)
     return table
 
 
@@ -458,6 +459,5 @@ def _with_noise(table: Floats, noise: BandNoise) -> Floats:
     summed = with_lines(table[:, ORDER], noise.samples, noise.step)
     segments = np.zeros((len(summed), columns.SEGMENT_COLUMNS))
     segments[:, ORDER] = summed
-    segments[:, columns.CEILING] = ceilings(segments)
-    segments[:, columns.ALIKE] = samples_alike(segments)
+    fill_bounds(segments)
     return segments

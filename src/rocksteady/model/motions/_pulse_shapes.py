@@ -1,27 +1,24 @@
-"""Shapes of single pulses as segments, each with largest acceleration `a`.
+"""Shapes of single pulses, each with largest acceleration `a`.
 
 Written with w = omega/p and pivot time s from the start of the pulse; T = 2 pi/w is its period.
+What a shape is in numbers stands here, and the segments that follow from them are filled by
+`rocksteady.kernels.core.motions.fill_pulse`, for the package and for the explorer's page.
 
 References
 ----------
 .. [1] G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
 .. [2] N. Makris and Y. S. Roussos, Geotechnique 50, 243-262 (2000).  Types A, B and C_n.
-.. [3] N. Ricker, Geophysics 18, 10-40 (1953); in the form of M. F. Vassiliou and N. Makris, Bull.
-   Seism. Soc. Am. 101, 596-618 (2011).
-.. [4] G. P. Mavroeidis and A. S. Papageorgiou, Bull. Seism. Soc. Am. 93, 1099-1131 (2003).
 """
 
 import math
-from collections.abc import Callable
+import re
 from functools import lru_cache
-from itertools import pairwise
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, NamedTuple
 
-from rocksteady.kernels.elementary.arrays import atan2, exp, sin
+from rocksteady.kernels.elementary.arrays import atan2, sin
 from rocksteady.kernels.elementary.roots import root
-from rocksteady.model.motions._sampled import polyline
-from rocksteady.model.motions.combine import added, scale_motion
-from rocksteady.model.motions.segments import Piecewise, Segment
+from rocksteady.model.motions._sampled import refuse_many_lines
+from rocksteady.model.motions.segments import Segment
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,77 +26,116 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-NumberT = TypeVar("NumberT", float, "Floats")
-Pieces = tuple[Segment, ...]
-Shape = Callable[[float, float], Pieces]
+CLOSED, RICKER, RICKER_ANTISYMMETRIC, MAVROEIDIS_PAPAGEORGIOU = range(4)
+"""Forms of a pulse, as `rocksteady.kernels.core.motions` has them."""
 
 
-def rectangle(a: float, w: float) -> Pieces:
-    """Return a constant for half a period [1]_."""
-    return (Segment(duration=math.pi / w, constant=a),)
+class Piece(NamedTuple):
+    """A segment of a pulse: it lasts turn/w, and its sinusoid has the frequency turns w.
 
-
-def half_sine(a: float, w: float) -> Pieces:
-    """Return ``a sin(w s)`` for half a period [1]_."""
-    return (Segment(duration=math.pi / w, amplitude=a, frequency=w),)
-
-
-def versed_sine(a: float, w: float) -> Pieces:
-    """Return ``a (1 - cos 2 w s)/2`` for half a period: one lobe that begins and ends flat."""
-    lobe = Segment(
-        duration=math.pi / w,
-        constant=0.5 * a,
-        amplitude=0.5 * a,
-        frequency=2.0 * w,
-        phase=-0.5 * math.pi,
-    )
-    return (lobe,)
-
-
-def triangle(a: float, w: float) -> Pieces:
-    """Return lines from 0 to a and back, a quarter of a period each."""
-    quarter = 0.5 * math.pi / w
-    return (
-        Segment(duration=quarter, slope=a / quarter),
-        Segment(duration=quarter, constant=a, slope=-a / quarter),
-    )
-
-
-def decaying_ramp(a: float, w: float) -> Pieces:
-    """Return a line from a down to 0 in half a period."""
-    half = math.pi / w
-    return (Segment(duration=half, constant=a, slope=-a / half),)
-
-
-def one_sine(a: float, w: float) -> Pieces:
-    """Return ``a sin(w s)`` for a period, type A of [2]_: the ground moves forward and stays."""
-    return (Segment(duration=2.0 * math.pi / w, amplitude=a, frequency=w),)
-
-
-def one_cosine(a: float, w: float) -> Pieces:
-    """Return ``a cos(w s)`` for a period, type B of [2]_: the ground moves forward and back."""
-    return (Segment(duration=2.0 * math.pi / w, amplitude=a, frequency=w, phase=0.5 * math.pi),)
-
-
-def type_c(n: int) -> Shape:
-    """Return ``a cos(w s + phi)`` for some n + 1/2 periods, type C_n of [2]_, from a and w.
-
-    The phase ends the pulse with base velocity and displacement 0: it lasts
-    ``((2 n + 1) pi - 2 phi)/w``, with ``2 cos(phi) = ((2 n + 1) pi - 2 phi) sin(phi)``.
+    Constant, slope (times the duration) and size of the sinusoid are over `a`.
     """
 
-    def pieces(a: float, w: float) -> Pieces:
-        phi = type_c_phase(n)
-        return (
-            Segment(
-                duration=((2 * n + 1) * math.pi - 2.0 * phi) / w,
-                amplitude=a,
-                frequency=w,
-                phase=phi + 0.5 * math.pi,
-            ),
-        )
+    turn: float
+    constant: float = 0.0
+    slope: float = 0.0
+    size: float = 0.0
+    turns: float = 0.0
+    phase: float = 0.0
 
-    return pieces
+
+class Shape(NamedTuple):
+    """A named shape: how long it lasts, what it is in words, and in numbers."""
+
+    lasts: str
+    words: str
+    pieces: tuple[Piece, ...] = ()
+    form: int = CLOSED
+
+
+HALF_A_PERIOD, A_PERIOD = "Half a period", "A period"
+TYPE_C, WAVELETS = "About n + 1/2 periods", "Wavelets"
+
+SHAPES: dict[str, Shape] = {
+    "rectangle": Shape(  # [1]_
+        HALF_A_PERIOD, "constant for half a period", (Piece(math.pi, constant=1.0),)
+    ),
+    "half-sine": Shape(  # [1]_
+        HALF_A_PERIOD, "sine for half a period", (Piece(math.pi, size=1.0, turns=1.0),)
+    ),
+    "versed-sine": Shape(  # begins and ends flat
+        HALF_A_PERIOD,
+        "(1 - cos)/2, one lobe in half a period",
+        (Piece(math.pi, constant=0.5, size=0.5, turns=2.0, phase=-0.5 * math.pi),),
+    ),
+    "triangle": Shape(
+        HALF_A_PERIOD,
+        "up and down along lines in half a period",
+        (Piece(0.5 * math.pi, slope=1.0), Piece(0.5 * math.pi, constant=1.0, slope=-1.0)),
+    ),
+    "decaying-ramp": Shape(
+        HALF_A_PERIOD,
+        "at once up, down along a line in half a period",
+        (Piece(math.pi, constant=1.0, slope=-1.0),),
+    ),
+    "one-sine": Shape(  # type A of [2]_: the ground moves forward and stays
+        A_PERIOD, "sine for a period (type A)", (Piece(2.0 * math.pi, size=1.0, turns=1.0),)
+    ),
+    "one-cosine": Shape(  # type B of [2]_: the ground moves forward and back
+        A_PERIOD,
+        "cosine for a period (type B)",
+        (Piece(2.0 * math.pi, size=1.0, turns=1.0, phase=0.5 * math.pi),),
+    ),
+    "type-c1": Shape(TYPE_C, "cosine for 1.43 periods from a phase at which the ground comes back"),
+    "type-c2": Shape(TYPE_C, "the same for 2.46 periods"),
+    "type-c3": Shape(TYPE_C, "the same for 3.47 periods"),
+    "ricker": Shape(
+        WAVELETS,
+        "second derivative of a Gaussian bell, one large lobe between two small ones",
+        form=RICKER,
+    ),
+    "ricker-antisymmetric": Shape(
+        WAVELETS,
+        "third derivative, one lobe and its opposite between two small ones",
+        form=RICKER_ANTISYMMETRIC,
+    ),
+    "mavroeidis-papageorgiou": Shape(
+        WAVELETS,
+        "a velocity cos(omega t + nu) under a bell of gamma periods",
+        form=MAVROEIDIS_PAPAGEORGIOU,
+    ),
+}
+"""By name; type-c4 and so on go on in the same way."""
+
+
+def listed() -> str:
+    """Return the names of all shapes, by how long they last."""
+    groups: dict[str, list[str]] = {}
+    for name, shape in SHAPES.items():
+        groups.setdefault(shape.lasts, []).append(name)
+    groups[TYPE_C].append("...")
+    return ". ".join(f"{lasts}: {', '.join(names)}" for lasts, names in groups.items())
+
+
+def type_c_of(name: str) -> int | None:
+    """Return n of a type C_n pulse; None of another."""
+    match = re.fullmatch(r"type-c([1-9][0-9]?)", name)
+    return int(match[1]) if match else None
+
+
+def pieces_of(name: str) -> tuple[Piece, ...]:
+    """Return the pieces of a shape in closed form; none of a wavelet.
+
+    Type C_n of [2]_ is ``a cos(w s + phi)`` for some n + 1/2 periods.  The phase ends the pulse
+    with base velocity and displacement 0: it lasts ``((2 n + 1) pi - 2 phi)/w``, with
+    ``2 cos(phi) = ((2 n + 1) pi - 2 phi) sin(phi)``.
+    """
+    n = type_c_of(name)
+    if n is None:
+        return SHAPES[name].pieces
+    phi = type_c_phase(n)
+    turn = (2 * n + 1) * math.pi - 2.0 * phi
+    return (Piece(turn, size=1.0, turns=1.0, phase=phi + 0.5 * math.pi),)
 
 
 @lru_cache
@@ -119,127 +155,62 @@ def type_c_phase(n: int) -> float:
     return phi
 
 
-CLOSED: dict[str, tuple[Shape, str]] = {
-    "rectangle": (rectangle, "constant for half a period"),
-    "half-sine": (half_sine, "sine for half a period"),
-    "versed-sine": (versed_sine, "(1 - cos)/2, one lobe in half a period"),
-    "triangle": (triangle, "up and down along lines in half a period"),
-    "decaying-ramp": (decaying_ramp, "at once up, down along a line in half a period"),
-    "one-sine": (one_sine, "sine for a period (type A)"),
-    "one-cosine": (one_cosine, "cosine for a period (type B)"),
-    "type-c1": (type_c(1), "cosine for 1.43 periods from a phase at which the ground comes back"),
-    "type-c2": (type_c(2), "the same for 2.46 periods"),
-    "type-c3": (type_c(3), "the same for 3.47 periods"),
-}
-"""Shapes that segments hold exactly: their pieces, and what they are in words."""
-
-WAVELETS: dict[str, str] = {
-    "ricker": "second derivative of a Gaussian bell, one large lobe between two small ones",
-    "ricker-antisymmetric": "third derivative, one lobe and its opposite between two small ones",
-    "mavroeidis-papageorgiou": "a velocity cos(omega t + nu) under a bell of gamma periods",
-}
-"""Shapes that are sampled, in words."""
-
-
-BENDS = {
-    False: (math.sqrt(5.0 - math.sqrt(10.0)), math.sqrt(5.0 + math.sqrt(10.0))),
-    True: (0.6167065902, 1.8891758778, 3.3242574336),
-}
-"""Values of u > 0 at which the second derivative has its extrema, of either Ricker wavelet."""
-BEYOND = 1.0 + 1e-9
-"""What rounding of these places may have lost."""
-CUTS = {False: (0.4, 2.2, 4.2), True: (1.1, 2.6, 4.6)}
-"""Values of u at which the lines change their length, chosen for few of them."""
-
-
-def ricker(a: float, w: float, *, antisymmetric: bool, tolerance: float) -> Pieces:
-    """Return straight lines along a Ricker wavelet [3]_ whose Fourier spectrum is largest at w.
-
-    With u the time from its middle over ``sqrt(2)/w``, or ``sqrt(3)/w`` of the antisymmetric one,
-    it is ``a (1 - u^2) exp(-u^2/2)`` or ``a (u^3 - 3 u) exp(-u^2/2)/1.38``.  It begins and ends
-    where it stays below the tolerance for good.  The second derivative in u is Hermite's polynomial
-    of the fourth or fifth degree times the bell, and has its extrema at the zeros of the next one.
-    So its bound is known between any two u, and the lines are longer where it is less.
+def segments_of(
+    name: str, a: float, w: float, *, tolerance: float, oscillations: float, phase: float
+) -> tuple[Segment, ...]:
+    """Return the segments of a pulse.
 
     Parameters
     ----------
+    name
+        Its shape.
     a, w
         Largest acceleration, and omega/p.
-    antisymmetric
-        Which of the two.
     tolerance
-        As a part of a.
-    """
-    # Where the antisymmetric one is largest, u^4 - 6 u^2 + 3 = 0.
-    crest = math.sqrt(3.0 - math.sqrt(6.0))
-    peak = crest * (3.0 - crest * crest) * exp(-0.5 * crest * crest)
-
-    def wave(u: NumberT) -> NumberT:
-        bell = exp(-0.5 * u * u)
-        return u * (u * u - 3.0) * bell / peak if antisymmetric else (1.0 - u * u) * bell
-
-    def bend(u: float) -> float:
-        square = u * u
-        bell = exp(-0.5 * square)
-        if antisymmetric:
-            return abs(u * (square * (square - 10.0) + 15.0)) * bell / peak
-        return abs(square * (square - 6.0) + 3.0) * bell
-
-    def steepest(low: float, high: float) -> float:
-        bends = BENDS[antisymmetric]
-        return BEYOND * max(bend(u) for u in (low, high, *bends) if low <= u <= high)
-
-    unit = math.sqrt(3.0 if antisymmetric else 2.0) / w
-    # Beyond u = 2.5 both only fall off.
-    reach = root(lambda u: abs(wave(u)) - tolerance, 2.5, 40.0)
-    ends = [0.0, *(cut for cut in CUTS[antisymmetric] if cut < reach), reach]
-    half = [
-        (unit * (high - low), steepest(low, high) / (unit * unit)) for low, high in pairwise(ends)
-    ]
-    return polyline(
-        lambda s: wave(s / unit - reach), [*reversed(half), *half], tolerance=tolerance, size=a
-    )
-
-
-def mavroeidis_papageorgiou(
-    a: float, w: float, *, oscillations: float, phase: float, tolerance: float
-) -> Pieces:
-    """Return straight lines along the pulse of [4]_, scaled to a largest acceleration.
-
-    Its velocity is ``(V/2) (1 + cos(w s/gamma)) cos(w s + nu)`` over ``|s| <= gamma pi/w``, a sum
-    of three sinusoids.
-
-    Parameters
-    ----------
-    a, w
-        Largest acceleration, and omega/p.
+        Of the lines along a wavelet, as a part of a.
     oscillations, phase
-        gamma > 1, and nu [rad].
-    tolerance
-        Tolerance of the lines, as a part of a.
+        gamma > 1 and nu [rad] of a Mavroeidis-Papageorgiou pulse.
+
+    Raises
+    ------
+    InputError
+        If a wavelet needs more than 200 000 lines.
     """
-    v = 1.0 / (w * peak_of_unit_velocity(oscillations, phase))  # for an acceleration of 1
-    start = -oscillations * math.pi / w
-    waves = []
-    for share, frequency in _velocity_waves(oscillations):
-        wave = Segment(
-            duration=-2.0 * start,
-            # d/ds of cos(W s + nu) is -W sin(W s + nu)
-            amplitude=-v * share * frequency * w,
-            frequency=frequency * w,
-            phase=frequency * w * start + phase,
+    import numpy as np
+
+    from rocksteady.kernels.core import tables as columns
+    from rocksteady.kernels.core.motions import PIECE_COLUMNS, PulseNumbers, fill_pulse
+
+    form = SHAPES[name].form if name in SHAPES else CLOSED
+    pieces = np.array(pieces_of(name), dtype=np.float64).reshape(-1, PIECE_COLUMNS)
+    reach = reach_of(form, tolerance) if form in (RICKER, RICKER_ANTISYMMETRIC) else 0.0
+    peaked = form == MAVROEIDIS_PAPAGEORGIOU
+    peak = peak_of_unit_velocity(oscillations, phase) if peaked else 1.0
+    pulse = PulseNumbers(form, pieces, a, w, tolerance, reach, oscillations, phase, peak)
+    count, needed = fill_pulse(pulse, np.zeros((0, columns.SEGMENT_COLUMNS)))
+    refuse_many_lines(needed, tolerance)
+    table = np.zeros((count, columns.SEGMENT_COLUMNS))
+    fill_pulse(pulse, table)
+    return tuple(
+        Segment(
+            duration=row[columns.DURATION],
+            constant=row[columns.CONSTANT],
+            slope=row[columns.SLOPE],
+            amplitude=row[columns.AMPLITUDE],
+            frequency=row[columns.FREQUENCY],
+            phase=row[columns.PHASE],
         )
-        waves.append(Piecewise(pieces=(wave,)))
-    return scale_motion(added(waves, tolerance, series=False), a).segments()
-
-
-def _velocity_waves(oscillations: float) -> tuple[tuple[float, float], ...]:
-    """Return the share of the velocity's amplitude and the frequency over w of its three waves."""
-    return (
-        (0.5, 1.0),
-        (0.25, 1.0 + 1.0 / oscillations),
-        (0.25, 1.0 - 1.0 / oscillations),
+        for row in table.tolist()
     )
+
+
+def reach_of(form: int, tolerance: float) -> float:
+    """Return where a Ricker wavelet stays below a part of its amplitude for good, as u."""
+    from rocksteady.kernels.core.motions import ricker_at
+
+    odd = form == RICKER_ANTISYMMETRIC
+    # Beyond u = 2.5 both only fall off.
+    return root(lambda u: abs(ricker_at(odd, u)) - tolerance, 2.5, 40.0)
 
 
 @lru_cache
@@ -255,8 +226,8 @@ def peak_of_unit_velocity(oscillations: float, phase: float) -> float:
     from scipy.optimize import minimize_scalar
 
     def size(s: "Floats") -> "Floats":
-        waves = (v * w * sin(w * s + phase) for v, w in _velocity_waves(oscillations))
-        return np.abs(sum(waves))
+        waves = ((0.5, 1.0), (0.25, 1.0 + 1.0 / oscillations), (0.25, 1.0 - 1.0 / oscillations))
+        return np.abs(sum(v * w * sin(w * s + phase) for v, w in waves))
 
     end = oscillations * math.pi
     s = np.linspace(-end, end, 2 * math.ceil(200.0 * oscillations) + 1)

@@ -76,14 +76,7 @@ def polyline(
     import numpy as np
 
     needed = [time * math.sqrt(curvature / (8.0 * tolerance)) for time, curvature in parts]
-    if sum(needed) > MOST_LINES:
-        excess = sum(needed) / MOST_LINES
-        raise InputError(
-            "tolerance",
-            tolerance,
-            f"{sum(needed):.3g} straight lines would be needed, and {MOST_LINES} are the most",
-            f"give {tolerance * excess * excess:.2g} or more, or a shorter motion",
-        )
+    refuse_many_lines(sum(needed), tolerance)
     lines: tuple[Segment, ...] = ()
     start = 0.0
     for (time, _), least in zip(parts, needed, strict=True):
@@ -92,3 +85,21 @@ def polyline(
         lines += straight_lines(values, time / count)
         start += time
     return lines
+
+
+def refuse_many_lines(needed: float, tolerance: float) -> None:
+    """Refuse a tolerance that needs too many straight lines.
+
+    Raises
+    ------
+    InputError
+        If they are more than 200 000.
+    """
+    if needed > MOST_LINES:
+        excess = needed / MOST_LINES
+        raise InputError(
+            "tolerance",
+            tolerance,
+            f"{needed:.3g} straight lines would be needed, and {MOST_LINES} are the most",
+            f"give {tolerance * excess * excess:.2g} or more, or a shorter motion",
+        )

@@ -1,7 +1,6 @@
 """Single pulses of base motion, by name."""
 
 import math
-import re
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated
@@ -11,7 +10,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import positive
-from rocksteady.model.motions import _pulse_shapes
+from rocksteady.model.motions._pulse_shapes import SHAPES, listed, segments_of, type_c_of
 from rocksteady.model.motions.segments import (
     AMPLITUDE,
     HIGHEST_FREQUENCY_RATIO,
@@ -26,8 +25,11 @@ MOST_OSCILLATIONS = 50.0
 HIGHEST_PULSE_RATIO = 0.5 * HIGHEST_FREQUENCY_RATIO
 """Some shapes hold sinusoids of up to twice their frequency."""
 
-PULSES = {name: words for name, (_, words) in _pulse_shapes.CLOSED.items()} | _pulse_shapes.WAVELETS
+PULSES = {name: shape.words for name, shape in SHAPES.items()}
 """The shape of each named pulse in words; type-c4 and so on go on in the same way."""
+
+LISTED_PULSES = listed()
+"""The names of all shapes, by how long they last."""
 
 PULSE_RATIO = Bounds(
     LOWEST_FREQUENCY_RATIO,
@@ -48,7 +50,7 @@ _OF_ONE_SHAPE = {
 
 def _known(name: str, value: object) -> str:
     """Return the name of a pulse."""
-    if not isinstance(value, str) or (value not in PULSES and _type_c(value) is None):
+    if not isinstance(value, str) or (value not in PULSES and type_c_of(value) is None):
         raise InputError(
             name,
             value,
@@ -222,25 +224,15 @@ class Pulse:
     @cached_property
     def _pieces(self) -> tuple[Segment, ...]:
         """The segments, made once."""
-        made = self._made()
+        made = segments_of(
+            self.shape,
+            self.amplitude,
+            self.frequency_ratio,
+            tolerance=self.tolerance,
+            oscillations=2.0 if self.oscillations is None else self.oscillations,
+            phase=0.0 if self.phase is None else self.phase,
+        )
         return tuple(map(_turned, made)) if self.reverse else made
-
-    def _made(self) -> tuple[Segment, ...]:
-        """Return the segments of the pulse as its shape is defined."""
-        a, w = self.amplitude, self.frequency_ratio
-        if self.shape == "mavroeidis-papageorgiou":
-            return _pulse_shapes.mavroeidis_papageorgiou(
-                a,
-                w,
-                oscillations=2.0 if self.oscillations is None else self.oscillations,
-                phase=0.0 if self.phase is None else self.phase,
-                tolerance=self.tolerance,
-            )
-        if self.shape in _pulse_shapes.WAVELETS:
-            odd = self.shape == "ricker-antisymmetric"
-            return _pulse_shapes.ricker(a, w, antisymmetric=odd, tolerance=self.tolerance)
-        n = _type_c(self.shape)
-        return _pulse_shapes.type_c(n)(a, w) if n else _pulse_shapes.CLOSED[self.shape][0](a, w)
 
 
 def _turned(piece: Segment) -> Segment:
@@ -252,9 +244,3 @@ def _turned(piece: Segment) -> Segment:
         amplitude=-piece.amplitude,
         jump=-piece.jump,
     )
-
-
-def _type_c(shape: str) -> int | None:
-    """Return n of a type C_n pulse; None of another."""
-    match = re.fullmatch(r"type-c([1-9][0-9]?)", shape)
-    return int(match[1]) if match else None

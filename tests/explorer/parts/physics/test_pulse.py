@@ -67,13 +67,11 @@ def test_every_shape_of_the_package_has_the_same_segments(in_node: InNode) -> No
         for part in (1e-6, 1e-4)
     ]
     lines = """
-    const { PULSE_SHAPES, pulsePieces, tableOfPieces } = await import(
-      parts('physics/demand/shapes.mjs'));
-    const tables = asked.map(({ shape, a, w, tolerance }) => {
-      const pieces = pulsePieces(kernels, shape, a, w, tolerance);
-      return [...tableOfPieces(kernels, pieces, { nonlinear: false }).values];
-    });
-    answer({ names: Object.keys(PULSE_SHAPES), tables });
+    const { PULSES } = await import(parts('kernels/pulses.mjs'));
+    const { pulseTable } = await import(parts('physics/motions.mjs'));
+    const tables = asked.map(({ shape, a, w, tolerance }) =>
+      [...pulseTable(kernels, shape, a, w, { nonlinear: false, tolerance }).values]);
+    answer({ names: Object.keys(PULSES), tables });
     """
     found = in_node(lines, asked)
     assert sorted(found["names"]) == sorted(SHAPES)

@@ -23,6 +23,7 @@ from tests.records import el_centro, rinaldi, synthetic
 
 Floats = NDArray[np.float64]
 HEAD = """
+const { scaledMotion } = await import(parts('physics/motions.mjs'));
 const physics = await import(parts('physics/quake/record.mjs'));
 const { measuresOf } = await import(parts('physics/case.mjs'));
 const motionOf = ({ samples, dt }) => ({ samples: Float64Array.from(samples), dt });
@@ -35,7 +36,7 @@ RUNS = (
     HEAD
     + """
 answer(asked.map(({ motion, block, scale }) => plain(physics.runRecord(
-  kernels, physics.scaledMotion(motionOf(motion), scale), blockOf(block), 300))));
+  kernels, scaledMotion(motionOf(motion), scale), blockOf(block), 300))));
 """
 )
 
@@ -130,7 +131,7 @@ def test_neighbours_are_those_of_the_package(in_node: InNode) -> None:
     ]
     lines = """
     answer(asked.map(({ motion, block, scale }) => {
-      const shaking = physics.scaledMotion(motionOf(motion), scale);
+      const shaking = scaledMotion(motionOf(motion), scale);
       return physics.runNeighbours(
         kernels, shaking, physics.neighbourCases(kernels, blockOf(block)));
     }));

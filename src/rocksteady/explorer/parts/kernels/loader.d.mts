@@ -46,6 +46,19 @@ export interface System {
   left_out: number;
 }
 
+/** A pulse in numbers. */
+export interface PulseNumbers {
+  form: number;
+  pieces: Floats;
+  amplitude: number;
+  frequency_ratio: number;
+  tolerance: number;
+  reach: number;
+  oscillations: number;
+  phase: number;
+  peak: number;
+}
+
 /** Where steady states are wanted; arrays of shape (points,). */
 export interface Points {
   amplitude: Floats;
@@ -236,6 +249,8 @@ export interface Kernels {
   clock(phase: number): [number, number];
   /** Fill `out` with the angle of (x, y) of each pair. */
   fill_atan2(y: Floats, x: Floats, out: Floats): void;
+  /** Fill an upper bound of |a| from each segment's start on, and how many alike follow at once. */
+  fill_bounds(table: Floats): void;
   /** Split phases into whole half cycles and rests in [0, pi), all of shape (cells,). */
   fill_clocks(phase: Floats, half_cycles: Integers, rest: Floats): void;
   /** Fill `out` with the cosine of each x. */
@@ -248,6 +263,8 @@ export interface Kernels {
   fill_hypot(x: Floats, y: Floats, out: Floats): void;
   /** Fill the impacts of a recorded march, however slow, and return how many there are. */
   fill_landings(tables: Tables, rows: Floats, starts: Floats, landings: Floats): number;
+  /** Fill straight lines between evenly spaced samples, the still base after them, and bounds. */
+  fill_lines(samples: Floats, step: number, table: Floats): void;
   /** Fill `out` with the natural logarithm of each x. */
   fill_log(x: Floats, out: Floats): void;
   /** Fill `out` with log(1 + x) of each x. */
@@ -256,6 +273,8 @@ export interface Kernels {
   fill_next_up(x: Floats, out: Floats): void;
   /** Fill the largest |theta|/alpha of each passage of an orbit that has been measured. */
   fill_peaks(system: System, passages: number, table: Floats): void;
+  /** Fill the segments of a pulse; return how many there are, and how many lines it needs. */
+  fill_pulse(pulse: PulseNumbers, table: Floats): [number, number];
   /** Fill `out` with the sine of each x. */
   fill_sin(x: Floats, out: Floats): void;
   /** Fill angle, velocity and acceleration, shape (3, times), in reference units. */

@@ -4,6 +4,7 @@
 const Tables = { segments: 'f2', sides: 'f2' };
 const Forcing = { kind: 'i', constant: 'f', slope: 'f', amplitude: 'f', frequency: 'f', beta: 'f', swing: 'f', rising: 'f', node_sine: 'f', node_cosine: 'f' };
 const System = { positive: Forcing, negative: Forcing, frequency: 'f', restitution: ['f', 'f'], free: 'i', lean: ['f', 'f'], rate: ['f', 'f'], alpha: ['f', 'f'], amplitude: 'f', left_out: 'f' };
+const PulseNumbers = { form: 'i', pieces: 'f2', amplitude: 'f', frequency_ratio: 'f', tolerance: 'f', reach: 'f', oscillations: 'f', phase: 'f', peak: 'f' };
 const Points = { amplitude: 'f1', frequency_ratio: 'f1', restitution: 'f1', order: 'i1' };
 const Steady = { region: 'i1', boundaries: 'f2', phase: 'f2', velocity: 'f2', trace: 'f2', peak: 'f2', extrema: 'i2', admissible: 'b2' };
 const Symmetric = { phase: 'f', sine: 'f', cosine: 'f', velocity: 'f', trace: 'f' };
@@ -29,16 +30,19 @@ const Half = { found: 'b', state: Section, jacobian: Jacobian };
 export const signatures = {
   clock: { takes: ['f'], gives: ['i', 'f'] },
   fill_atan2: { takes: ['f1', 'f1', 'f1'], gives: null },
+  fill_bounds: { takes: ['f2'], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
   fill_cos: { takes: ['f1', 'f1'], gives: null },
   fill_curves: { takes: ['f1', 'f1', 'i1', 'f2'], gives: null },
   fill_exp: { takes: ['f1', 'f1'], gives: null },
   fill_hypot: { takes: ['f1', 'f1', 'f1'], gives: null },
   fill_landings: { takes: [Tables, 'f2', 'f1', 'f2'], gives: 'i' },
+  fill_lines: { takes: ['f1', 'f', 'f2'], gives: null },
   fill_log: { takes: ['f1', 'f1'], gives: null },
   fill_log1p: { takes: ['f1', 'f1'], gives: null },
   fill_next_up: { takes: ['f1', 'f1'], gives: null },
   fill_peaks: { takes: [System, 'i', 'f2'], gives: null },
+  fill_pulse: { takes: [PulseNumbers, 'f2'], gives: ['i', 'f'] },
   fill_sin: { takes: ['f1', 'f1'], gives: null },
   fill_states: { takes: ['f2', 'f2', 'f2', 'i1', 'f1', 'f2'], gives: null },
   fill_steady: { takes: [Points, 'b', Steady], gives: null },

@@ -1,6 +1,7 @@
 // The time history of a block under harmonic shaking: dynamics/history/simulate.py, trajectory.py.
 
 import { sidesOf } from './case.mjs';
+import { harmonicTable } from './motions.mjs';
 import { FLIGHT_COLUMNS, FLIGHT_DURATION, FLIGHT_SIDE, flightsAt, runOf, statesAt } from './run.mjs';
 import { FULL_TURN, beginOf, turnedPhase } from './start.mjs';
 
@@ -58,7 +59,7 @@ const SECTION_FLIGHTS = 20_000;
  */
 export function historyOf(kernels, given, start, cycles, most) {
   const { phase, march } = beginOf(kernels, given, start);
-  const segments = shakingOf(kernels, given, phase), sides = sidesOf(kernels, given);
+  const segments = harmonicTable(kernels, given, phase), sides = sidesOf(kernels, given);
   const run = runOf(kernels, { segments, sides }, { start: march, cycles, most });
   segments.free();
   sides.free();
@@ -89,18 +90,6 @@ export function historyOf(kernels, given, start, cycles, most) {
 }
 
 /**
- * Return the table of the shaking; free it.
- * @param {Kernels} kernels
- * @param {Case} given
- * @param {number} phase  at the start [rad]
- */
-function shakingOf(kernels, given, phase) {
-  const segments = kernels.array('f', [1, given.nonlinear ? 12 : 9]);
-  kernels.harmonic_segment(segments, given.amplitude, given.frequencyRatio, phase);
-  return segments;
-}
-
-/**
  * Return the motion at times of a history.
  * @param {Kernels} kernels
  * @param {Case} given
@@ -125,7 +114,7 @@ export function motionAt(kernels, given, history, times) {
  * @param {[number[], number[]]} places
  */
 function statesOfRun(kernels, given, history, places) {
-  const sides = sidesOf(kernels, given), segments = shakingOf(kernels, given, history.phase);
+  const sides = sidesOf(kernels, given), segments = harmonicTable(kernels, given, history.phase);
   const rows = kernels.array('f', [history.flights, FLIGHT_COLUMNS], history.rows);
   const states = statesAt(kernels, { segments, sides }, rows, places);
   for (const array of [sides, segments, rows]) array.free();

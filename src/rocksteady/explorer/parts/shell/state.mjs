@@ -2,8 +2,8 @@
 
 /** @import { Kernels } from '../kernels/loader.mjs' */
 /** @import { Case, Measures, Start } from '../physics/case.mjs' */
+import { PULSES } from '../kernels/pulses.mjs';
 import { measuresOf } from '../physics/case.mjs';
-import { PULSE_SHAPES } from '../physics/demand/shapes.mjs';
 
 export const TABS = ['explore', 'basins', 'pulse', 'quake', 'design'];
 
@@ -87,7 +87,7 @@ export const FIELDS = {
   v0: numberField(-1.5, -100, 100),
   v1: numberField(1.5, -100, 100),
   safe: optionField(0, 1), // whether the basins show the safe basin alone
-  pulse: choiceField(...Object.keys(PULSE_SHAPES)),
+  pulse: choiceField('one-sine', ...Object.keys(PULSES)),
   pA: numberField(2.5, 0, 1000),
   pW: numberField(3.6, 0.01, 1000),
   pw0: numberField(1, 0.01, 1000),

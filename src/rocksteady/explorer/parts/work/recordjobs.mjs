@@ -1,7 +1,8 @@
 // Jobs on recorded motions.
 
 /** @typedef {import('../kernels/loader.mjs').Kernels} Kernels */
-import { fatesOverScales, rockingSpectrum, runNeighbours, runRecord, scaledMotion }
+import { scaledMotion } from '../physics/motions.mjs';
+import { fatesOverScales, rockingSpectrum, runNeighbours, runRecord }
   from '../physics/quake/record.mjs';
 import { readMotion } from '../physics/quake/recordfile.mjs';
 

@@ -9,9 +9,9 @@
 /** @import { Frame } from '../../draw/frame.mjs' */
 import { curve } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
-import { evaluate } from '../../physics/case.mjs';
-import { DESIGN_FATE, rectangleOf } from '../../physics/demand/design.mjs';
-import { PULSE_SHAPES } from '../../physics/demand/shapes.mjs';
+import { PULSES } from '../../kernels/pulses.mjs';
+import { evaluate, rectangleOf } from '../../physics/case.mjs';
+import { DESIGN_FATE } from '../../physics/demand/design.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf, partOn, valueOn } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
@@ -307,7 +307,7 @@ function designLooks(theme) {
  */
 function makeDesignEntries(app, plane) {
   const kind = choiceEntry(app, 'demand', 'demand', [['pulse', 'one pulse'], ['harmonic', 'harmonic shaking'], ['record', 'motion put in']]);
-  const shape = choiceEntry(app, 'pulse', 'shape', Object.keys(PULSE_SHAPES).map((name) => [name, name.replace(/-/g, ' ')]));
+  const shape = choiceEntry(app, 'pulse', 'shape', Object.keys(PULSES).map((name) => [name, name.replace(/-/g, ' ')]));
   shape.input.id = 'in-design-pulse';
   /** @param {'dg' | 'df' | 'dn' | 'limit'} name @param {string} label @param {number} step */
   const number = (name, label, step) => numberEntry(app, {

@@ -9,8 +9,8 @@
 /** @import { PulseFates } from '../../physics/demand/pulse.mjs' */
 import { clipped, note, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
+import { PULSES } from '../../kernels/pulses.mjs';
 import { FATE } from '../../physics/demand/pulse.mjs';
-import { PULSE_SHAPES } from '../../physics/demand/shapes.mjs';
 import { upliftOf } from '../../physics/demand/windows.mjs';
 import { caseOf } from '../../shell/state.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
@@ -243,7 +243,7 @@ export function makePulsePanel(app) {
  * @param {ReturnType<typeof makePlane>} plane
  */
 function makeEntries(app, plane) {
-  const shape = choiceEntry(app, 'pulse', 'pulse', Object.keys(PULSE_SHAPES).map((name) => [name, name.replace(/-/g, ' ')]));
+  const shape = choiceEntry(app, 'pulse', 'pulse', Object.keys(PULSES).map((name) => [name, name.replace(/-/g, ' ')]));
   const amplitude = numberEntry(app, {
     name: 'pA', label: 'A', step: 0.05,
     read: () => app.state.pA * unitsOf(app, app.state).amplitude,
@@ -265,7 +265,7 @@ function makeEntries(app, plane) {
     refresh(state) {
       const si = state.units === 'si';
       shape.refresh();
-      shape.root.title = PULSE_SHAPES[state.pulse];
+      shape.root.title = PULSES[state.pulse].words;
       amplitude.words(si ? 'a [g]' : 'A');
       frequency.words(si ? 'f [Hz]' : 'Ω');
       amplitude.refresh();

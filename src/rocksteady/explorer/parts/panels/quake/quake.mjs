@@ -6,7 +6,8 @@
 /** @import { RecordRun } from '../../physics/quake/record.mjs' */
 /** @import { NamedMotion, Shaken } from './shaken.mjs' */
 import { GRAVITY, evaluate } from '../../physics/case.mjs';
-import { runRecord, scaledMotion } from '../../physics/quake/record.mjs';
+import { scaledMotion } from '../../physics/motions.mjs';
+import { runRecord } from '../../physics/quake/record.mjs';
 import { frame } from '../../draw/frame.mjs';
 import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { make } from '../../shell/layout.mjs';

@@ -2,7 +2,8 @@
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
-/** @import { GroundMotion, RecordBlock } from '../../physics/quake/record.mjs' */
+/** @import { GroundMotion } from '../../physics/motions.mjs' */
+/** @import { RecordBlock } from '../../physics/quake/record.mjs' */
 import { GRAVITY } from '../../physics/case.mjs';
 import { peakOf, refusedMotion } from '../../physics/quake/record.mjs';
 import { syntheticMotion } from '../../physics/quake/synthetic.mjs';

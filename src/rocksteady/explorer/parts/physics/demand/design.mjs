@@ -1,13 +1,13 @@
 // Blocks of many sizes against one demand in engineering units: does each stand, and how far does
 // it rock; each the same bits as `simulate` in Python.
-import { evaluate, GRAVITY, sidesOf } from '../case.mjs';
-import { basePiece, pulsePieces, tableOfPieces } from './shapes.mjs';
+import { evaluate, GRAVITY, rectangleOf, sidesOf } from '../case.mjs';
+import { harmonicTable, pulseTable, recordTable, scaledMotion } from '../motions.mjs';
 import { fateOf } from '../run.mjs';
 import { runFromRest } from './run.mjs';
 
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
 /** @import { SampledRun } from './run.mjs' */
-/** @import { Measures } from '../case.mjs' */
+/** @import { Measures, Sizes } from '../case.mjs' */
 
 /**
  * What shakes the base.  Accelerations in g of 9.80665 m/s2, frequencies in Hz.
@@ -22,27 +22,8 @@ import { runFromRest } from './run.mjs';
  * @typedef {{ demand: Demand, restitution: number | null, nonlinear: boolean }} Design
  */
 
-/**
- * A rectangle by width and height, or by slenderness [rad] and half-diagonal; lengths in m.
- * @typedef {{ width: number, height: number } | { alpha: number, radius: number }} Sizes
- */
-
 export const DESIGN_FATE = { stands: 0, overturns: 1, undecided: 2, impossible: 3 };
 const DESIGN_FLIGHTS = 100000;
-
-/**
- * Return the measures of a rectangle, as `Block.rectangle` and `Block.from_radius` have them.
- * @param {Kernels} kernels
- * @param {Sizes} sizes
- * @returns {Measures}
- */
-export function rectangleOf(kernels, sizes) {
-  const given = 'width' in sizes;
-  const alpha = given ? evaluate(kernels, 'atan2', sizes.width, sizes.height) : sizes.alpha;
-  const radius = given ? 0.5 * evaluate(kernels, 'hypot', sizes.width, sizes.height) : sizes.radius;
-  const p = Math.sqrt((0.75 * GRAVITY) / radius), sine = evaluate(kernels, 'sin', alpha);
-  return { alpha, radius, p, housner: 1 - 2 * ((p * p * radius) / GRAVITY) * (sine * sine) };
-}
 
 /**
  * Return a demand as a block feels it, A and Omega; nothing of a record.
@@ -67,18 +48,14 @@ export function feltBy(demand, block) {
 function demandTable(kernels, demand, block, nonlinear) {
   const { amplitude, frequencyRatio } = feltBy(demand, block);
   if (demand.kind === 'pulse') {
-    const pieces = pulsePieces(kernels, demand.shape, amplitude, frequencyRatio);
-    return tableOfPieces(kernels, pieces, { nonlinear });
+    return pulseTable(kernels, demand.shape, amplitude, frequencyRatio, { nonlinear });
   }
   if (demand.kind === 'harmonic') {
-    const endless = basePiece(Infinity, { amplitude, frequency: frequencyRatio });
-    return tableOfPieces(kernels, [endless], { nonlinear, still: false });
+    return harmonicTable(kernels, { amplitude, frequencyRatio, nonlinear });
   }
-  const unit = block.alpha * GRAVITY, step = demand.dt * block.p;
-  const samples = Array.from(demand.acceleration, (a) => (demand.scale * a) / unit);
-  const lines = samples.slice(0, -1).map((a, k) =>
-    basePiece(step, { constant: a, slope: (samples[k + 1] - a) / step }));
-  return tableOfPieces(kernels, lines, { nonlinear });
+  const motion = { samples: Float64Array.from(demand.acceleration), dt: demand.dt };
+  const scaled = scaledMotion(motion, demand.scale);
+  return recordTable(kernels, scaled, nonlinear, block.p, block.alpha * GRAVITY);
 }
 
 /**

@@ -1,6 +1,6 @@
 // What a single pulse makes of a block at rest: fates over frequency and amplitude, one history.
 import { COUNTED, sidesOf } from '../case.mjs';
-import { pulsePieces, tableOfPieces } from './shapes.mjs';
+import { pulseTable } from '../motions.mjs';
 import { runFromRest } from './run.mjs';
 
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
@@ -43,8 +43,8 @@ function unitTable(kernels, shape, nonlinear, tolerance) {
   }
   keptTable.table?.free();
   // A ceiling ends a march that is lost before the block lies; the margin asks for its speed then.
-  const how = { nonlinear, still: false, ceiling: !nonlinear };
-  const table = tableOfPieces(kernels, pulsePieces(kernels, shape, 1, 1, tolerance), how);
+  const how = { nonlinear, still: false, ceiling: !nonlinear, tolerance };
+  const table = pulseTable(kernels, shape, 1, 1, how);
   Object.assign(keptTable, { key, kernels, table });
   return table;
 }
@@ -88,8 +88,8 @@ export function pulseFates(kernels, given) {
  * @returns {SampledRun & { duration: number }}  duration: of the pulse
  */
 export function pulseHistory(kernels, given) {
-  const pieces = pulsePieces(kernels, given.shape, given.amplitude, given.ratio);
-  const segments = tableOfPieces(kernels, pieces, given);
+  const { shape, amplitude, ratio, nonlinear } = given;
+  const segments = pulseTable(kernels, shape, amplitude, ratio, { nonlinear });
   const sides = sidesOf(kernels, { ...given, frequencyRatio: given.ratio });
   const run = runFromRest(kernels, { segments, sides }, given);
   for (const array of [segments, sides]) array.free();

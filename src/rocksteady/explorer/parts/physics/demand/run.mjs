@@ -1,7 +1,7 @@
 // A block that stands at rest when its base begins to move: its run, and its states and the
 // acceleration of the base at some times.
+import { evaluateEach } from '../case.mjs';
 import { FLIGHT_COLUMNS, FLIGHT_SIDE, flightsAt, runOf, statesAt } from '../run.mjs';
-import { evaluateEach } from './shapes.mjs';
 
 /** @import { Floats, Kernels, Tables } from '../../kernels/loader.mjs' */
 /** @import { How } from '../run.mjs' */

@@ -1,8 +1,8 @@
 // All windows of amplitude in which a pulse of one frequency overturns a block: the search of
 // `rocksteady.dynamics.overturning.scan`, amplitude for amplitude.
-import { evaluate } from '../case.mjs';
+import { evaluate, evaluateEach } from '../case.mjs';
+import { pulseTable, PULSE_TOLERANCE } from '../motions.mjs';
 import { pulseFates, FATE } from './pulse.mjs';
-import { evaluateEach, pulsePieces, PULSE_TOLERANCE } from './shapes.mjs';
 
 /** @import { Kernels } from '../../kernels/loader.mjs' */
 /** @import { Struck } from './pulse.mjs' */
@@ -53,8 +53,9 @@ export function pulseWindows(kernels, given) {
     const found = pulseFates(kernels, { ...given, ...more, amplitudes: at, ratios });
     return at.map((amplitude, k) => triedOf(found, amplitude, k));
   };
-  const lines = pulsePieces(kernels, shape, 1, 1).length;
-  const quick = nonlinear && lines > SCAN.lines
+  const table = pulseTable(kernels, shape, 1, 1, { nonlinear, still: false });
+  table.free();
+  const quick = nonlinear && table.shape[0] > SCAN.lines
     ? { tolerance: Math.max(SCAN.rough, PULSE_TOLERANCE), leftOut: SCAN.roughLeftOut } : null;
   const follow = followed({});
   const look = quick ? followed(quick) : follow;
@@ -123,7 +124,7 @@ function uniqueOf(values) {
 function firstGrid(kernels, low, high, step, uplift) {
   const floor = Math.max(low, uplift);
   if (high <= floor) return uniqueOf([low, high]);
-  const steps = evaluate(kernels, 'log', high / floor) / log1pOf(kernels, step);
+  const steps = evaluate(kernels, 'log', high / floor) / evaluateEach(kernels, 'log1p', [step])[0];
   const parts = [low, ...inEqualRatios(kernels, floor, high, Math.max(Math.ceil(steps) + 1, 2))];
   const nearest = Math.max(floor - uplift, SCAN.nearest * uplift), furthest = high - uplift;
   if (furthest > nearest) {
@@ -132,16 +133,6 @@ function firstGrid(kernels, low, high, step, uplift) {
     for (const beyond of inEqualRatios(kernels, nearest, furthest, count)) parts.push(uplift + beyond);
   }
   return uniqueOf(parts.map((at) => Math.min(Math.max(at, low), high)));
-}
-
-/** @param {Kernels} kernels @param {number} x @returns {number} */
-function log1pOf(kernels, x) {
-  const given = kernels.array('f', [1], [x]), out = kernels.array('f', [1]);
-  kernels.fill_log1p(given, out);
-  const [found] = out.values;
-  given.free();
-  out.free();
-  return found;
 }
 
 /**
@@ -241,7 +232,8 @@ function windowsOf(kernels, follow, tried, closest) {
   for (;;) {
     const { where, starts, stops } = found;
     const wide = mayBeWidest(all, starts, stops);
-    const highs = spacingsOf(kernels, where.map((k) => all[k + 1].at));
+    const ends = where.map((k) => all[k + 1].at);
+    const highs = Array.from(evaluateEach(kernels, 'next_up', ends), (next, i) => next - ends[i]);
     const apart = where.map((k, i) => ({ k, i })).filter(({ k, i }) => (wide[i] || wide[i + 1])
       && all[k + 1].at - all[k].at > Math.max(4 * highs[i], closest * all[k + 1].at));
     if (!apart.length) break;
@@ -279,21 +271,6 @@ function mayBeWidest(tried, starts, stops) {
   const least = widths[widths.length - SCAN.kept];
   return falls.map((fell, i) => fell && tried[Math.min(stops[i] + 1, tried.length - 1)].at
     - tried[Math.max(starts[i] - 1, 0)].at >= least);
-}
-
-/**
- * Return the distance from numbers above 0 to the next double.
- * @param {Kernels} kernels
- * @param {number[]} values
- * @returns {number[]}
- */
-function spacingsOf(kernels, values) {
-  const given = kernels.array('f', [values.length], values), out = kernels.array('f', [values.length]);
-  kernels.fill_next_up(given, out);
-  const next = Array.from(out.values, (above, k) => above - values[k]);
-  given.free();
-  out.free();
-  return next;
 }
 
 /**

@@ -2,23 +2,15 @@
 // fates over scales, the rocking spectrum.  Horizontal motion alone; bits as in Python.
 
 import { GRAVITY, evaluate, sidesOf } from '../case.mjs';
+import { recordTable, scaledMotion } from '../motions.mjs';
 import { flightsAt, runOf, statesAt } from '../run.mjs';
-/** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
+
+/** @import { Kernels } from '../../kernels/loader.mjs' */
+/** @import { GroundMotion } from '../motions.mjs' */
 
 const RUN_FLIGHTS = 4_000_000; // flights after which a run ends
 const LONGEST_SAMPLE = 1e6; // pivot time
 const LARGEST_SAMPLE = 1e50; // in units of alpha g
-
-const [COLUMN_DURATION, COLUMN_CONSTANT, COLUMN_SLOPE, COLUMN_CEILING, COLUMN_ALIKE] =
-  [0, 2, 3, 7, 8];
-const LINEAR_COLUMNS = 9, NONLINEAR_COLUMNS = 12;
-
-/**
- * Recorded acceleration, straight between the samples, then a still base.
- * @typedef {object} GroundMotion
- * @property {Float64Array} samples  [m/s2]
- * @property {number} dt  [s]
- */
 
 /**
  * A symmetric block with sizes.
@@ -47,48 +39,11 @@ const LINEAR_COLUMNS = 9, NONLINEAR_COLUMNS = 12;
  */
 
 /**
- * Return a motion times a factor.
- * @param {GroundMotion} motion
- * @param {number} factor
- * @returns {GroundMotion}
- */
-export function scaledMotion({ samples, dt }, factor) {
-  return { dt, samples: samples.map((value) => factor * value) };
-}
-
-/**
  * Return the largest absolute acceleration [m/s2].
  * @param {GroundMotion} motion
  */
 export function peakOf({ samples }) {
   return samples.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-}
-
-/**
- * Return the segment table of a motion, with the still base after it; free it.
- * @param {Kernels} kernels
- * @param {GroundMotion} motion
- * @param {boolean} nonlinear
- * @param {number} [rate]  p [rad/s], the unit of time
- * @param {number} [unit]  alpha g [m/s2], the unit of acceleration
- * @returns {Floats}
- */
-export function recordTable(kernels, motion, nonlinear, rate = 1, unit = 1) {
-  const count = motion.samples.length, columns = nonlinear ? NONLINEAR_COLUMNS : LINEAR_COLUMNS;
-  const samples = motion.samples.map((value) => value / unit), step = motion.dt * rate;
-  const table = kernels.array('f', [count, columns]), cells = table.values;
-  let ceiling = 0;
-  for (let row = count - 1; row >= 0; row--) {
-    const at = row * columns, last = row === count - 1;
-    const start = last ? 0 : samples[row], slope = last ? 0 : (samples[row + 1] - start) / step;
-    ceiling = Math.max(ceiling, Math.abs(start), last ? 0 : Math.abs(start + slope * step));
-    cells[at + COLUMN_DURATION] = last ? Infinity : step;
-    cells[at + COLUMN_CONSTANT] = start;
-    cells[at + COLUMN_SLOPE] = slope;
-    cells[at + COLUMN_CEILING] = ceiling;
-    cells[at + COLUMN_ALIKE] = last ? 0 : count - 2 - row;
-  }
-  return table;
 }
 
 /**
