@@ -1,6 +1,6 @@
 // The attractor of a motion under harmonic shaking: dynamics/orbits/attractor.py and orbit.py.
 
-import { evaluate, sidesOf } from './case.mjs';
+import { evaluate, systemOf } from './case.mjs';
 import { beginOf, generalFormat, impactOf } from './start.mjs';
 
 /** @import { Floats, Kernels, Settled, System } from '../kernels/loader.mjs' */
@@ -100,9 +100,7 @@ export function attractorKind(outcome, symmetric, least, restitution) {
 export function attractorOf(kernels, given, start, cycles = 2000) {
   const { phase, march } = beginOf(kernels, given, start);
   const [memory, table] = settlingRoom(kernels);
-  const sides = sidesOf(kernels, given);
-  const system = kernels.make_system(given.amplitude, given.frequencyRatio, sides);
-  sides.free();
+  const system = systemOf(kernels, given);
   const found = kernels.settle(system, march, cycles, memory, table);
   const repeats = found.outcome === SETTLED_PERIODIC;
   const orbit = repeats ? orbitFrom(kernels, system, found, table) : null;

@@ -5,7 +5,7 @@
 /** @import { Case } from './case.mjs' */
 /** @import { Impact } from './start.mjs' */
 /** @import { Kind, Orbit } from './attractor.mjs' */
-import { evaluate, sidesOf } from './case.mjs';
+import { evaluate, systemOf } from './case.mjs';
 import { ATTRACTOR_KINDS, ORBIT_COLUMNS, attractorKind, orbitFrom } from './attractor.mjs';
 import { settledRows } from './settled.mjs';
 import { FULL_TURN } from './start.mjs';
@@ -182,12 +182,11 @@ function orbitOfCell(kernels, given, cells, cell) {
  * @returns {Orbit}
  */
 function orbitThrough(kernels, given, state, passages, periods) {
-  const sides = sidesOf(kernels, given), table = kernels.array('f', [passages, ORBIT_COLUMNS]);
-  const system = kernels.make_system(given.amplitude, given.frequencyRatio, sides);
+  const system = systemOf(kernels, given), table = kernels.array('f', [passages, ORBIT_COLUMNS]);
   const begin = impactSection(kernels, state);
   const { residual } = kernels.polish(system, begin, passages, periods, table);
   const orbit = orbitFrom(kernels, system, { passages, periods, residual }, table);
-  for (const array of [sides, table]) array.free();
+  table.free();
   return orbit;
 }
 

@@ -1,12 +1,13 @@
 // All attractors found at a point from fixed starts: which motions coexist there.
 
-import { sidesOf } from './case.mjs';
 import { attractorKind, startAt } from './attractor.mjs';
+import { settledRows } from './settled.mjs';
 import { FULL_TURN, NoStart, mirroredImpact, steadyStart } from './start.mjs';
 
 /** @import { Kernels } from '../kernels/loader.mjs' */
 /** @import { Case, Start } from './case.mjs' */
 /** @import { Kind } from './attractor.mjs' */
+/** @import { SettledRow } from './settled.mjs' */
 /** @import { Impact } from './start.mjs' */
 
 /**
@@ -37,11 +38,8 @@ const IMPACT_SPEEDS = [0.047, 0.193, 0.457, 0.811];
 const TILTS = [0.31, 0.59, 0.87];
 const TILT_PHASES = 4;
 const SAME_PEAK = 1e-6; // relative difference of the peaks of one motion
-const ENDING_WHOLES = 7; // columns (kernels/batch/attractors.py)
-const ENDING_REALS = 6;
 const COEXISTING_CYCLES = 600;
 const LOSSLESS_CYCLES = 6; // motions without loss do not settle however long they are followed
-const CELL_LEFT_OVER = -1;
 
 /**
  * Return the states from which the motions at a point are looked for, rest first: states after an
@@ -91,88 +89,28 @@ export function startOfFixed({ angle, velocity, phase }) {
  * @returns {{ endings: Ending[], starts: number }}  with the number of all starts
  */
 export function endingsOf(kernels, { given, from = 0, to = Infinity, cycles }) {
-  const all = fixedStarts(kernels, given), some = all.slice(from, to), cells = some.length;
+  const all = fixedStarts(kernels, given), some = all.slice(from, to);
   const most = cycles ?? (given.restitution < 1 ? COEXISTING_CYCLES : LOSSLESS_CYCLES);
-  if (!cells) return { endings: [], starts: all.length };
-  const column = (/** @type {(k: number) => number} */ value) =>
-    kernels.array('f', [cells], Float64Array.from(some, (_, k) => value(k)));
-  const a = column(() => given.amplitude), w = column(() => given.frequencyRatio);
-  const angle = column((k) => some[k].angle), velocity = column((k) => some[k].velocity + 0);
-  const phase = column((k) => some[k].phase), rest = kernels.array('f', [cells]);
-  const half = kernels.array('i', [cells]);
-  kernels.fill_clocks(phase, half, rest);
-  const leans = some.map((start) => BigInt(Math.sign(start.angle || start.velocity)));
-  const side = kernels.array('i', [cells]);
-  side.values.set(leans);
-  const whole = kernels.array('i', [cells, ENDING_WHOLES]);
-  const real = kernels.array('f', [cells, ENDING_REALS]);
-  const table = sidesOf(kernels, given), width = table.shape[1];
-  const tables = column(() => given.restitution);
-  if (!given.nonlinear) {
-    kernels.lane_attractors(
-      { amplitude: a, frequency_ratio: w, restitution: tables },
-      { side, angle, velocity, half_cycles: half, phase: rest }, most, { whole, real },
-    );
-  }
-  const outcomes = whole.values;
-  const left = some.map((_, k) => k).filter((k) =>
-    given.nonlinear || Number(outcomes[k * ENDING_WHOLES]) === CELL_LEFT_OVER);
-  if (left.length) settleLeft(left);
-  const endings = some.map((_, k) => ({
-    ...endingAt(whole.values, real.values, k, from + k, given), start: startOfFixed(some[k]),
+  const rows = settledRows(kernels, given, {
+    amplitude: some.map(() => given.amplitude), ratio: some.map(() => given.frequencyRatio),
+    angle: some.map((start) => start.angle), velocity: some.map((start) => start.velocity + 0),
+    phase: some.map((start) => start.phase),
+  }, most);
+  const endings = rows.map((row, k) => ({
+    ...endingAt(row, from + k, given), start: startOfFixed(some[k]),
   }));
-  const made = [a, w, angle, velocity, phase, rest, half, side, whole, real, table, tables];
-  for (const array of made) array.free();
   return { endings, starts: all.length };
-
-  /** @param {number[]} cellsLeft */
-  function settleLeft(cellsLeft) {
-    const count = cellsLeft.length;
-    const pick = (/** @type {Float64Array} */ values) =>
-      kernels.array('f', [count], cellsLeft.map((k) => values[k]));
-    const pickWhole = (/** @type {BigInt64Array} */ values) => {
-      const array = kernels.array('i', [count]);
-      cellsLeft.forEach((k, at) => { array.values[at] = values[k]; });
-      return array;
-    };
-    const blocks = kernels.array('f', [count, 2, width]);
-    for (let at = 0; at < count; at++) blocks.values.set(table.values, at * 2 * width);
-    const picked = [pick(a.values), pick(w.values)];
-    const [sideLeft, halfLeft] = [pickWhole(side.values), pickWhole(half.values)];
-    const state = [pick(angle.values), pick(velocity.values), pick(rest.values)];
-    const wholeLeft = kernels.array('i', [count, ENDING_WHOLES]);
-    const realLeft = kernels.array('f', [count, ENDING_REALS]);
-    kernels.settle_cells(
-      { amplitude: picked[0], frequency_ratio: picked[1], sides: blocks },
-      {
-        side: sideLeft, angle: state[0], velocity: state[1], half_cycles: halfLeft, phase: state[2],
-      },
-      most, { whole: wholeLeft, real: realLeft },
-    );
-    cellsLeft.forEach((k, at) => {
-      const [first, second] = [at * ENDING_WHOLES, at * ENDING_REALS];
-      whole.values.set(wholeLeft.values.subarray(first, first + ENDING_WHOLES), k * ENDING_WHOLES);
-      real.values.set(realLeft.values.subarray(second, second + ENDING_REALS), k * ENDING_REALS);
-    });
-    const used = [...picked, ...state, blocks, sideLeft, halfLeft, wholeLeft, realLeft];
-    for (const array of used) array.free();
-  }
 }
 
 /**
- * @param {BigInt64Array} whole
- * @param {Float64Array} real
- * @param {number} cell
+ * @param {SettledRow} row
  * @param {number} from
  * @param {Case} given
  * @returns {Omit<Ending, 'start'>}
  */
-function endingAt(whole, real, cell, from, given) {
-  const first = cell * ENDING_WHOLES;
-  const [outcome, side, passages, period, rests, symmetric, after] =
-    Array.from(whole.subarray(first, first + ENDING_WHOLES), Number);
-  const second = cell * ENDING_REALS;
-  const [phase, speed, highest, lowest, , least] = real.subarray(second, second + ENDING_REALS);
+function endingAt({ whole, real }, from, given) {
+  const [outcome, side, passages, period, rests, symmetric, after] = Array.from(whole, Number);
+  const [phase, speed, highest, lowest, , least] = real;
   const kind = attractorKind(outcome, symmetric === 1, least, given.restitution);
   const still = kind === 'rest';
   return {

@@ -9,7 +9,7 @@ import { sidesOf } from './case.mjs';
 // What the kernels write (kernels/batch/attractors.py, kernels/orbits/settle.py).
 export const WHOLE_CELL = { columns: 7, outcome: 0, passages: 2, periods: 3, rests: 4, symmetric: 5 };
 export const REAL_CELL = { columns: 6, highest: 2, lowest: 3, least: 5 };
-export const CELL_OUTCOME = { leftOver: -1n, periodic: 0n, stays: 1n, falls: 2n };
+const LEFT_OVER = -1n;
 
 /**
  * Motions, one a cell: the shaking and the state at the start.
@@ -35,7 +35,7 @@ export function settledRows(kernels, given, motions, cycles) {
   /** @type {SettledRow[]} */
   const rows = [];
   const all = Array.from(motions.ratio, (_, i) => i);
-  const left = given.nonlinear ? all : settleThrough(inLanes, all);
+  const left = given.nonlinear || !all.length ? all : settleThrough(inLanes, all);
   if (left.length) settleThrough(oneByOne, left);
   return rows;
 
@@ -58,7 +58,7 @@ export function settledRows(kernels, given, motions, cycles) {
         real: numbers.slice(row * reals, (row + 1) * reals) };
     });
     for (const array of [a, w, from, speed, start, rest, turns, side, whole, real]) array.free();
-    return which.filter((i) => rows[i].whole[WHOLE_CELL.outcome] === CELL_OUTCOME.leftOver);
+    return which.filter((i) => rows[i].whole[WHOLE_CELL.outcome] === LEFT_OVER);
   }
 }
 

@@ -5,9 +5,9 @@
 /** @import { Case, Start } from './case.mjs' */
 /** @import { Impact } from './start.mjs' */
 /** @import { Attractor } from './attractor.mjs' */
-import { sidesOf } from './case.mjs';
+import { evaluateEach, systemOf } from './case.mjs';
 import { ATTRACTOR_KINDS, attractorOf } from './attractor.mjs';
-import { NoStart } from './start.mjs';
+import { NoStart, steadyTable } from './start.mjs';
 
 /** @typedef {'w'|'a'} SweptBy  over the frequency ratio or over the amplitude */
 
@@ -54,14 +54,10 @@ export function movedCase(given, by, value) {
  * @returns {Float64Array}
  */
 export function sweepValues(kernels, { from, to, log }, count) {
-  const ends = kernels.array('f', [2], [from, to]), bent = kernels.array('f', [2]);
-  if (log) kernels.fill_log(ends, bent);
-  const [first, last] = log ? bent.values : ends.values, step = (last - first) / (count - 1);
+  const [first, last] = log ? evaluateEach(kernels, 'log', [from, to]) : [from, to];
+  const step = (last - first) / (count - 1);
   const even = Float64Array.from({ length: count }, (_, place) => place * step + first);
-  const exponents = kernels.array('f', [count], even), values = kernels.array('f', [count]);
-  if (log) kernels.fill_exp(exponents, values);
-  const found = log ? values.values.slice() : even;
-  for (const array of [ends, bent, exponents, values]) array.free();
+  const found = log ? evaluateEach(kernels, 'exp', even) : even;
   found[0] = from;
   found[count - 1] = to;
   return found;
@@ -112,9 +108,7 @@ export function flightPeaks(kernels, given, found) {
   if (!found.orbit && (!found.state || !CARRIED_KINDS.includes(found.kind))) {
     return Float64Array.from(peaks);
   }
-  const sides = sidesOf(kernels, given);
-  const system = kernels.make_system(given.amplitude, given.frequencyRatio, sides);
-  sides.free();
+  const system = systemOf(kernels, given);
   if (found.orbit) {
     for (const state of found.orbit.states) {
       const here = impactSection(kernels, state), step = kernels.next_passage(system, here, -1);
@@ -167,36 +161,23 @@ export function steadyCurves(kernels, { given, by, values, orders }) {
   const count = values.length, all = Array.from(values);
   const amplitude = by === 'a' ? all : all.map(() => given.amplitude);
   const ratio = by === 'w' ? all : all.map(() => given.frequencyRatio);
-  const inputs = [amplitude, ratio, all.map(() => given.restitution)]
-    .map((part) => kernels.array('f', [count], part));
-  const [phase, velocity, trace, peak] = [0, 1, 2, 3].map(() => kernels.array('f', [2, count]));
-  const region = kernels.array('i', [count]), boundaries = kernels.array('f', [3, count]);
-  const extrema = kernels.array('i', [2, count]), admissible = kernels.array('b', [2, count]);
-  const order = kernels.array('i', [count]), least = 1 + given.restitution * given.restitution;
-  const curves = orders.flatMap((number) => {
-    order.values.fill(BigInt(number));
-    kernels.fill_steady(
-      { amplitude: inputs[0], frequency_ratio: inputs[1], restitution: inputs[2], order }, true,
-      { region, boundaries, phase, velocity, trace, peak, extrema, admissible },
-    );
-    const there = admissible.values, traces = trace.values, highest = peak.values;
-    const begins = phase.values, rates = velocity.values; // by omega t
+  const { restitution } = given, least = 1 + restitution * restitution;
+  return orders.flatMap((order) => {
+    const { phase, velocity, trace, peak, admissible } =
+      steadyTable(kernels, amplitude, ratio, restitution, order);
     return [1, 2].map((branch) => {
       const first = (branch - 1) * count;
       return {
-        order: number,
+        order,
         branch,
-        peaks: Float64Array.from(all, (_, k) => (there[first + k] ? highest[first + k] : NaN)),
-        stable: Uint8Array.from(all, (_, k) => Number(there[first + k] !== 0
-          && given.restitution < 1 && Math.abs(traces[first + k]) < least)),
-        phases: begins.slice(first, first + count),
-        speeds: Float64Array.from(all, (_, k) => ratio[k] * rates[first + k]),
+        peaks: Float64Array.from(all, (_, k) => (admissible[first + k] ? peak[first + k] : NaN)),
+        stable: Uint8Array.from(all, (_, k) => Number(admissible[first + k] !== 0
+          && restitution < 1 && Math.abs(trace[first + k]) < least)),
+        phases: phase.slice(first, first + count),
+        speeds: Float64Array.from(all, (_, k) => ratio[k] * velocity[first + k]),
       };
     });
   });
-  for (const array of [...inputs, phase, velocity, trace, peak, region, boundaries, extrema,
-    admissible, order]) array.free();
-  return curves;
 }
 
 /**

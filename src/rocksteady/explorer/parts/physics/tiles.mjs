@@ -1,6 +1,8 @@
 // What the block settles to in the cells of a map, as `rocksteady.map_attractors` computes it.
 
-import { CELL_OUTCOME, REAL_CELL, WHOLE_CELL, settledRows } from './settled.mjs';
+import { ATTRACTOR_KINDS, attractorKind } from './attractor.mjs';
+import { evaluateEach } from './case.mjs';
+import { REAL_CELL, WHOLE_CELL, settledRows } from './settled.mjs';
 import { NoStart, solutionsIn, steadyStart, steadyTable } from './start.mjs';
 
 /** @import { Kernels } from '../kernels/loader.mjs' */
@@ -13,8 +15,6 @@ export const MAP_KIND = Object.freeze({
 });
 const MAP_CYCLES = 2000; // the default of `map_attractors`
 const LOSSLESS_CYCLES = 200; // without loss nothing settles, however long one waits
-
-const LEAST_CHAOTIC = 0.01; // Lyapunov exponent per forcing period
 
 /**
  * Return the forcing periods for which the motions of a map are followed.
@@ -55,14 +55,8 @@ export function axisValues(kernels, { from, to, count, log }) {
   const centres = (/** @type {number} */ low, /** @type {number} */ high) =>
     Float64Array.from({ length: count }, (_, i) => low + (high - low) * ((i + 0.5) / count));
   if (!log) return centres(from, to);
-  const ends = kernels.array('f', [2], [from, to]), logs = kernels.array('f', [2]);
-  kernels.fill_log(ends, logs);
-  const exponents = kernels.array('f', [count], centres(logs.values[0], logs.values[1]));
-  const values = kernels.array('f', [count]);
-  kernels.fill_exp(exponents, values);
-  const found = values.values.slice();
-  for (const array of [ends, logs, exponents, values]) array.free();
-  return found;
+  const [low, high] = evaluateEach(kernels, 'log', [from, to]);
+  return evaluateEach(kernels, 'exp', centres(low, high));
 }
 
 /**
@@ -158,15 +152,9 @@ function cellsFrom(kernels, given, start, { amplitude, ratio }) {
  *   real: Float64Array) => void}
  */
 function noteCell(tile, place, restitution, there, whole, real) {
-  const outcome = whole[WHOLE_CELL.outcome];
-  const symmetric = whole[WHOLE_CELL.symmetric] !== 0n;
-  // Without loss nothing is aperiodic: motions do not settle.
-  const chaotic = restitution < 1 && real[REAL_CELL.least] > LEAST_CHAOTIC;
-  const kind = !there ? MAP_KIND.noStart
-    : outcome === CELL_OUTCOME.periodic ? symmetric ? MAP_KIND.symmetric : MAP_KIND.unsymmetric
-      : outcome === CELL_OUTCOME.stays ? MAP_KIND.rest
-        : outcome === CELL_OUTCOME.falls ? MAP_KIND.overturned
-          : chaotic ? MAP_KIND.aperiodic : MAP_KIND.undecided;
+  const outcome = Number(whole[WHOLE_CELL.outcome]), symmetric = whole[WHOLE_CELL.symmetric] !== 0n;
+  const found = attractorKind(outcome, symmetric, real[REAL_CELL.least], restitution);
+  const kind = there ? ATTRACTOR_KINDS.indexOf(found) : MAP_KIND.noStart;
   tile.kind[place] = kind;
   tile.period[place] = Number(whole[WHOLE_CELL.periods]);
   tile.impacts[place] = whole[WHOLE_CELL.rests] > 0n ? -1 : Number(whole[WHOLE_CELL.passages]);

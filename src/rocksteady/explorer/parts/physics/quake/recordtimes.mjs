@@ -1,6 +1,8 @@
 // The interval between samples that are given with their times, from the digits of the times.
 // The same steps as rocksteady.records.core.sampling, so that the interval has the same bits.
 
+import { evaluateEach } from '../case.mjs';
+
 /** @import { Kernels } from '../../kernels/loader.mjs' */
 
 const TIME_JITTER = 0.01; // part of the interval by which a time may be off its place
@@ -67,17 +69,11 @@ function placesOf(kernels, written, values) {
     finest = Math.min(finest, lastPlace(one));
   }
   const sizes = values.map((value) => Math.abs(value) || finest);
-  const given = kernels.array('f', [sizes.length + 1], [...sizes, 10]);
-  const logs = kernels.array('f', [sizes.length + 1]);
-  kernels.fill_log(given, logs);
-  const ten = logs.values[sizes.length];
-  const places = logs.values.slice(0, -1).map((log) => {
+  const logs = evaluateEach(kernels, 'log', [...sizes, 10]), ten = logs[sizes.length];
+  return logs.slice(0, -1).map((log) => {
     const power = Math.floor(log / ten + 1e-12) - digits + 1;
     return 0.5 * Math.max(Number(`1e${power}`), finest);
   });
-  given.free();
-  logs.free();
-  return places;
 }
 
 /**
