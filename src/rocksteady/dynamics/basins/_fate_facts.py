@@ -7,9 +7,10 @@ import math
 from typing import Any
 
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
+from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.confidence import CONFIDENCE
-from rocksteady.model.facts import block_text, case_text, lean_text
+from rocksteady.model.facts import block_text, case_text
 from rocksteady.model.motion_facts import motion_facts, motion_text
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -25,16 +26,13 @@ def fates_headline(fates: Any) -> str:
 def fates_described(fates: Any) -> Description:
     """Return the facts of fates: shares, integrity, window and case."""
     block = fates.block
-    least, most = (lean_text(block, float(end)) for end in fates.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in fates.velocity[[0, -1]])
-    from_to = f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
     facts = [
         Fact("block", block.to_dict(), "block", block_text(block)),
         Fact("motion", motion_text(fates.block, fates.motion), "base motion"),
         *motion_facts(block, fates.motion),
         *_moment(fates),
         Fact("model", fates.model.name, "model"),
-        Fact("", label="states", text=f"{fates.fate.size:,} of {from_to}"),
+        Fact("", label="states", text=f"{fates.fate.size:,} of {window_text(fates)}"),
         Fact("safe_share", fates.safe_share, "safe", f"{100.0 * fates.safe_share:.2f} %"),
         Fact("still_share", fates.still_share),
         Fact(
@@ -53,8 +51,7 @@ def fates_described(fates: Any) -> Description:
         Fact("still_radius", fates.still_radius),
         Fact("largest_safe_peak", number_or_none(fates.largest_safe_peak)),
         Fact("confidence", CONFIDENCE),
-        Fact("angles", _axis(fates.angle)),
-        Fact("velocities", _axis(fates.velocity)),
+        *axis_facts(fates),
     ]
     rows = [part.to_dict() for part in fates.fractions()]
     columns = [
@@ -85,8 +82,3 @@ def _moment(fates: Any) -> list[Fact]:
 
 def _text(value: float) -> str:
     return "none: no state is safe on a still base" if math.isnan(value) else f"{value:.4f}"
-
-
-def _axis(points: Any) -> dict[str, float]:
-    """Return an axis of a window: first, last and number of its points."""
-    return {"start": float(points[0]), "stop": float(points[-1]), "count": len(points)}

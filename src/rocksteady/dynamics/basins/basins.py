@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.basins._basin_facts import basins_described
 from rocksteady.dynamics.basins._fractions import counted, fraction_described
-from rocksteady.dynamics.basins.basin_facts import basins_described
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
     SEED,
@@ -25,10 +25,14 @@ from rocksteady.dynamics.basins.measures.uncertainty import (
     UncertaintyExponent,
     compute_uncertainty_exponent,
 )
-from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
-from rocksteady.dynamics.batch.attractors import (
-    batch_size,
+from rocksteady.dynamics.basins.window import (
+    coordinates_of,
+    moment,
+    spacing,
+    window_axes,
+    window_of,
 )
+from rocksteady.dynamics.batch.attractors import batch_size
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import HasStart, Rest, Start, State
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS, full_outcomes
@@ -223,12 +227,7 @@ class Basins(Result):
                 "share": (along, [fraction.share for fraction in fractions], {"units": "1"}),
             },
             coords={
-                "angle": ("angle", self.angle, {"long_name": "theta/alpha", "units": "1"}),
-                "velocity": (
-                    "velocity",
-                    self.velocity,
-                    {"long_name": "d(theta/alpha)/d(p t)", "units": "1"},
-                ),
+                **coordinates_of(self, "angle", "velocity", units="1"),
                 "attractor": ("attractor", names),
             },
             attrs={

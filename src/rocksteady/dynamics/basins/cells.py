@@ -55,10 +55,7 @@ def settled_states(
     cell: tuple[float, float],
 ) -> dict[str, NDArray[Any]]:
     """Return what the states of some cells settle to."""
-    angle, velocity = angles, velocities
-    if seed is not None:
-        walled = only_side(sides) > 0
-        angle, velocity = drawn_states(angles, velocities, number, seed, cell, walled=walled)
+    angle, velocity = drawn_states(angles, velocities, number, seed, cell, sides)
     count = len(number)
     attractors = settled_cells(
         np.full(count, motion.amplitude),
@@ -75,12 +72,11 @@ def drawn_states(
     angles: Floats,
     velocities: Floats,
     number: NDArray[np.int64],
-    seed: int,
+    seed: int | None,
     cell: tuple[float, float],
-    *,
-    walled: bool,
+    sides: Floats,
 ) -> tuple[Floats, Floats]:
-    """Return the angle and the velocity of a state drawn in each cell of a window.
+    """Return the angle and the velocity of a state in each cell of a window.
 
     Parameters
     ----------
@@ -89,16 +85,18 @@ def drawn_states(
     number
         Numbers of the cells in the window.
     seed
-        Seed of the draw.
+        Seed of the draw; None for the middles of the cells.
     cell
         Width of a cell in angle and in velocity.
-    walled
-        Whether the block stands against a wall.
+    sides
+        Sides of the block, which may stand against a wall.
     """
+    if seed is None:
+        return angles, velocities
     part = uniform(seed, number, 2) - 0.5
     angle, velocity = angles + part[:, 0] * cell[0], velocities + part[:, 1] * cell[1]
     # A cell begins at the wall, except for rounding.
-    return (np.maximum(angle, TINY) if walled else angle), velocity
+    return (np.maximum(angle, TINY) if only_side(sides) > 0 else angle), velocity
 
 
 def found_in_cells(attractors: Attractors) -> dict[str, NDArray[Any]]:

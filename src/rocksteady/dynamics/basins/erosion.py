@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import validated_grid
+from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
-from rocksteady.dynamics.basins.basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins.window import (
     POINTS,
     against_wall,
     centred,
+    coordinates_of,
     moment,
     window_axes,
 )
@@ -280,8 +281,7 @@ class Erosion(Result):
             },
             coords={
                 "amplitude": (along, self.amplitude, {"long_name": "a_max/(alpha g)"}),
-                "velocity": ("velocity", self.velocity, {"long_name": "d(theta/alpha)/d(p t)"}),
-                "angle": ("angle", self.angle, {"long_name": "theta/alpha"}),
+                **coordinates_of(self, "velocity", "angle"),
             },
             attrs={
                 "frequency_ratio": self.motion.frequency_ratio,

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.basins._fate_facts import fates_described, fates_headline
 from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins._safe import measured
-from rocksteady.dynamics.basins.window import window_axes
+from rocksteady.dynamics.basins.window import coordinates_of, window_axes
 from rocksteady.dynamics.batch.finite import BATCH, OUTPUTS, fates_of, finite_table, thrust
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.history.start import State
@@ -255,10 +255,7 @@ class FateBasins(Result):
                 },
                 "still_safe": (plane, self.still_safe, {"units": "1"}),
             },
-            coords={
-                "velocity": ("velocity", self.velocity, {"long_name": "d(theta/alpha)/d(p t)"}),
-                "angle": ("angle", self.angle, {"long_name": "theta/alpha"}),
-            },
+            coords=coordinates_of(self, "velocity", "angle"),
             attrs={
                 "title": fates_headline(self),
                 "time_pt": self.time_pt,

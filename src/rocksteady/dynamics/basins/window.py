@@ -1,6 +1,7 @@
 """Windows of initial states, and the phase of the shaking at which they are taken."""
 
 import math
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,7 +12,10 @@ from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.results.description import Fact
+from rocksteady.results.numbers import number
 from rocksteady.sweep.cases.axes import Axis
 
 Floats = NDArray[np.float64]
@@ -25,6 +29,8 @@ BEHIND = (
     "give middles of cells, from half a step above 0 on",
 )
 """What is valid of the states of such a block, and what to give."""
+LONG_NAMES = {"angle": "theta/alpha", "velocity": "d(theta/alpha)/d(p t)"}
+"""Of the axes of a window."""
 ROUNDED = 1.0 - 1e-9
 HALF_UNIT = 5e-13
 """Half a unit of the last of them."""
@@ -78,6 +84,7 @@ def window_axes(
     reaches: tuple[float, float],
     *,
     drawn: bool = False,
+    points: int = POINTS,
 ) -> tuple[Axis, Axis]:
     """Return the axes of angles and of velocities of a window.
 
@@ -91,6 +98,8 @@ def window_axes(
         Extent of the default window in u and in du/d(pt).
     drawn
         Whether states are drawn in the cells around the values.
+    points
+        Number of cells along a default axis.
 
     Raises
     ------
@@ -99,13 +108,12 @@ def window_axes(
     ModelError
         If a state lies behind the wall, or moves into it.
     """
-    middles = against_wall if block.one_sided else centred
-    angle = window_axis("angles", middles(reaches[0]) if angles is None else angles, "theta/alpha")
-    velocity = window_axis(
-        "velocities",
-        centred(reaches[1]) if velocities is None else velocities,
-        "d(theta/alpha)/d(p t)",
-    )
+    if angles is None:
+        angles = (against_wall if block.one_sided else centred)(reaches[0], points)
+    if velocities is None:
+        velocities = centred(reaches[1], points)
+    angle = window_axis("angles", angles, LONG_NAMES["angle"])
+    velocity = window_axis("velocities", velocities, LONG_NAMES["velocity"])
     if block.one_sided:
         least, slowest = angle.points[0].item(), velocity.points[0].item()
         if least < 0.0 or (least == 0.0 and slowest < 0.0):
@@ -144,6 +152,29 @@ def window_axis(name: str, values: ArrayLike, long_name: str) -> Axis:
 def spacing(axis: Axis) -> float:
     """Return the distance of neighbours on the axis of a window."""
     return float(axis.points[-1] - axis.points[0]) / (len(axis) - 1)
+
+
+def window_text(result: Any) -> str:
+    """Return the window of the states of a result in words."""
+    least, most = (lean_text(result.block, float(end)) for end in result.angle[[0, -1]])
+    slow, fast = (number(float(end)) for end in result.velocity[[0, -1]])
+    return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
+
+
+def axis_facts(result: Any) -> list[Fact]:
+    """Return both axes of the window of a result: first, last and number of points."""
+    return [
+        Fact(key, {"start": float(axis[0]), "stop": float(axis[-1]), "count": len(axis)})
+        for key, axis in (("angles", result.angle), ("velocities", result.velocity))
+    ]
+
+
+def coordinates_of(result: Any, *names: str, **attributes: str) -> dict[str, Any]:
+    """Return axes of a window as coordinates of a dataset, in this order."""
+    return {
+        name: (name, getattr(result, name), {"long_name": LONG_NAMES[name], **attributes})
+        for name in names
+    }
 
 
 def moment(shaking: PeriodicMotion) -> tuple[int, float]:

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.dynamics.basins.basin_facts import axis_values
+from rocksteady.dynamics.basins.window import axis_facts, coordinates_of, window_text
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
 from rocksteady.model.blocks.block import Block
@@ -14,7 +14,6 @@ from rocksteady.model.facts import (
     block_text,
     frequency_text,
     harmonic_values,
-    lean_text,
 )
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -51,12 +50,15 @@ def shares_described(shares: Any) -> Description:
         *(Fact(key, value) for key, value in values.items()),
         *([] if name == PHASE else [Fact(PHASE, motion.phase)]),
         Fact("model", shares.model.name, "model"),
-        Fact("", label="states", text=f"{shares.label[0].size:,} at each value, {_window(shares)}"),
+        Fact(
+            "",
+            label="states",
+            text=f"{shares.label[0].size:,} at each value, {window_text(shares)}",
+        ),
         Fact("cycles", shares.max_cycles, "followed for", f"{shares.max_cycles} periods at most"),
         Fact("seed", shares.seed, "seed" if drawn else ""),
         Fact("confidence", CONFIDENCE if drawn else None),
-        Fact("angles", axis_values(shares.angle)),
-        Fact("velocities", axis_values(shares.velocity)),
+        *axis_facts(shares),
         Fact("distance", shares.matching.distance),
         Fact("threshold", shares.matching.threshold),
         *(Fact(key) for key in ("fractions", "erosion", "drop")),
@@ -112,13 +114,6 @@ def _case(shares: Any) -> str:
     }
     phrases = [text for key, text in words.items() if key != shares.parameter]
     return ", ".join([*phrases, f"{shares.model.name} model"])
-
-
-def _window(shares: Any) -> str:
-    """Return the window of the states."""
-    least, most = (lean_text(shares.block, float(end)) for end in shares.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in shares.velocity[[0, -1]])
-    return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
 
 
 def _rows(shares: Any) -> list[dict[str, Any]]:
@@ -223,12 +218,7 @@ def shares_dataset(shares: Any) -> "xarray.Dataset":
         coords={
             "family": ("family", [family.name for family in shares.families]),
             name: (name, shares.values, dict(zip(("units", "long_name"), AXES[name], strict=True))),
-            "angle": ("angle", shares.angle, {"long_name": "theta/alpha", "units": "1"}),
-            "velocity": (
-                "velocity",
-                shares.velocity,
-                {"long_name": "d(theta/alpha)/d(p t)", "units": "1"},
-            ),
+            **coordinates_of(shares, "angle", "velocity", units="1"),
         },
         attrs={
             **{key: getattr(shares.motion, key) for key in sorted(kept)},

@@ -22,20 +22,12 @@ from rocksteady.dynamics.basins.over._seeding import Here, seed_neighbours
 from rocksteady.dynamics.basins.over._share_facts import shares_dataset, shares_described
 from rocksteady.dynamics.basins.over.families import BasinFamily, families_of
 from rocksteady.dynamics.basins.over.matching import BasinMatching
-from rocksteady.dynamics.basins.window import (
-    against_wall,
-    centred,
-    moment,
-    spacing,
-    window_axes,
-    window_of,
-)
+from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
     settled_cells,
     starting,
 )
-from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.attractor import FORCING_PERIODS
 from rocksteady.dynamics.orbits.return_map import periodic_motion
@@ -398,13 +390,14 @@ def _window(
         ],
         axis=0,
     ).tolist()
-    angles, velocities = sampling.angles, sampling.velocities
-    if angles is None:
-        angles = (against_wall if block.one_sided else centred)(reaches[0], POINTS)
-    if velocities is None:
-        velocities = centred(reaches[1], POINTS)
-    drawn = sampling.seed is not None
-    return window_axes(block, angles, velocities, (reaches[0], reaches[1]), drawn=drawn)
+    return window_axes(
+        block,
+        sampling.angles,
+        sampling.velocities,
+        (reaches[0], reaches[1]),
+        drawn=sampling.seed is not None,
+        points=POINTS,
+    )
 
 
 def _settled_along(
@@ -425,10 +418,7 @@ def _settled_along(
 ) -> dict[str, NDArray[Any]]:
     """Return what some cells settle to; at each value a state has the number that it has alone."""
     place, alone = np.divmod(number, states)
-    angle, velocity = angles, velocities
-    if seed is not None:
-        walled = only_side(sides[0]) > 0
-        angle, velocity = drawn_states(angles, velocities, alone, seed, cell, walled=walled)
+    angle, velocity = drawn_states(angles, velocities, alone, seed, cell, sides[0])
     attractors = settled_cells(
         amplitudes[place],
         ratios[place],

@@ -5,10 +5,8 @@ The two classes import this module, so that their types have no name here.
 
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
+from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value
 from rocksteady.model.blocks.block import Block
@@ -24,8 +22,6 @@ from rocksteady.model.facts import (
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
-
-Floats = NDArray[np.float64]
 
 
 def basins_described(basins: Any) -> Description:
@@ -45,12 +41,11 @@ def basins_described(basins: Any) -> Description:
         Fact("phase", motion.phase),
         Fact("model", basins.model.name, "model"),
         basins._full_equations,
-        Fact("", label="states", text=f"{basins.label.size:,} of {_window_text(basins)}"),
+        Fact("", label="states", text=f"{basins.label.size:,} of {window_text(basins)}"),
         Fact("cycles", basins.max_cycles, "followed for", f"{basins.max_cycles} periods at most"),
         Fact("seed", basins.seed, "seed" if drawn else ""),
         Fact("confidence", CONFIDENCE if drawn else None),
-        Fact("angles", axis_values(basins.angle)),
-        Fact("velocities", axis_values(basins.velocity)),
+        *axis_facts(basins),
         Fact("erosion"),
         Fact("drop"),
         Fact("shares"),
@@ -102,18 +97,6 @@ def _no_tangency(erosion: Any) -> str:
     if erosion.block.one_sided:
         return "none: against a wall there is one saddle"
     return "no closed form in the nonlinear model"
-
-
-def _window_text(basins: Any) -> str:
-    """Return the window of the states."""
-    least, most = (lean_text(basins.block, float(end)) for end in basins.angle[[0, -1]])
-    slow, fast = (number(float(end)) for end in basins.velocity[[0, -1]])
-    return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
-
-
-def axis_values(points: Floats) -> dict[str, float]:
-    """Return an axis of a window: first, last and number of its points."""
-    return {"start": float(points[0]), "stop": float(points[-1]), "count": len(points)}
 
 
 def _orbit_values(orbit: Orbit, basins: Any) -> dict[str, Any]:
@@ -173,7 +156,7 @@ def erosion_described(erosion: Any) -> Description:
         *(Fact(key, value) for key, value in values.items()),
         Fact("phase", motion.phase),
         Fact("model", erosion.model.name, "model"),
-        Fact("", label="states", text=f"{erosion.safe[0].size:,} of {_window_text(erosion)}"),
+        Fact("", label="states", text=f"{erosion.safe[0].size:,} of {window_text(erosion)}"),
         Fact("cycles", erosion.cycles, "stand", plural(erosion.cycles, "period")),
         Fact(
             "heteroclinic_amplitude",
@@ -192,8 +175,7 @@ def erosion_described(erosion: Any) -> Description:
     facts += [
         Fact("drop", {name: drop and drop.to_dict() for name, drop in erosion.drops.items()}),
         Fact("still", {"safe_share": erosion.still_share, "radius": erosion.still_radius}),
-        Fact("angles", axis_values(erosion.angle)),
-        Fact("velocities", axis_values(erosion.velocity)),
+        *axis_facts(erosion),
         Fact("fractions"),
         Fact("shares"),
     ]
