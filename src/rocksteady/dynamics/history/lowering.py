@@ -119,8 +119,6 @@ def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None
     return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
 
 
-
-
 def only_side(sides: Floats) -> int:
     """Return the one side of a block against a wall, 1 or -1, or 0 of a block that has two."""
     if sides[0, columns.RESTITUTION] <= 0.0:

@@ -139,12 +139,13 @@ class _BrokenRuleError(Exception):
 
 
 def _taken_rules(function: Callable[..., Any]) -> dict[str, Rule]:
-    """Take the rules off the annotations of a function, and return them by argument."""
+    """Take rules and labels off the annotations of a function, and return the rules."""
     rules = {}
     for name, annotation in function.__annotations__.items():
         for rule in getattr(annotation, "__metadata__", ()):
-            rules[name] = rule
             function.__annotations__[name] = annotation.__origin__
+            if callable(rule):  # and no label
+                rules[name] = rule
     return rules
 
 

@@ -7,9 +7,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.bounds import Bounds
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.description import Fact
+from rocksteady.results.numbers import number, number_or_none, quantity
+from rocksteady.results.words import Label
 
 Floats = NDArray[np.float64]
+
+LOG_LIKELIHOOD = Label("log-likelihood")
+MEDIAN = Label(plain=number_or_none)
+MISFIT = Label("largest misfit of a stripe", plain=number_or_none)
 
 SHARE = Bounds(0.0, 1.0, "()", "give a share, as 0.5")
 
@@ -25,9 +31,10 @@ def intensities(given: ArrayLike) -> Floats:
     return at
 
 
-def listed(pair: tuple[float, float] | None) -> list[float] | None:
-    """Return a pair for JSON."""
-    return None if pair is None else list(pair)
+def measure_fact(measure: tuple[str, str]) -> Fact:
+    """Return the fact of name and unit of an intensity."""
+    name, unit = measure
+    return Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name)
 
 
 def value_words(value: float, unit: str, band: tuple[float, float] | None) -> str:

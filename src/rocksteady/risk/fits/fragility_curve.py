@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import FEW_RECORDS, NOT_IDENTIFIED, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._goodness import goodness_of
 from rocksteady.risk.fits._likelihood import family_of
@@ -21,9 +22,12 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPA
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
 from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import (
+    LOG_LIKELIHOOD,
+    MEDIAN,
+    MISFIT,
     SHARE,
     intensities,
-    listed,
+    measure_fact,
     range_words,
     value_words,
 )
@@ -77,19 +81,19 @@ class FragilityCurve(Result):
         Sentences on what limits the curve.
     """
 
-    family: str
-    status: str
-    median: float
-    beta: float
+    family: Annotated[str, Label()]
+    status: Annotated[str, Label()]
+    median: Annotated[float, MEDIAN]
+    beta: Annotated[float, Label(plain=number_or_none)]
     step: tuple[float, float] | None = None
-    log_likelihood: float
-    deviance: float
-    misfit: float
-    goodness: float | None = None
-    trials: int
-    failures: int
-    records: int
-    sampled: tuple[float, float]
+    log_likelihood: Annotated[float, LOG_LIKELIHOOD]
+    deviance: Annotated[float, Label()]
+    misfit: Annotated[float, MISFIT]
+    goodness: Annotated[float | None, Label("goodness of fit, p-value")] = None
+    trials: Annotated[int, Label()]
+    failures: Annotated[int, Label()]
+    records: Annotated[int, Label()]
+    sampled: Annotated[tuple[float, float], Label()]
     stripes: tuple[Row, ...]
     median_band: tuple[float, float] | None = None
     beta_band: tuple[float, float] | None = None
@@ -187,39 +191,17 @@ class FragilityCurve(Result):
     def describe(self) -> Description:
         """Return the curve, its bands and its stripes."""
         unit = self.measure[1]
-        name = self.measure[0]
-        facts = [
-            Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
-            Fact("family", self.family, "family"),
-            Fact("status", self.status, "status"),
-            Fact(
-                "median",
-                number_or_none(self.median),
-                "median",
-                value_words(self.median, unit, self.median_band),
-            ),
-            Fact(
-                "beta",
-                number_or_none(self.beta),
-                "beta",
-                NOT_IDENTIFIED
-                if math.isnan(self.beta)
-                else value_words(self.beta, "", self.beta_band),
-            ),
-            Fact("median_band", listed(self.median_band)),
-            Fact("beta_band", listed(self.beta_band)),
+        beta = value_words(self.beta, "", self.beta_band)
+        facts = facts_of(
+            self,
+            measure_fact(self.measure),
+            "family status median beta median_band beta_band",
             *band_facts(self.bands),
-            Fact("step", listed(self.step)),
-            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
-            Fact("deviance", self.deviance, "deviance"),
-            Fact("misfit", number_or_none(self.misfit), "largest misfit of a stripe"),
-            Fact("goodness", self.goodness, "goodness of fit, p-value"),
-            Fact("trials", self.trials, "trials"),
-            Fact("failures", self.failures, "failures"),
-            Fact("records", self.records, "records"),
-            Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
-            Fact("warnings", list(self.warnings)),
-        ]
+            "step log_likelihood deviance misfit goodness trials failures records sampled warnings",
+            median=value_words(self.median, unit, self.median_band),
+            beta=NOT_IDENTIFIED if math.isnan(self.beta) else beta,
+            sampled=range_words(self.sampled, unit),
+        )
         return Description(
             headline=self._headline(),
             facts=facts,

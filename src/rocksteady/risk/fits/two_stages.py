@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,15 +14,19 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import with_misfit
 from rocksteady.results.numbers import number, number_or_none
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
 from rocksteady.risk.fits._trial_counts import SAME_LEVEL, counts_of, same_length, values_of
 from rocksteady.risk.fits._values import (
+    LOG_LIKELIHOOD,
+    MEDIAN,
+    MISFIT,
     SHARE,
     intensities,
-    listed,
+    measure_fact,
     range_words,
     value_words,
 )
@@ -37,6 +41,11 @@ LEAST_GAIN = 1e-6
 FARTHEST = 3.0
 STEPS = 121
 """How far from the median, in ln im, the band's ends are searched for .5, and in how many steps."""
+
+
+def _stage(words: str) -> Label:
+    """Return the label of a curve with facts of its own."""
+    return Label(words, lambda curve: curve.describe().headline, plain=FragilityCurve.to_dict)
 
 
 @checked_result
@@ -78,14 +87,14 @@ class TwoStageCurve(Result):
         The gate where the second stage is a curve of the excess over it, im - gate; 0 otherwise.
     """
 
-    uplift: FragilityCurve
-    given_uplift: FragilityCurve
-    plain: FragilityCurve
-    log_likelihood: float
-    gain: float
-    misfit: float
+    uplift: Annotated[FragilityCurve, _stage("uplift")]
+    given_uplift: Annotated[FragilityCurve, _stage("failure given uplift")]
+    plain: Annotated[FragilityCurve, _stage("one curve")]
+    log_likelihood: Annotated[float, LOG_LIKELIHOOD]
+    gain: Annotated[float, Label("gain over one curve", number, plain=number_or_none)]
+    misfit: Annotated[float, MISFIT]
     stripes: tuple[Row, ...]
-    sampled: tuple[float, float]
+    sampled: Annotated[tuple[float, float], Label()]
     median_band: tuple[float, float] | None = None
     bands: Bands | None = None
     spread: Spread | None = None
@@ -127,7 +136,7 @@ class TwoStageCurve(Result):
         return self.given_uplift if given_uplift else self.best
 
     @property
-    def median(self) -> float:
+    def median(self) -> Annotated[float, MEDIAN]:
         """Intensity of probability .5, the root of the product; NaN without one."""
         return self.quantile(0.5)
 
@@ -201,32 +210,18 @@ class TwoStageCurve(Result):
     def describe(self) -> Description:
         """Return both stages, the product and the plain curve's misfit."""
         name, unit = self.measure
-        facts = [
-            Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
-            Fact(
-                "median",
-                number_or_none(self.median),
-                "median",
-                value_words(self.median, unit, self.median_band),
-            ),
-            Fact("median_band", listed(self.median_band)),
+        facts = facts_of(
+            self,
+            measure_fact(self.measure),
+            "median median_band",
             *band_facts(self.bands),
             *self._gate_facts(),
-            Fact("uplift", self.uplift.to_dict(), "uplift", self.uplift.describe().headline),
-            Fact(
-                "given_uplift",
-                self.given_uplift.to_dict(),
-                "failure given uplift",
-                self.given_uplift.describe().headline,
-            ),
-            Fact("plain", self.plain.to_dict(), "one curve", self.plain.describe().headline),
-            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
-            Fact("gain", number_or_none(self.gain), "gain over one curve", number(self.gain)),
-            Fact("misfit", number_or_none(self.misfit), "largest misfit of a stripe"),
+            "uplift given_uplift plain log_likelihood gain misfit",
             Fact("", None, "the same of one curve", number(self.plain.misfit)),
-            Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
-            Fact("warnings", list(self.warnings)),
-        ]
+            "sampled warnings",
+            median=value_words(self.median, unit, self.median_band),
+            sampled=range_words(self.sampled, unit),
+        )
         return Description(
             headline=with_misfit(
                 f"{name}: median {value_words(self.median, unit, None)} in two stages", self.misfit

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,10 +14,11 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
 from rocksteady.risk.fits._trial_counts import counts_of, values_of
-from rocksteady.risk.fits._values import intensities
+from rocksteady.risk.fits._values import LOG_LIKELIHOOD, intensities
 
 Floats = NDArray[np.float64]
 FEW_POINTS = 500
@@ -52,16 +54,16 @@ class VectorFit(Result):
     """
 
     names: tuple[str, ...]
-    status: str
-    coefficients: NDArray[np.float64]
-    log_likelihood: float
-    explained: float
-    trials: int
-    failures: int
-    records: int
+    status: Annotated[str, Label()]
+    coefficients: Annotated[NDArray[np.float64], Label("predictor", plain=number_or_none)]
+    log_likelihood: Annotated[float, LOG_LIKELIHOOD]
+    explained: Annotated[float, Label("share of the deviance explained", plain=number_or_none)]
+    trials: Annotated[int, Label()]
+    failures: Annotated[int, Label()]
+    records: Annotated[int, Label()]
 
     @property
-    def aic(self) -> float:
+    def aic(self) -> Annotated[float, Label("Akaike's criterion")]:
         """Akaike's criterion, 2 q - 2 ln L, with q coefficients, that of the constant included."""
         return 2.0 * len(self.coefficients) - 2.0 * self.log_likelihood
 
@@ -108,22 +110,16 @@ class VectorFit(Result):
     def describe(self) -> Description:
         """Return the coefficients and how much they explain."""
         powers = dict(zip(self.names, self.coefficients[1:].tolist(), strict=True))
-        values = [number_or_none(value) for value in self.coefficients.tolist()]
         parts = (f"{number(power)} ln({name})" for name, power in powers.items())
         words = ", ".join([number(self.coefficients[0]), *parts])
         if self.status != FITTED:
             words = NOT_IDENTIFIED
-        facts = [
+        facts = facts_of(
+            self,
             Fact("measures", list(self.names), "intensities"),
-            Fact("status", self.status, "status"),
-            Fact("coefficients", values, "predictor", words),
-            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
-            Fact("aic", self.aic, "Akaike's criterion"),
-            Fact("explained", number_or_none(self.explained), "share of the deviance explained"),
-            Fact("trials", self.trials, "trials"),
-            Fact("failures", self.failures, "failures"),
-            Fact("records", self.records, "records"),
-        ]
+            "status coefficients log_likelihood aic explained trials failures records",
+            coefficients=words,
+        )
         return Description(
             headline=f"{' and '.join(self.names)}: {self._answer}, "
             f"{plural(self.records, 'record')}, {self.status}",

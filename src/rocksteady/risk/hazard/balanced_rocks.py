@@ -15,13 +15,14 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._fragile import Converted, Fragile
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
-from rocksteady.risk.hazard.hazard_measures import written
+from rocksteady.risk.hazard.hazard_measures import measure_fact, written
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
@@ -71,9 +72,9 @@ class BranchTest(Result):
     fragility: Fragile
     branches: tuple[HazardCurve, ...]
     measure: Intensity
-    age_years: float
-    alpha_cv: float
-    level: float
+    age_years: Annotated[float, Label("Age", unit="years")]
+    alpha_cv: Annotated[float, Label("Coefficient of variation of alpha")]
+    level: Annotated[float, Label("Level of rejection")]
     annual_rates: Floats
     survival: Floats
     prior: Floats
@@ -121,18 +122,13 @@ class BranchTest(Result):
         return Description(
             headline=f"An object that stands for {number(self.age_years)} years rejects {count} of "
             f"{plural(len(self.branches), 'branch').replace('branchs', 'branches')} at {percent}",
-            facts=[
-                Fact(
-                    "measure",
-                    written(self.branches[0].intensity),
-                    "Measure",
-                    str(self.branches[0].intensity),
-                ),
-                Fact("age_years", self.age_years, "Age", f"{number(self.age_years)} years"),
-                Fact("alpha_cv", self.alpha_cv, "Coefficient of variation of alpha"),
-                Fact("level", self.level, "Level of rejection", percent),
+            facts=facts_of(
+                self,
+                measure_fact(self.branches[0].intensity),
+                "age_years alpha_cv level",
                 Fact("rejected_weight", weight, "Weight of what is rejected"),
-            ],
+                level=percent,
+            ),
             tables=[
                 Table(
                     "branches",

@@ -17,13 +17,19 @@ from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, number_or_none, quantity
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
 from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve
-from rocksteady.risk.hazard.hazard_measures import fragility_factor, intensity_named, written
+from rocksteady.risk.hazard.hazard_measures import (
+    fragility_factor,
+    intensity_named,
+    measure_fact,
+    written,
+)
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
@@ -39,6 +45,13 @@ BEYOND = 5.0
 """Of the levels of a hazard curve with tails, in units of ln(intensity), for a band."""
 MUCH = 0.05
 """Share of the risk integral that is worth a sentence."""
+
+
+def _rate(value: float) -> str:
+    """Return a rate with the time between failures."""
+    if not value > 1e-300:
+        return f"{number(value)} a year"
+    return f"{number(value)} a year, one in {number(1.0 / value)} years"
 
 
 @checked_result
@@ -83,28 +96,30 @@ class Risk(Result):
     measure: Intensity
     factor: float
     years: float
-    beta_u: float
-    annual_rate: float
+    beta_u: Annotated[float, Label("beta_U", number)]
+    annual_rate: Annotated[float, Label("Annual rate of failure", _rate)]
     annual_rate_band: tuple[float, float] | None
     rate_below: float
     rate_above: float
-    median: float
-    beta: float
-    k: float
-    closed_form_rate: float
-    hclpf: float
-    contributing: tuple[float, float, float]
+    median: Annotated[float, Label("Median capacity", plain=number_or_none)]
+    beta: Annotated[float, Label(text=number, plain=number_or_none)]
+    k: Annotated[float, Label("Slope k of the hazard at the median", number, plain=number_or_none)]
+    closed_form_rate: Annotated[
+        float, Label("H(median) exp(k^2 beta^2/2)", _rate, plain=number_or_none)
+    ]
+    hclpf: Annotated[float, Label("HCLPF capacity", plain=number_or_none)]
+    contributing: Annotated[tuple[float, float, float], Label("", plain=number_or_none)]
     contributions: Floats
     unsampled: float | None
     remarks: tuple[str, ...] = ()
 
     @property
-    def probability(self) -> float:
+    def probability(self) -> Annotated[float, Label("Probability")]:
         """Probability of a failure in the time: 1 - exp(-rate T)."""
         return -math.expm1(-self.annual_rate * self.years)
 
     @property
-    def survival(self) -> float:
+    def survival(self) -> Annotated[float, Label("Survival", lambda p: f"{number(100.0 * p)} %")]:
         """Probability of none in the time: exp(-rate T)."""
         return math.exp(-self.annual_rate * self.years)
 
@@ -158,34 +173,17 @@ class Risk(Result):
         """Return rate, probability, capacities and where the risk comes from."""
         label, unit = self.hazard.label, self.hazard.unit
         chance = f"{number(100.0 * self.probability)} % in {number(self.years)} years"
-        facts = [
-            Fact("measure", written(self.hazard.intensity), "Measure", str(self.hazard.intensity)),
-            Fact("years", self.years),
-            Fact(
-                "annual_rate", self.annual_rate, "Annual rate of failure", _rate(self.annual_rate)
-            ),
-            Fact("annual_rate_band", self.annual_rate_band and list(self.annual_rate_band)),
-            Fact("probability", self.probability, "Probability", chance + self._band_words),
-            Fact("survival", self.survival, "Survival", f"{number(100.0 * self.survival)} %"),
+        facts = facts_of(
+            self,
+            measure_fact(self.hazard.intensity),
+            "years annual_rate annual_rate_band probability survival",
             Fact("return_period_years", self._return_period),
-            Fact("median", number_or_none(self.median), "Median capacity", _of(self.median, unit)),
-            Fact("beta", number_or_none(self.beta), "beta", number(self.beta)),
-            Fact("beta_u", self.beta_u, "beta_U", number(self.beta_u)),
-            Fact("hclpf", number_or_none(self.hclpf), "HCLPF capacity", _of(self.hclpf, unit)),
-            Fact(
-                "k", number_or_none(self.k), "Slope k of the hazard at the median", number(self.k)
-            ),
-            Fact(
-                "closed_form_rate",
-                number_or_none(self.closed_form_rate),
-                "H(median) exp(k^2 beta^2/2)",
-                _rate(self.closed_form_rate),
-            ),
-            Fact("contributing", [number_or_none(each) for each in self.contributing]),
-            Fact("share_outside", self.share_outside),
-            Fact("unsampled", self.unsampled),
+            "median beta beta_u hclpf k closed_form_rate contributing share_outside unsampled",
             Fact("", None, f"5, 50, 95 % of the risk below [{unit}]", self._contributing_words),
-        ]
+            probability=chance + self._band_words,
+            median=_of(self.median, unit),
+            hclpf=_of(self.hclpf, unit),
+        )
         title = "Where the risk is"
         columns = (
             Column("low", f"{label} from"),
@@ -482,13 +480,6 @@ def _positive(level: ArrayLike) -> Floats:
         valid = f"it must lie in (0, {HIGHEST:g}]"
         raise InputError("level", at[bad].flat[0].item(), valid, "give an intensity")
     return at
-
-
-def _rate(value: float) -> str:
-    """Return a rate with the time between failures."""
-    if not value > 1e-300:
-        return f"{number(value)} a year"
-    return f"{number(value)} a year, one in {number(1.0 / value)} years"
 
 
 def _of(value: float, unit: str) -> str:

@@ -11,10 +11,11 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import in_range
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.hazard.hazard_measures import ground_measure, written
+from rocksteady.results.words import Label, facts_of
+from rocksteady.risk.hazard.hazard_measures import ground_measure, measure_fact
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
@@ -92,9 +93,15 @@ class HazardCurve(Result):
     levels: Annotated[Floats, _row]
     rates: Annotated[Floats, _row]
     name: str = ""
-    weight: Annotated[float | None, Bounds(0.0, 1.0, "(]", "give the branch's weight")] = None
-    site: tuple[float, float] | None = None
-    tail: Literal["none", "power-law"] = "none"
+    weight: Annotated[
+        float | None,
+        Bounds(0.0, 1.0, "(]", "give the branch's weight"),
+        Label("Weight of the branch", optional=True),
+    ] = None
+    site: Annotated[tuple[float, float] | None, Label("Longitude, latitude [°]", optional=True)] = (
+        None
+    )
+    tail: Annotated[Literal["none", "power-law"], Label("Beyond the ends")] = "none"
     remarks: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -214,17 +221,7 @@ class HazardCurve(Result):
             headline=f"Hazard of {self.label}{name} from {number(low['level'])} to "
             f"{quantity(high['level'], self.unit)}: {number(low['annual_rate'])} to "
             f"{number(high['annual_rate'])} a year",
-            facts=[
-                Fact("measure", written(self.intensity), "Measure", str(self.intensity)),
-                Fact("name", self.name),
-                Fact("weight", self.weight, "Weight of the branch" if self.weight else ""),
-                Fact(
-                    "site",
-                    None if self.site is None else list(self.site),
-                    "Longitude, latitude [°]" if self.site else "",
-                ),
-                Fact("tail", self.tail, "Beyond the ends", self._beyond),
-            ],
+            facts=facts_of(self, measure_fact(self.intensity), "name", tail=self._beyond),
             tables=[Table("points", rows, columns, title=plural(len(rows), "level"))],
             notes=list(self.remarks),
         )

@@ -9,6 +9,7 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.records.core.numbers import number as read_number
+from rocksteady.results.description import Fact
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Intensity
 
@@ -74,6 +75,11 @@ def ground_measure(name: str, measure: object) -> Intensity:
 def written(measure: Intensity) -> str:
     """Return the text of a measure, as ``sa_g:1.0``."""
     return measure.name if measure.period_s is None else f"{measure.name}:{measure.period_s!r}"
+
+
+def measure_fact(measure: Intensity) -> Fact:
+    """Return the fact of a measure."""
+    return Fact("measure", written(measure), "Measure", str(measure))
 
 
 def fragility_factor(measure: Intensity, hazard: Intensity, block: Block | None) -> float:
