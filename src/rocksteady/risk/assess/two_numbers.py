@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
@@ -11,6 +12,7 @@ from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.screens.demand import FRICTION, PGA, PGV, Demand
 from rocksteady.risk.screens.friction import (
     FrictionNeed,
@@ -106,19 +108,19 @@ class QuickAssessment(Result):
     """
 
     block: Block
-    pga_g: float
-    pgv_m_s: float
+    pga_g: Annotated[float, Label("PGA", unit="g")]
+    pgv_m_s: Annotated[float, Label("PGV", unit="m/s")]
     friction: float | None
     vertical_g: float
     vertical_share: float
-    probability: float | None
-    other_probability: float | None
-    median_pgv_m_s: float
+    probability: Annotated[float | None, Label("probability of falling", percent)]
+    other_probability: Annotated[float | None, Label("second probability", percent)]
+    median_pgv_m_s: Annotated[float, Label("median PGV")]
     beta: float
     other_median_pgv_m_s: float
     other_beta: float
-    uplift_pga_g: float
-    friction_needed: float
+    uplift_pga_g: Annotated[float, Label("lifts at", unit="g")]
+    friction_needed: Annotated[float, Label("friction needed")]
     friction_cause: str
     verdict: str
     sentence: str
@@ -136,7 +138,6 @@ class QuickAssessment(Result):
 
     def describe(self) -> Description:
         """Return the sentence, both probabilities, the thresholds and the source."""
-        shares = [percent(share) for share in (self.probability, self.other_probability)]
         given = "not given" if self.friction is None else f"{number(self.friction)} given"
         need = f"{number(self.friction_needed)} to rock without sliding at this PGA"
         if self.friction_cause == "impacts":
@@ -144,40 +145,20 @@ class QuickAssessment(Result):
         vertical = self.demand.vertical_words
         return Description(
             headline=self.sentence,
-            facts=[
+            facts=facts_of(
+                self,
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
-                Fact("pga_g", self.pga_g, "PGA", quantity(self.pga_g, "g")),
-                Fact("pgv_m_s", self.pgv_m_s, "PGV", quantity(self.pgv_m_s, "m/s")),
+                "pga_g pgv_m_s",
                 Fact("vertical_g", self.vertical_g, "vertical" if vertical else "", vertical),
-                Fact("vertical_share", self.vertical_share),
-                Fact("probability", self.probability, "probability of falling", shares[0]),
-                Fact("other_probability", self.other_probability, "second probability", shares[1]),
-                Fact(
-                    "median_pgv_m_s",
-                    self.median_pgv_m_s,
-                    "median PGV",
-                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; second "
-                    f"{quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
-                ),
-                Fact("beta", self.beta),
-                Fact("other_median_pgv_m_s", self.other_median_pgv_m_s),
-                Fact("other_beta", self.other_beta),
-                Fact(
-                    "uplift_pga_g", self.uplift_pga_g, "lifts at", quantity(self.uplift_pga_g, "g")
-                ),
-                Fact(
-                    "friction_needed",
-                    self.friction_needed,
-                    "friction needed",
-                    f"{need}; {given}",
-                ),
-                Fact("friction_cause", self.friction_cause),
-                Fact("friction", self.friction),
-                Fact("verdict", self.verdict),
-                Fact("sentence", self.sentence),
+                "vertical_share probability other_probability median_pgv_m_s beta "
+                "other_median_pgv_m_s other_beta uplift_pga_g friction_needed friction_cause "
+                "friction verdict sentence",
                 Fact("source", SOURCE),
-                Fact("remarks", list(self.remarks)),
-            ],
+                "remarks",
+                median_pgv_m_s=f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; "
+                f"second {quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
+                friction_needed=f"{need}; {given}",
+            ),
             notes=[*self.remarks, SOURCE, CAVEAT],
         )
 

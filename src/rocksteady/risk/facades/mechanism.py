@@ -3,6 +3,7 @@
 import itertools
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
@@ -10,9 +11,10 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range, non_negative, positive
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
+from rocksteady.results.words import Label, facts_of
 
 SHARE_SLV, SHARE_SLC = 0.4, 0.6
 """Displacement capacities d_SLV and d_SLC as shares of d0 (Circolare 2019 n. 7, C8.7.1.2.1)."""
@@ -81,7 +83,7 @@ class Mechanism(Result):
     0.133333 g, 0.200 m, 1.685384 s
     """
 
-    name: str
+    name: Annotated[str, Label("facade")]
     stabilising_kn_m: float
     weight_moment_kn_m: float
     push_moment_kn_m: float
@@ -90,11 +92,13 @@ class Mechanism(Result):
     lumped_moment_kn_m2: float
     inertia_kn_m2: float
     compactness: float
-    confidence_factor: float
+    confidence_factor: Annotated[float, Label("confidence factor FC")]
     one_sided: bool
     restitution: Restitution = "housner"
     free: bool = False
-    elastic_period_s: float | None = None
+    elastic_period_s: Annotated[
+        float | None, Label("elastic period T0", unit="s", optional=True)
+    ] = None
     after: tuple[tuple[float, "Mechanism"], ...] = ()
     in_runs: "Mechanism | None" = None
 
@@ -109,57 +113,57 @@ class Mechanism(Result):
         return self if self.in_runs is None else self.in_runs
 
     @property
-    def alpha0(self) -> float:
+    def alpha0(self) -> Annotated[float, Label("activation multiplier alpha_0 (1)", number)]:
         """Collapse multiplier alpha_0 = M/D (C8.7.1.1)."""
         return self.stabilising_kn_m / self.push_moment_kn_m
 
     @property
-    def theta0_rad(self) -> float:
+    def theta0_rad(self) -> Annotated[float, Label("slenderness of the block theta0", angle)]:
         """Rotation without restoring moment in runs, atan(M/K) [rad]."""
         rocking = self.rocking
         return float(atan2(rocking.stabilising_kn_m, rocking.weight_moment_kn_m))
 
     @property
-    def e_star(self) -> float:
+    def e_star(self) -> Annotated[float, Label("e* (5), mass spread", number)]:
         """Participating mass fraction, e* = D^2/(sum(P + Q) S) (C8.7.1.5)."""
         push = self.push_moment_kn_m
         return push * push / (self.push_kn * self.second_moment_kn_m2)
 
     @property
-    def e_star_lumped(self) -> float:
+    def e_star_lumped(self) -> Annotated[float, Label("e*, mass at the centres", number)]:
         """Participating mass fraction e* with the mass of each body at its centre."""
         return self.e_star * self.second_moment_kn_m2 / self.lumped_moment_kn_m2
 
     @property
-    def mass_kg(self) -> float:
+    def mass_kg(self) -> Annotated[float, Label("participating mass", unit="kg")]:
         """Participating mass, D^2/(g S) [kg]."""
         push = self.push_moment_kn_m
         return 1e3 * push * push / (STANDARD_GRAVITY * self.second_moment_kn_m2)
 
     @property
-    def a0_g(self) -> float:
+    def a0_g(self) -> Annotated[float, Label("a0 (3), mass spread", unit="g")]:
         """Acceleration that activates the mechanism, alpha_0/(e* FC) [g] (C8.7.1.3)."""
         return self.alpha0 / (self.e_star * self.confidence_factor)
 
     @property
-    def a0_lumped_g(self) -> float:
+    def a0_lumped_g(self) -> Annotated[float, Label("a0, mass at the centres", unit="g")]:
         """Acceleration a0 with the mass of each body at its centre, never above `a0_g` [g]."""
         return self.alpha0 / (self.e_star_lumped * self.confidence_factor)
 
     @property
-    def linear_g(self) -> float:
+    def linear_g(self) -> Annotated[float, Label("capacity of the linear checks", unit="g")]:
         """Capacity of the linear checks [g]: alpha_0/FC if free to vibrate, else the smaller a0."""
         if self.free:
             return self.alpha0 / self.confidence_factor
         return min(self.a0_g, self.a0_lumped_g)
 
     @property
-    def uplift_g(self) -> float:
+    def uplift_g(self) -> Annotated[float, Label("uplift acceleration alpha_0 g/FC", unit="g")]:
         """Base acceleration that lifts the equivalent block of the runs, alpha_0/FC [g]."""
         return self.rocking.alpha0 / self.confidence_factor
 
     @property
-    def arm_m(self) -> float:
+    def arm_m(self) -> Annotated[float, Label("height of the displacement d", length)]:
         """Height of the displacement d, S/D [m]: 2/3 of the height of a rectangle."""
         lasting = self.lasting
         return lasting.second_moment_kn_m2 / lasting.push_moment_kn_m
@@ -169,7 +173,7 @@ class Mechanism(Result):
         return self.stabilising_kn_m / self.weight_moment_kn_m * arm_m
 
     @property
-    def d0_m(self) -> float:
+    def d0_m(self) -> Annotated[float, Label("displacement of zero capacity d0", length)]:
         """Displacement without restoring moment up to collapse [m]: 2 t/3 of a rectangle."""
         arm, stages = self.arm_m, ((0.0, self), *self.after)
         zeros = [self.lasting._zero_m(arm)]
@@ -185,34 +189,34 @@ class Mechanism(Result):
         return self.rocking._zero_m(self.arm_m)
 
     @property
-    def d_slv_m(self) -> float:
+    def d_slv_m(self) -> Annotated[float, Label("d_SLV = 0.4 d0", length)]:
         """Displacement capacity of SLV, 0.4 d0 [m]."""
         return SHARE_SLV * self.d0_m
 
     @property
-    def d_slc_m(self) -> float:
+    def d_slc_m(self) -> Annotated[float, Label("d_SLC = 0.6 d0", length)]:
         """Displacement capacity of SLC, 0.6 d0 [m]."""
         return SHARE_SLC * self.d0_m
 
     @property
-    def t_slv_s(self) -> float:
+    def t_slv_s(self) -> Annotated[float, Label("secant period T_SLV (10)", unit="s")]:
         """Secant period of SLV [s] (C8.7.1.10)."""
         return self.period_s(SHARE_SLV, FACTOR_SLV)
 
     @property
-    def t_slc_s(self) -> float:
+    def t_slc_s(self) -> Annotated[float, Label("secant period T_SLC (11)", unit="s")]:
         """Secant period of SLC [s] (C8.7.1.11)."""
         return self.period_s(SHARE_SLC, FACTOR_SLC)
 
     @property
-    def p_rad_s(self) -> float:
+    def p_rad_s(self) -> Annotated[float, Label("frequency parameter p, with FC", unit="rad/s")]:
         """Frequency parameter of the equivalent block, sqrt(g sqrt(M^2 + K^2)/(I FC)) [rad/s]."""
         block = self.rocking
         moment = hypot(block.stabilising_kn_m, block.weight_moment_kn_m)
         return math.sqrt(STANDARD_GRAVITY * moment / (block.inertia_kn_m2 * self.confidence_factor))
 
     @property
-    def base_factor(self) -> float:
+    def base_factor(self) -> Annotated[float, Label("factor of the base acceleration, with FC")]:
         """Factor of the base acceleration of the equivalent block, (D/K) FC."""
         block = self.rocking
         return block.push_moment_kn_m / block.weight_moment_kn_m * self.confidence_factor
@@ -309,63 +313,12 @@ class Mechanism(Result):
 
     def describe(self) -> Description:
         """Return what the formulas of the circular give, and the equivalent block."""
-        facts = [
-            Fact("name", self.name, "facade"),
-            Fact("alpha0", self.alpha0, "activation multiplier alpha_0 (1)", number(self.alpha0)),
-            Fact("e_star", self.e_star, "e* (5), mass spread", number(self.e_star)),
-            Fact(
-                "e_star_lumped",
-                self.e_star_lumped,
-                "e*, mass at the centres",
-                number(self.e_star_lumped),
-            ),
-            Fact("mass_kg", self.mass_kg, "participating mass", quantity(self.mass_kg, "kg")),
-            Fact("confidence_factor", self.confidence_factor, "confidence factor FC"),
-            Fact("a0_g", self.a0_g, "a0 (3), mass spread", quantity(self.a0_g, "g")),
-            Fact(
-                "a0_lumped_g",
-                self.a0_lumped_g,
-                "a0, mass at the centres",
-                quantity(self.a0_lumped_g, "g"),
-            ),
-            Fact(
-                "linear_g",
-                self.linear_g,
-                "capacity of the linear checks",
-                quantity(self.linear_g, "g"),
-            ),
-            Fact(
-                "elastic_period_s",
-                self.elastic_period_s,
-                "" if self.elastic_period_s is None else "elastic period T0",
-                "" if self.elastic_period_s is None else quantity(self.elastic_period_s, "s"),
-            ),
-            Fact("arm_m", self.arm_m, "height of the displacement d", length(self.arm_m)),
-            Fact("d0_m", self.d0_m, "displacement of zero capacity d0", length(self.d0_m)),
-            Fact("d_slv_m", self.d_slv_m, "d_SLV = 0.4 d0", length(self.d_slv_m)),
-            Fact("d_slc_m", self.d_slc_m, "d_SLC = 0.6 d0", length(self.d_slc_m)),
-            Fact("t_slv_s", self.t_slv_s, "secant period T_SLV (10)", quantity(self.t_slv_s, "s")),
-            Fact("t_slc_s", self.t_slc_s, "secant period T_SLC (11)", quantity(self.t_slc_s, "s")),
-            Fact(
-                "theta0_rad",
-                self.theta0_rad,
-                "slenderness of the block theta0",
-                angle(self.theta0_rad),
-            ),
-            Fact(
-                "p_rad_s",
-                self.p_rad_s,
-                "frequency parameter p, with FC",
-                quantity(self.p_rad_s, "rad/s"),
-            ),
-            Fact("base_factor", self.base_factor, "factor of the base acceleration, with FC"),
-            Fact(
-                "uplift_g",
-                self.uplift_g,
-                "uplift acceleration alpha_0 g/FC",
-                quantity(self.uplift_g, "g"),
-            ),
-        ]
+        facts = facts_of(
+            self,
+            "name alpha0 e_star e_star_lumped mass_kg confidence_factor a0_g a0_lumped_g linear_g "
+            "elastic_period_s arm_m d0_m d_slv_m d_slc_m t_slv_s t_slc_s theta0_rad p_rad_s "
+            "base_factor uplift_g",
+        )
         return Description(
             headline=f"{self.name}: a0 {quantity(self.a0_g, 'g')}, d0 {length(self.d0_m)}, "
             f"T_SLV {quantity(self.t_slv_s, 's')}",
