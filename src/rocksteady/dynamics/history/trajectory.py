@@ -106,7 +106,7 @@ class Trajectory(Described):
             ended_by=self.rows[:, columns.ROW_EVENT].astype(np.int64),
         )
 
-    @property
+    @cached_property
     def end_time_pt(self) -> float:
         """Pivot time up to which the trajectory reaches.
 
@@ -116,7 +116,7 @@ class Trajectory(Described):
         """
         return float(self._facts.end)
 
-    @property
+    @cached_property
     def rest_time_pt(self) -> float | None:
         """Pivot time at which the block came to rest where it stayed; None if it did not.
 
@@ -132,7 +132,7 @@ class Trajectory(Described):
         """
         return float(self._facts.rested) if self.status is Status.AT_REST else None
 
-    @property
+    @cached_property
     def overturn_time_pt(self) -> float | None:
         """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
 
@@ -149,7 +149,7 @@ class Trajectory(Described):
         """
         return max(self.side_peaks)
 
-    @property
+    @cached_property
     def side_peaks(self) -> tuple[float, float]:
         """Largest |theta|/alpha on the positive and on the negative side, each in its own alpha.
 

@@ -142,13 +142,13 @@ def rest_time(segments: Floats, sides: Floats, rows: Floats, starts: Floats) -> 
     fill_states(segments, sides, rows, index, since, states)
     side = rows[first - 1, columns.ROW_SIDE]
     row = 0 if side > 0.0 else 1
-    there = sides[row, columns.RESTITUTION]
-    velocity = abs(there * states[1, 0])
+    there: float = sides[row, columns.RESTITUTION]
+    velocity: float = abs(there * states[1, 0])
     across, lift = base_at(segments, start)
     towards = -side * across
     if free_side(sides) != 0:
         return start + 2.0 * velocity / (pull(sides, ZERO, -towards, lift) * (1.0 + there))
-    here = sides[1 - row, columns.RESTITUTION]
+    here: float = sides[1 - row, columns.RESTITUTION]
     near, far = pull(sides, 1 - row, towards, lift), pull(sides, row, -towards, lift)
     # The loss of two impacts, 1 - here there, in a form that does not cancel.
     lost = (1.0 - here) * (1.0 + there) + (here - there)
@@ -158,11 +158,11 @@ def rest_time(segments: Floats, sides: Floats, rows: Floats, starts: Floats) -> 
 @compiled
 def pull(sides: Floats, row: int, push: float, lift: float) -> float:
     """Return how strongly a block on its base is pulled back from a side, against a push."""
+    lean: float = sides[row, columns.LEAN]
     rate: float = sides[row, columns.RATE]
-    lean = sides[row, columns.LEAN]
     if not is_nonlinear(sides):
         return rate * rate * (lean - push)
-    alpha = sides[row, columns.ALPHA]
+    alpha: float = sides[row, columns.ALPHA]
     moment = lean * ((1.0 + lift) * sin(alpha) / alpha)
     return rate * rate * (moment - push * cos(alpha))
 

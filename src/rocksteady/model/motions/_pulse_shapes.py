@@ -113,7 +113,7 @@ def listed() -> str:
     groups: dict[str, list[str]] = {}
     for name, shape in SHAPES.items():
         groups.setdefault(shape.lasts, []).append(name)
-    groups[TYPE_C].append("...")
+    groups[TYPE_C].append("..")  # and the full stop
     return ". ".join(f"{lasts}: {', '.join(names)}" for lasts, names in groups.items())
 
 
@@ -167,7 +167,7 @@ def segments_of(
     a, w
         Largest acceleration, and omega/p.
     tolerance
-        Of the lines along a wavelet, as a part of a.
+        Tolerance of the lines along a wavelet, as a part of a.
     oscillations, phase
         gamma > 1 and nu [rad] of a Mavroeidis-Papageorgiou pulse.
 
