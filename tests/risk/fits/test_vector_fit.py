@@ -108,6 +108,14 @@ def test_columns_that_depend_on_each_other_are_refused() -> None:
         rows = len(dependent)
         with pytest.raises(InputError, match="depend linearly"):
             fit_vector(dependent, np.arange(rows) % 2, trials[:rows])
+    # A row without trials does not distinguish columns.
+    untried = np.append(trials[:8], 0)
+    with pytest.raises(InputError, match="depend linearly"):
+        fit_vector(
+            np.column_stack([at[:9, 0], at[:9, 0] ** 2 * (1 + (untried == 0))]),
+            untried // 2,
+            untried,
+        )
 
 
 def test_what_is_not_valid_is_refused() -> None:

@@ -19,7 +19,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Nonlinear
-from rocksteady.seismic.measures.intensity import WORDS
+from rocksteady.seismic.measures.intensity import WORDS, _simpson
 from tests.seismic.sines import noise, sine
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
@@ -67,6 +67,11 @@ def test_the_mean_period_is_the_sum_over_frequencies() -> None:
 def test_a_record_without_those_frequencies_has_no_mean_period() -> None:
     slow = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=10.0)
     assert math.isnan(measure_intensity(slow).mean_period_s)
+
+
+def test_simpsons_rule_is_exact_for_cubics() -> None:
+    at = np.linspace(-1.0, 2.0, 7)
+    assert _simpson(at**3 - 2.0 * at + 1.0, at) == pytest.approx(15.0 / 4.0 - 3.0 + 3.0, rel=1e-14)
 
 
 def test_housners_intensity_is_the_area_below_the_pseudo_velocity() -> None:
