@@ -94,19 +94,14 @@ class Mutant(NamedTuple):
 def mutants(file: Path) -> list[Mutant]:
     """Return all mutants of a module, annotations, `__all__` and texts excepted."""
     source = (ROOT / file).read_text(encoding="utf-8")
-    found = []
+    code, found = source.encode(), []
+    lines = source.splitlines(keepends=True)
+    begins = [0, *itertools.accumulate(len(line.encode()) for line in lines)]
     for node, function, after in _changes(ast.parse(source)):
-        before = ast.get_source_segment(source, node) or ""
-        start, end = (
-            len("".join(source.splitlines(keepends=True)[: line - 1]).encode()) + column
-            for line, column in (
-                (node.lineno, node.col_offset),
-                (node.end_lineno or 0, node.end_col_offset or 0),
-            )
-        )
-        code = source.encode()
+        start = begins[node.lineno - 1] + node.col_offset
+        end = begins[(node.end_lineno or 1) - 1] + (node.end_col_offset or 0)
         changed = (code[:start] + f"({after})".encode() + code[end:]).decode()
-        before = " ".join(before.split())
+        before = " ".join(code[start:end].decode().split())
         found.append(Mutant(file, node.lineno, function, before, after, changed))
     return found
 

@@ -22,3 +22,5 @@ def test_it_is_as_wide_as_asked(width: float) -> None:
     assert 25.4 * figure.get_figwidth() == pytest.approx(width)
     below = [axes.get_position().y1 for axes in figure.axes]
     assert (below == sorted(below, reverse=True)) or width > 100.0
+    fewer = facade_figure(alone(), page=Page(width_mm=width))
+    assert fewer.get_figheight() < figure.get_figheight()
