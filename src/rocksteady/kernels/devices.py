@@ -52,7 +52,7 @@ LONGEST_ORBIT = 512
 """Passages of the longest orbit for which a worker of a device has room: 57 kB.  On the host there
 is room for all; to a cell with more it is left over."""
 
-COLD = ("linear_march", "nonlinear_march")
+COLD = ("linear_march", "nonlinear_march", "bounces_die_out")
 """Kernels that the build of a device never compiles into their callers.
 
 Beside lanes they do the few flights that lanes do not do: inlined, they would take registers of the

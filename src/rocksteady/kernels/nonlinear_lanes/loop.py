@@ -200,7 +200,7 @@ def onwards(
     kept = Kept(np.zeros((0, columns.ROW_COLUMNS)), np.zeros(0))
     state, lifting = start, False
     while state.impacts <= most:
-        if bounced and comes_to_rest(tables, state, end_half, stop):
+        if bounced and bounces_die_out(tables, state, end_half, stop):
             state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
         flies = state.angle != 0.0 or state.velocity != 0.0 or lifting
         if flies and flights == 0:
@@ -221,7 +221,7 @@ def onwards(
 
 
 @compiled
-def comes_to_rest(tables: Tables, state: March, end_half: int, stop: float) -> bool:
+def bounces_die_out(tables: Tables, state: March, end_half: int, stop: float) -> bool:
     """Return whether the march would find that the bounces which follow an impact die out."""
     half, phase, side = state.half_cycles, state.phase, state.side
     row, speed = 0 if side > 0 else 1, abs(state.velocity)
