@@ -195,6 +195,22 @@ def start_of(start: object, *, name: str = "start") -> Start:
     return state
 
 
+def start_without_phase(start: object) -> Rest | State:
+    """Return a start at pivot time 0: at rest, or a state.
+
+    Raises
+    ------
+    InputError
+        If it is another start, or no start.
+    """
+    begun = start_of(start)
+    if not isinstance(begun, Rest | State) or getattr(begun, "phase", None) is not None:
+        raise InputError(
+            "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
+        )
+    return begun
+
+
 def refuse_behind_wall(
     block: Block | DimensionlessBlock, angle: float, velocity: float, *, name: str = "start"
 ) -> None:

@@ -13,7 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, lifted_table, sides_of
-from rocksteady.dynamics.history.start import HasStart, Rest, State, refuse_behind_wall, start_of
+from rocksteady.dynamics.history.start import (
+    HasStart,
+    Rest,
+    State,
+    refuse_behind_wall,
+    start_without_phase,
+)
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.motions import fill_bounds
@@ -332,11 +338,7 @@ def compute_noise_fates(
     [[ 0  1 14 23]]
     """
     chosen = chosen_model(model, block, motion)
-    begun = start_of(start)
-    if not isinstance(begun, Rest | State) or getattr(begun, "phase", None) is not None:
-        raise InputError(
-            "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
-        )
+    begun = start_without_phase(start)
     moved = _axes(axes)
     hint = "give a number of realisations, as 100"
     count = whole_number("draws", draws, at_least=1, at_most=MOST_DRAWS, hint=hint)

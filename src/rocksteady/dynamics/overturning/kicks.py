@@ -15,9 +15,8 @@ from rocksteady.dynamics.history.base_motion import (
     motion_after,
     refuse_endless,
 )
-from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import HasStart, Rest, State, start_of
+from rocksteady.dynamics.history.start import HasStart, Rest, State, start_without_phase
 from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates
 from rocksteady.dynamics.overturning.scan import MANY, Found, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -28,7 +27,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
 )
-from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.dynamics.overturning.window_lists import LEFT, WindowLists
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
@@ -36,7 +35,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import rising
 from rocksteady.model.equations import Linear, Model, chosen_model
-from rocksteady.model.facts import block_text, block_values, case_text
+from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
@@ -148,7 +147,7 @@ class FatalKicks(WindowLists):
         for name in ("impacts", "side"):
             values[name] = (every, getattr(self, name).reshape(shape), {"units": "1"})
         values["first"] = (across, self.first.reshape(shape[:2]), kick)
-        for name in ("left_out", "left_out_width", "undecided", "unsettled"):
+        for name in LEFT:
             values[name] = (across, getattr(self, name).reshape(shape[:2]), {"units": "1"})
         values["least"] = ("moment", self.least, kick)
         return xarray.Dataset(
@@ -158,22 +157,12 @@ class FatalKicks(WindowLists):
                 "direction": list(SIGNS),
                 "window": np.arange(shape[2]),
             },
-            attrs={
-                "model": self.model.name,
-                **side_attributes(self.block),
-                "within": list(self.within),
-                "resolution": self.resolution,
-            },
+            attrs=self._searched,
         )
 
     def describe(self) -> Description:
         """Return the least kicks by moment, in m/s too where the block has a size."""
         sized = isinstance(self.block, Block)
-        body = (
-            Fact("block", block_values(self.block), "block", block_text(self.block))
-            if isinstance(self.block, Block)
-            else Fact("", label="block", text=block_text(self.block))
-        )
         rows = list(self._rows())
         listed = [
             {**row, "windows": [list(ends) for ends in self.intervals(index)]}
@@ -188,7 +177,7 @@ class FatalKicks(WindowLists):
             Column("windows", "windows"),
         ]
         facts = [
-            body,
+            self._block_fact,
             Fact("model", self.model.name, "model"),
             Fact(
                 "kicks", list(self.within), "searched", f"kicks up to {self.within[1]:g} alpha g/p"
@@ -313,11 +302,7 @@ def find_fatal_kick(
     >>> print(kicks.signed.round(6))
     [[ 0.5      -0.696109]]
     """
-    begun = start_of(start)
-    if not isinstance(begun, Rest | State) or getattr(begun, "phase", None) is not None:
-        raise InputError(
-            "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
-        )
+    begun = start_without_phase(start)
     shaking: Motion | Record | BaseMotion = Still() if motion is None else motion
     chosen = chosen_model(model, block, shaking)
     hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"

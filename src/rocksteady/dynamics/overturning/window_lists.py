@@ -1,20 +1,28 @@
 """Lists of windows over which a block overturns: what all results that have them share."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
+from rocksteady.model.facts import block_text, block_values
+from rocksteady.results.description import Fact
 from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+
+LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
+"""Fields that say what a search has left."""
 
 
 class OverturningWindow(NamedTuple):
@@ -96,3 +104,58 @@ class WindowLists(Result):
             else:
                 intervals.append((window.low, window.high))
         return intervals
+
+    @property
+    def _block_fact(self) -> Fact:
+        """The block in words, and in values where it has a size."""
+        words = block_text(self.block)
+        if isinstance(self.block, Block):
+            return Fact("block", block_values(self.block), "block", words)
+        return Fact("", label="block", text=words)
+
+    def _modes(self, row: int) -> list[dict[str, Any]]:
+        """Return the windows of one row in plain values."""
+        return [
+            {
+                "interval": [window.low, window.high],
+                "impacts": window.impacts,
+                "side": window.side,
+                "endless": window.endless,
+            }
+            for window in self.at(row)
+        ]
+
+    def _left(self, row: int) -> dict[str, Any]:
+        """Return what the search has left in one row."""
+        return {name: getattr(self, name)[row].item() for name in LEFT}
+
+    def _variables(self, rows: str, unit: Mapping[str, str], *more: str) -> dict[str, Any]:
+        """Return the windows as variables of a dataset.
+
+        Parameters
+        ----------
+        rows
+            Dimension of the rows.
+        unit
+            Attributes of an amplitude.
+        more
+            Fields besides, of shape (rows,), which stand before what the search has left.
+        """
+        words = dict.fromkeys(("low", "high", "first", "top"), unit)
+        words["impacts"] = {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"}
+        per_window = ("low", "high", "impacts", "side")
+        dims = dict.fromkeys(per_window, (rows, "window"))
+        return {
+            name: (dims.get(name, (rows,)), getattr(self, name), words.get(name, {"units": "1"}))
+            for name in (*per_window, "first", *more, *LEFT)
+        }
+
+    @property
+    def _searched(self) -> dict[str, Any]:
+        """Attributes of a dataset: the equations, the sides and what was searched."""
+        return {
+            "model": self.model.name,
+            **side_attributes(self.block),
+            "within": list(self.within),
+            "resolution": self.resolution,
+        }

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
-from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
@@ -21,13 +19,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
-from rocksteady.model.facts import (
-    amplitude_text,
-    block_text,
-    block_values,
-    case_text,
-    restitution_values,
-)
+from rocksteady.model.facts import amplitude_text, case_text, restitution_values
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
@@ -100,35 +92,17 @@ class OverturningWindows(WindowLists):
         """Return the windows as an xarray Dataset over frequency ratio and window."""
         import xarray
 
-        along, per_window = ("frequency_ratio",), ("frequency_ratio", "window")
-        amplitude = {"units": "1", "long_name": "a_max/(alpha g)"}
+        along = "frequency_ratio"
         return xarray.Dataset(
-            {
-                "low": (per_window, self.low, amplitude),
-                "high": (per_window, self.high, amplitude),
-                "impacts": (
-                    per_window,
-                    self.impacts,
-                    {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"},
-                ),
-                "side": (per_window, self.side, {"units": "1"}),
-                "first": (along, self.first, amplitude),
-                "left_out": (along, self.left_out, {"units": "1"}),
-                "left_out_width": (along, self.left_out_width, {"units": "1"}),
-                "undecided": (along, self.undecided, {"units": "1"}),
-                "unsettled": (along, self.unsettled, {"units": "1"}),
-            },
+            self._variables(along, {"units": "1", "long_name": "a_max/(alpha g)"}),
             coords={
-                "frequency_ratio": (along, self.frequency_ratio, {"long_name": "omega/p"}),
+                along: (along, self.frequency_ratio, {"long_name": "omega/p"}),
                 "window": ("window", np.arange(self.low.shape[1])),
             },
             attrs={
                 "pulse": self.pulse.shape,
                 "reversed": int(self.pulse.reverse),
-                "model": self.model.name,
-                **side_attributes(self.block),
-                "within": list(self.within),
-                "resolution": self.resolution,
+                **self._searched,
             },
         )
 
@@ -137,9 +111,7 @@ class OverturningWindows(WindowLists):
         block, pulse = self.block, self.pulse
         least, most = (amplitude_text(block, end) for end in self.within)
         facts = [
-            Fact("block", block_values(block), "block", block_text(block))
-            if isinstance(block, Block)
-            else Fact("", label="block", text=block_text(block)),
+            self._block_fact,
             Fact("pulse", pulse.shape, "pulse", self._pulse_text),
             Fact("reversed", pulse.reverse),
             Fact("oscillations", pulse.oscillations),
@@ -195,21 +167,10 @@ class OverturningWindows(WindowLists):
         row: dict[str, Any] = {
             "frequency_ratio": ratio,
             "intervals": [list(ends) for ends in intervals],
-            "modes": [
-                {
-                    "interval": [window.low, window.high],
-                    "impacts": window.impacts,
-                    "side": window.side,
-                    "endless": window.endless,
-                }
-                for window in self.at(index)
-            ],
+            "modes": self._modes(index),
             "first": float(self.first[index]),
             "closed_form": closed,
-            "left_out": int(self.left_out[index]),
-            "left_out_width": float(self.left_out_width[index]),
-            "undecided": int(self.undecided[index]),
-            "unsettled": int(self.unsettled[index]),
+            **self._left(index),
         }
         if isinstance(self.block, Block):
             unit = self.block.uplift_acceleration / self.block.gravity

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
-from rocksteady.dynamics.history.lowering import segment_table, side_attributes
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
 from rocksteady.dynamics.overturning.window_cells import (
@@ -29,7 +28,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, rising
 from rocksteady.model.equations import Linear, Model, chosen_model
-from rocksteady.model.facts import block_text, block_values, case_text
+from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -151,45 +150,23 @@ class OverturningScales(WindowLists):
         """Return the windows as an xarray Dataset over record and window."""
         import xarray
 
-        along, per_window = ("record",), ("record", "window")
-        scale = {"units": "1", "long_name": "factor of the accelerations"}
-        values: dict[str, Any] = {
-            "low": (per_window, self.low, scale),
-            "high": (per_window, self.high, scale),
-            "impacts": (
-                per_window,
-                self.impacts,
-                {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"},
-            ),
-            "side": (per_window, self.side, {"units": "1"}),
-            "first": (along, self.first, scale),
-            "top": (along, self.top, scale),
-            "share": (along, self.share, {"units": "1"}),
-        }
-        for name in ("left_out", "left_out_width", "undecided", "unsettled"):
-            values[name] = (along, getattr(self, name), {"units": "1"})
+        along, scale = "record", {"units": "1", "long_name": "factor of the accelerations"}
         return xarray.Dataset(
-            values,
+            self._variables(along, scale, "top", "share"),
             coords={
                 "record": list(self.names),
                 "window": np.arange(self.low.shape[1]),
                 "pga_g": (along, self.pga_g, {"units": "g", "long_name": "PGA at scale 1"}),
                 "pgv_m_s": (along, self.pgv_m_s, {"units": "m/s", "long_name": "PGV at scale 1"}),
             },
-            attrs={
-                "model": self.model.name,
-                **side_attributes(self.block),
-                "within": list(self.within),
-                "resolution": self.resolution,
-            },
+            attrs=self._searched,
         )
 
     def describe(self) -> Description:
         """Return the windows by record, in scale, PGA and PGV."""
-        assert isinstance(self.block, Block)
         low, high = (number(end) for end in self.within)
         facts = [
-            Fact("block", block_values(self.block), "block", block_text(self.block)),
+            self._block_fact,
             Fact("model", self.model.name, "model"),
             Fact("scales", list(self.within), "searched", f"scales {low} to {high}"),
             Fact("resolution", self.resolution),
@@ -275,22 +252,11 @@ class OverturningScales(WindowLists):
             "intervals": [list(ends) for ends in intervals],
             "intervals_g": [[end * pga for end in ends] for ends in intervals],
             "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
-            "modes": [
-                {
-                    "interval": [window.low, window.high],
-                    "impacts": window.impacts,
-                    "side": window.side,
-                    "endless": window.endless,
-                }
-                for window in self.at(index)
-            ],
+            "modes": self._modes(index),
             "first": float(self.first[index]),
             "top": float(self.top[index]),
             "share": float(self.share[index]),
-            "left_out": int(self.left_out[index]),
-            "left_out_width": float(self.left_out_width[index]),
-            "undecided": int(self.undecided[index]),
-            "unsettled": int(self.unsettled[index]),
+            **self._left(index),
         }
 
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
