@@ -25,7 +25,7 @@ from rocksteady.seismic.spectra.batch import (
     sides_in_si,
     told_apart,
 )
-from rocksteady.seismic.spectra.grounds import check_grounds
+from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
@@ -131,10 +131,7 @@ def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pool
         lowest=min(uplifts),
         highest=max(uplifts),
         slowest=min(block.p for block in bodies),
-        extremes=(
-            max(bodies, key=lambda block: block.p),
-            min(bodies, key=lambda block: block.uplift_acceleration),
-        ),
+        extremes=extremes_of(bodies),
     )
 
 

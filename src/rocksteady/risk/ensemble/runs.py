@@ -18,7 +18,7 @@ from rocksteady.risk.ensemble._uplift import uplift_times
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
-from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
+from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
 from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -112,12 +112,8 @@ def run_ensemble(
     at_one = wanted.at_scale_one(records, bodies)
     scale = levels / at_one[:, :, np.newaxis]
     equations = chosen_model(model, bodies[0], records[0])
-    extremes = (
-        max(bodies, key=lambda block: block.p),
-        min(bodies, key=lambda block: block.uplift_acceleration),
-    )
     used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
-    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes, equations)
+    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes_of(bodies), equations)
     # Of symmetric blocks alone one direction is the mirror image of the other.
     several = directions if not all(block.symmetric for block in bodies) else directions[:1]
     ways = ways_to_run(grounds, several, lifts)

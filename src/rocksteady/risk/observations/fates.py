@@ -20,7 +20,7 @@ from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, str
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel, sides_in_si
-from rocksteady.seismic.spectra.grounds import check_grounds, turned_round
+from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, turned_round
 from rocksteady.seismic.spectra.many import blocks_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -154,13 +154,9 @@ def fates_on_records(
     if isinstance(equations, Linear):
         _refuse_vertical(shaking)
     grounds, ground = _grounds(shaking)
-    extremes = (
-        max(every, key=lambda block: block.p),
-        min(every, key=lambda block: block.uplift_acceleration),
-    )
     strongest = np.zeros(len(grounds))
     np.maximum.at(strongest, ground, factors.max(axis=(1, 2)))
-    check_grounds(grounds, strongest.tolist(), extremes, equations)
+    check_grounds(grounds, strongest.tolist(), extremes_of(every), equations)
     scattering = Scatter(0.0) if scatter is None else scatter
     shape = (len(objects), count)
     shaken = Shaken(

@@ -105,6 +105,14 @@ def scale_values(given: ArrayLike) -> list[float]:
     ]
 
 
+def extremes_of(blocks: Sequence[Block]) -> tuple[Block, Block]:
+    """Return the blocks of the largest p and of the least uplift acceleration."""
+    return (
+        max(blocks, key=lambda block: block.p),
+        min(blocks, key=lambda block: block.uplift_acceleration),
+    )
+
+
 def check_grounds(
     grounds: Sequence[GroundShaking],
     largest: Sequence[float],
@@ -118,7 +126,7 @@ def check_grounds(
     grounds, largest
         The grounds, and the largest scale of each.
     blocks
-        Sides that need most of a ground: the side of the largest p, and the side that lifts first.
+        Those that need most of a ground, as `extremes_of` has them.
     model
         The equations.
 

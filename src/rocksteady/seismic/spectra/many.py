@@ -25,6 +25,7 @@ from rocksteady.seismic.spectra.batch import (
 from rocksteady.seismic.spectra.grounds import (
     axis_values,
     check_grounds,
+    extremes_of,
     grounds_of,
     is_single_motion,
     is_single_number,
@@ -154,11 +155,7 @@ def cells_of_many(
         ]
         factors = np.array(levels) * STANDARD_GRAVITY / peaks[:, np.newaxis]
     equations = chosen_model(model, bodies[0], grounds[0].record)
-    extremes = (
-        max(bodies, key=lambda block: block.p),
-        min(bodies, key=lambda block: block.uplift_acceleration),
-    )
-    check_grounds(grounds, factors.max(axis=1).tolist(), extremes, equations)
+    check_grounds(grounds, factors.max(axis=1).tolist(), extremes_of(bodies), equations)
     directions = _directions(reverse)
     sign = {"as recorded": lambda ground: ground, "reversed": turned_round}
     shaking = [sign[direction](ground) for direction in directions for ground in grounds]
