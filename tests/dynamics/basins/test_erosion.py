@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rocksteady import (
     DimensionlessBlock,
     Erosion,
+    FourierSeries,
     Harmonic,
     InputError,
     ModelError,
@@ -117,6 +118,21 @@ def test_the_core_is_whole_up_to_the_heteroclinic_curve_and_erodes_beyond(
     drop = found.drop(level=0.9)
     assert drop is not None
     assert curve < drop.low < drop.high
+
+
+def test_the_drop_under_a_fourier_series_is_that_of_the_series() -> None:
+    """It was bisected under the first harmonic alone."""
+    block = DimensionlessBlock(restitution=0.9)
+    waves = FourierSeries(
+        amplitude=1.0, frequency_ratio=2.0, harmonics=((1, 1.0, 0.0), (3, 0.6, 1.0))
+    )
+    found = compute_erosion(block, waves, np.linspace(0.1, 1.1, 6), cycles=20, **coarse(29))
+    for measure in ("integrity_factor", "global_integrity"):
+        drop = found.drop(measure, level=0.6, tolerance=1e-2)
+        assert drop is not None
+        ends = [drop.low, drop.high]
+        again = compute_erosion(block, waves, ends, cycles=20, **coarse(29))
+        assert again.measure(measure).tolist() == [drop.above, drop.below]
 
 
 def test_the_drop_is_bracketed() -> None:

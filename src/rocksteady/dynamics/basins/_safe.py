@@ -31,7 +31,7 @@ def safe_states(
     velocities: Floats,
     cycles: int,
     run: Run,
-    harmonics: Harmonics = (),
+    harmonics: Harmonics,
 ) -> Bools:
     """Return which states of a window do not overturn, shape (amplitudes, velocities, angles).
 
