@@ -343,6 +343,10 @@ def test_what_weakens_counts_by_default_and_what_strengthens_does_not() -> None:
         silent, there, unverified = (each.mechanism for each in loads)
         assert silent == unverified
         assert silent.theta0_rad == min(there.theta0_rad, bare.theta0_rad)
+        # One that is lost at once leaves the bare wall.
+        lost = held(Load(**floor, lost_at_m=1e-3))
+        assert "floor" in [each.name for each in lost.ending]
+        assert lost.mechanism.d0_m == pytest.approx(bare.d0_m)
         assert [each.name for each in loads[0].ending] == ([] if counted else ["floor"])
         assert silent.alpha0 == there.alpha0
 
