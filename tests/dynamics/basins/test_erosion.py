@@ -34,7 +34,7 @@ def eroded(restitution: float, frequency: float, amplitudes: Any, **more: Any) -
     return compute_erosion(DimensionlessBlock(restitution=restitution), motion, amplitudes, **more)
 
 
-def coarse(count: int, half_width: float = 1.5) -> dict[str, Floats]:
+def coarse(count: int, half_width: float = 1.5) -> dict[str, Any]:
     middles = (np.arange(count, dtype=np.float64) - 0.5 * (count - 1)) * (2 * half_width / count)
     return {"angles": middles, "velocities": middles}
 

@@ -32,6 +32,7 @@ def test_a_state_is_safe_where_its_time_history_does_not_overturn(
         sides=sides_of(block, model),
         frequency_ratio=2.0,
         phase=0.7,
+        harmonics=(),
         amplitudes=amplitudes,
         angles=angles,
         velocities=velocities,
