@@ -240,3 +240,11 @@ def test_a_notebook_shows_both_sides() -> None:
     assert f"{one:.3g}° and {other:.3g}°" in table
     assert "positive (left)" in table
     assert block.to_dict()["negative"] == block.negative.to_dict()
+
+
+def test_the_ratios_of_the_sides_are_facts_of_a_dimensionless_block() -> None:
+    block = DimensionlessBlock(restitution=0.8, alpha_ratio=1.25, p_ratio=0.75)
+    described = block.describe()
+    facts = {fact.key: fact.value for fact in described.facts}
+    assert facts == {"restitution": 0.8, "alpha_ratio": 1.25, "p_ratio": 0.75}
+    assert described.headline.endswith("restitution 0.8, alpha ratio 1.25, p ratio 0.75")

@@ -71,3 +71,14 @@ def test_the_statue_has_the_mass_centre_and_the_inertia_of_a_fine_grid_of_points
     found = statue.gravity * side.radius / side.p**2 - side.radius**2
     assert found == pytest.approx(square, rel=1e-5)
     assert not statue.symmetric
+
+
+def test_the_gas_cylinder_has_the_inertia_of_points_on_a_thin_tube() -> None:
+    angle, height = np.meshgrid(
+        2.0 * np.pi * np.arange(100) / 100, 1.64 * (np.arange(1000) + 0.5) / 1000
+    )
+    from_middle = (0.5 * 0.229 * np.cos(angle)) ** 2 + (height - 0.82) ** 2
+    cylinder = named_block("gas-cylinder")
+    side = cylinder.positive
+    found = cylinder.gravity * side.radius / side.p**2 - side.radius**2
+    assert found == pytest.approx(from_middle.mean(), rel=2e-6)

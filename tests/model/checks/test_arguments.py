@@ -3,16 +3,17 @@
 import inspect
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 import pytest
 import xarray
+from numpy.typing import ArrayLike, NDArray
 
 import rocksteady
 from rocksteady import (
@@ -33,6 +34,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import guard_result
 from rocksteady.model.checks.bounds import Bounds, Whole
 from tests.every import every
 from tests.public.junk import Quantity
@@ -284,3 +286,49 @@ def test_a_fraction_beyond_the_floats_is_infinite_and_refused() -> None:
     huge: Any = Fraction(-(10**400))
     with pytest.raises(InputError, match="frequency_ratio = -inf is not valid"):
         find_steady_states(2.0, [4.0, huge], 0.8)
+
+
+def test_a_choice_of_two_is_said_in_quotes_and_of_three_as_a_list() -> None:
+    @checked
+    def taken(side: Literal["left", "right"], way: Literal["a", "b", "c"] = "a") -> None:
+        pass
+
+    wrong: Any = "up"
+    with pytest.raises(InputError, match=r"side = 'up' .*must be 'left' or 'right'; give"):
+        taken(wrong)
+    with pytest.raises(InputError, match=r"way = 'up' .*must be one of a, b, c; give"):
+        taken("left", wrong)
+
+
+def test_arrays_are_short_words_in_a_signature_and_other_lists_stay() -> None:
+    @checked
+    def taken(
+        first: ArrayLike, names: Sequence[str], last: ArrayLike | None = None
+    ) -> NDArray[np.float64]:
+        return np.asarray([first, names, last])
+
+    expected = "(first: ArrayLike, names: Sequence[str], last: ArrayLike | None = None) -> ndarray"
+    assert str(inspect.signature(taken)) == expected
+
+
+def test_arrays_of_a_kept_class_are_read_only_views_in_fields_and_tuples() -> None:
+    class Pair(NamedTuple):
+        one: Any
+        other: Any
+
+    @guard_result
+    @dataclass(frozen=True)
+    class Kept:
+        array: Any
+        several: Any
+        plain: Any
+
+    given, plain = np.zeros(3), (1.0, ("a", None))
+    kept = Kept(given, (given, Pair(given, 2.0)), plain)
+    for view in (kept.array, kept.several[0], kept.several[1].one):
+        with pytest.raises(ValueError, match="read-only"):
+            view[0] = 1.0
+    assert type(kept.several[1]) is Pair
+    assert kept.plain is plain
+    given[0] = 1.0
+    assert kept.array[0] == 1.0

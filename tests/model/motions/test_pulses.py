@@ -7,11 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from numpy.polynomial.hermite_e import hermeroots
 from numpy.typing import NDArray
 
 from rocksteady import Block, InputError, ModelError, Pulse, scale_motion
 from rocksteady.dynamics.history.base_motion import base_acceleration, displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.kernels.core.motions import ANTISYMMETRIC_BENDS, BENDS, BEYOND
+from rocksteady.model.motions._pulse_shapes import peak_of_unit_velocity
 from rocksteady.model.motions.pulses import PULSES
 from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE, GAMMA, NU, centred, type_c_phase
@@ -229,3 +232,20 @@ def test_a_reversed_pulse_is_its_mirror_image(shape: str) -> None:
     assert (turned.duration, turned.amplitude) == (pulse.duration, pulse.amplitude)
     with pytest.raises(InputError, match="reverse = 'yes' is not valid: it must be True or False"):
         Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, reverse="yes")  # type: ignore[arg-type]
+
+
+@every(("order", "bends"), [(5, BENDS[:2]), (6, ANTISYMMETRIC_BENDS)])
+def test_lines_along_a_ricker_wavelet_know_where_its_curvature_is_extreme(
+    order: int, bends: tuple[float, ...]
+) -> None:
+    """The n-th derivative of a Gaussian bell is the n-th Hermite polynomial times the bell."""
+    zeros = hermeroots([0.0] * order + [1.0])
+    assert bends == pytest.approx(zeros[zeros > 1e-9].tolist(), rel=BEYOND - 1.0)
+
+
+@every(("gamma", "nu"), [(1.5, 0.4), (2.5, 1.0), (4.0, -1.3)])
+def test_the_peak_of_unit_velocity_is_that_of_a_fine_grid(gamma: float, nu: float) -> None:
+    tau = np.linspace(-gamma * math.pi, gamma * math.pi, 2_000_001)
+    bell, falls = 0.5 * (1.0 + np.cos(tau / gamma)), 0.5 * np.sin(tau / gamma) / gamma
+    grid = np.abs(falls * np.cos(tau + nu) + bell * np.sin(tau + nu)).max()
+    assert peak_of_unit_velocity(gamma, nu) == pytest.approx(grid, rel=1e-10)

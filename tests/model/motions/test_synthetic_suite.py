@@ -1,6 +1,7 @@
 """Synthetic suites: named so, repeatable, and like records in what matters to rocking."""
 
 import numpy as np
+import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.seismic.measures.time_course import integrate_record
@@ -22,3 +23,12 @@ def test_its_velocities_end_at_zero_and_are_of_the_size_of_records() -> None:
         assert abs(course.velocity_m_s[-1]) < 1e-9 * peak
         assert 0.02 < peak / record.peak_acceleration_m_s2 < 0.4
         assert 1.0 < record.peak_acceleration_m_s2 < 6.0
+
+
+def test_grounds_are_of_1_2_to_5_hz_evenly_in_the_logarithm() -> None:
+    """The step of a motion is one part of the period of its ground."""
+    suite = make_synthetic_suite(200)
+    steps = np.sort([record.dt_s for record in suite])
+    assert steps[-1] / steps[0] == pytest.approx(5.0 / 1.2, rel=0.02)
+    assert np.median(steps) == pytest.approx(np.sqrt(steps[0] * steps[-1]), rel=0.02)
+    assert len(make_synthetic_suite()) == 24

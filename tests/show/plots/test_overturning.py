@@ -1,6 +1,7 @@
 """Plots of overturning spectra and of free rocking: each shows the numbers it was given."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import matplotlib as mpl
@@ -163,3 +164,39 @@ def test_the_curve_of_free_rocking_is_the_closed_form_with_its_marks_on_it() -> 
 def test_a_figure_has_its_title() -> None:
     figure = overturning_figure(found(), "one-sine pulse")
     assert figure.get_suptitle() == "one-sine pulse"
+
+
+def drawn(*ends: tuple[float, float, int, float, float, int]) -> Axes:
+    """Plot windows of two frequencies: ends and impacts at the first, then at the second."""
+    rows = np.array(ends, dtype=np.float64).reshape(-1, 2, 3).transpose(1, 0, 2)
+    windows = replace(
+        found(),
+        frequency_ratio=np.array([2.0, 3.0]),
+        low=rows[..., 0],
+        high=rows[..., 1],
+        impacts=rows[..., 2].astype(int),
+        side=np.ones(rows.shape[:2], dtype=int),
+    )
+    return plot_overturning(windows, Figure().add_subplot())
+
+
+def test_a_narrow_window_that_leans_is_drawn_through_to_the_next_frequency() -> None:
+    leans = drawn((2.0, 2.1, 0, 2.3, 2.4, 0), (5.0, 6.0, 1, 5.0, 6.0, 1))
+    assert fill_at(leans, 2.5, 2.2) == MODES[0][1]
+    jumps = drawn((2.0, 2.1, 0, 3.0, 3.1, 0), (5.0, 6.0, 1, 5.0, 6.0, 1))
+    assert fill_at(jumps, 2.5, 2.55) is None
+    alone = drawn((2.0, 2.1, 0, 2.3, 2.4, 0))
+    assert fill_at(alone, 2.5, 2.2) == MODES[0][1]
+
+
+def test_windows_of_one_way_that_touch_are_one_piece() -> None:
+    axes = drawn((2.0, 3.0, 2, 2.0, 3.0, 2), (2.2, 2.5, 3, 2.2, 2.5, 3), (3.0, 4.0, 5, 3.0, 4.0, 5))
+    pieces = [
+        path
+        for collection in axes.collections
+        if isinstance(collection, PolyCollection)
+        for path in collection.get_paths()
+    ]
+    (piece,) = pieces
+    heights = np.asarray(piece.vertices)[:, 1]
+    assert (heights.min(), heights.max()) == (2.0, 4.0)
