@@ -112,6 +112,8 @@ def test_defaults_are_those_of_the_function_that_runs(command: tool.Command) -> 
             continue
         if default is False:
             assert line == "*switch · default off*"
+        elif default is ...:
+            assert line.endswith("required*"), (names, line)
         else:
             assert line.endswith(f"default `{default}`*"), (names, line)
 
