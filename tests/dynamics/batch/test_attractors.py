@@ -47,7 +47,7 @@ def beginnings_of(cells: Cells) -> States:
 
 def settled(cells: Cells) -> Attractors:
     shaken = cells.amplitude, cells.frequency_ratio, cells.sides
-    return settled_cells(*shaken, beginnings_of(cells), CYCLES)
+    return settled_cells(*shaken, beginnings_of(cells), CYCLES, ())
 
 
 @models
@@ -127,7 +127,7 @@ def test_mirrored_motions_settle_to_the_mirror_image(model: Model) -> None:
     )
     sides = np.ascontiguousarray(cells.sides[:, ::-1])
     # Exchanged columns keep their units: the slenderness and p of what was the positive side.
-    other = settled_cells(cells.amplitude, cells.frequency_ratio, sides, turned, CYCLES)
+    other = settled_cells(cells.amplitude, cells.frequency_ratio, sides, turned, CYCLES, ())
     for name in ("kind", "period", "passages", "rests", "after", "lyapunov"):
         np.testing.assert_array_equal(getattr(other, name), getattr(one, name), err_msg=name)
     np.testing.assert_array_equal(other.highest, -one.lowest)
@@ -140,8 +140,8 @@ def test_one_block_for_all_cells_is_the_same_block_in_each(model: Model) -> None
     cells = random_cells(7, model, COUNT)
     sides = cells.sides[1]
     shaken, begin = (cells.amplitude, cells.frequency_ratio), beginnings_of(cells)
-    one = settled_cells(*shaken, sides, begin, CYCLES)
-    each = settled_cells(*shaken, np.tile(sides, (COUNT, 1, 1)), begin, CYCLES)
+    one = settled_cells(*shaken, sides, begin, CYCLES, ())
+    each = settled_cells(*shaken, np.tile(sides, (COUNT, 1, 1)), begin, CYCLES, ())
     for output in outputs_of_orbits():
         np.testing.assert_array_equal(getattr(one, output.name), getattr(each, output.name))
 

@@ -24,6 +24,7 @@ def ended(cells: Cells, cycles: int = CYCLES) -> Integers:
         velocity=cells.velocity,
         phase=cells.phase,
         cycles=cycles,
+        harmonics=(),
     )
 
 

@@ -133,6 +133,7 @@ def test_cells_against_a_wall_and_on_two_sides_do_not_disturb_each_other(alpha: 
         velocity=velocity,
         phase=zeros,
         cycles=cycles,
+        harmonics=(),
     )
     # Lanes of the linear model are for like sides: none of these is taken for one.
     np.testing.assert_array_equal(ends[alone], status[alone])

@@ -5,6 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from rocksteady.kernels.nonlinear import series
+from rocksteady.kernels.nonlinear._variation import COLUMNS, ROWS, STATE, advance, begin
+from rocksteady.kernels.nonlinear.drive import Drive, Instant
 from rocksteady.kernels.orbits.return_map import IMPACT, Section, next_passage
 from rocksteady.kernels.orbits.systems import System, make_system
 from tests.every import every
@@ -74,3 +77,27 @@ def test_small_slenderness_is_the_linear_map(seed: int) -> None:
         assert full.time == pytest.approx(plain.time, rel=1e-12)
         size = np.abs(plain.jacobian).max()
         np.testing.assert_allclose(full.jacobian, plain.jacobian, atol=1e-11 * size)
+
+
+def test_what_stood_in_the_working_space_changes_no_derivative() -> None:
+    """Terms beyond the degree are what was in memory; plain Python warns of their overflow."""
+    rng = np.random.default_rng(3)
+    short = 0
+    for _ in range(20):
+        alpha, amplitude, frequency, angle, speed, turned = rng.uniform(
+            [0.05, 0.1, 1.0, 0.0, -0.8, 0.0], [1.0, 3.0, 12.0, 0.9, 0.8, 6.0]
+        ).tolist()
+        drive = Drive(alpha, 0.0, 0.0, amplitude, frequency, 0.0, 0.0, 0.0)
+        states = []
+        for left in (0.0, 1e300, -1e300):
+            work = np.full((series.WORK_ROWS, series.TERMS), left)
+            course = np.full((ROWS, COLUMNS), left)
+            begin(course)
+            at = Instant(0.0, angle, speed, math.sin(turned), math.cos(turned), False)
+            for reach in (0.3, 0.02):
+                degree, step = series.expand(drive, at, reach, 1e-15, work)
+                advance(drive, work, degree, step, course)
+                short += degree < series.TERMS - 1
+            states.append(course[STATE, :4].tobytes())
+        assert len(set(states)) == 1
+    assert short > 60

@@ -269,6 +269,7 @@ def shaken(a: Any, b: Any) -> Any:
         velocity=0.0 * a,
         phase=0.0 * a,
         cycles=2,
+        harmonics=(),
     )
     return some(a, b)
 

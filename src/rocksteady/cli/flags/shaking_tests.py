@@ -32,6 +32,13 @@ objects_flag = partial(
     "Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
     "beside --tests.",
 )
+PRIOR = (
+    "--prior FILE",
+    (
+        "Read the priors of objects and of errors from a file in TOML: \\[noise] sigma_ln and "
+        "outliers, \\[object] base, offset, restitution or housner_factor, scatter."
+    ),
+)
 records_flag = partial(
     test_flag,
     "--records DIR",

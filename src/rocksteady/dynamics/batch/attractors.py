@@ -123,7 +123,7 @@ def settled_cells(
     sides: Floats,
     begin: States,
     cycles: int,
-    harmonics: Harmonics = (),
+    harmonics: Harmonics,
 ) -> Attractors:
     """Return what motions settle to, each from its own state.
 
@@ -201,7 +201,7 @@ def load_kernel() -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
     nothing = np.empty(0)
     begin = starting(nothing, nothing, 0, 0.0)
-    settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
+    settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1, ())
 
 
 def starting(

@@ -40,7 +40,7 @@ def ends_of(
     velocity: Floats,
     phase: Floats,
     cycles: int,
-    harmonics: Harmonics = (),
+    harmonics: Harmonics,
 ) -> Integers:
     """Return how motions end.
 
@@ -119,4 +119,5 @@ def load_kernel(model: Model) -> None:
         velocity=nothing,
         phase=nothing,
         cycles=1,
+        harmonics=(),
     )

@@ -101,4 +101,4 @@ def find_attractors(
     sides = symmetric_sides(r)
     if one_sided:
         sides[:, 0, RESTITUTION], sides[:, 1, RESTITUTION] = -r, 1.0
-    return settled_cells(a, w, sides, begin, FORCING_PERIODS("max_cycles", max_cycles))
+    return settled_cells(a, w, sides, begin, FORCING_PERIODS("max_cycles", max_cycles), ())

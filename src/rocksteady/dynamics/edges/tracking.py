@@ -432,6 +432,7 @@ def _fatal(
         velocity=states[:, 1].copy(),
         phase=np.full(count, phase),
         cycles=cycles,
+        harmonics=(),
     )
     falls = np.flatnonzero(status == int(Status.OVERTURNED))
     if not len(falls) or falls[0] == 0:

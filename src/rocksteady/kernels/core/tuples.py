@@ -55,9 +55,9 @@ class Kept(NamedTuple):
         Array of shape (flights, 8) that receives the flights, as many as a first march without
         rows (0, 8) has counted: a march does not depend on whether it is recorded.
     peaks
-        Array of shape (2,) in which the largest |theta|/alpha of either side and the largest
-        |velocity| are kept, those that it comes with included, up to the end or the proof of
-        overturning; or of shape (0,).  In shape (11,) they are followed by what
+        Array of shape (2,) for the largest |theta|/alpha of either side and the largest |velocity|
+        up to the end, or to the proof of overturning; values already in it are kept where they are
+        larger.  Of shape (0,): no peaks.  In shape (11,) they are followed by what
         `kernels.core.tables.keep_passage` keeps.
     """
 

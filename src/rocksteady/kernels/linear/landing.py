@@ -18,7 +18,7 @@ def landing_jacobian(
 ) -> tuple[float, float, float, float]:
     """Return d(psi', v') / d(psi, v) row by row, of a flight from angle 0 that lands at a zero.
 
-    Velocity and phase at the landing are those that the search for it has found: from the initial
+    Velocity and phase at the landing are taken from the zero: computed again from the initial
     state they would lose digits in long flights.  The forcing has no slope.  The new phase is
     counted in the old side's frame; a change of side adds pi, which changes no derivative.
     """

@@ -12,7 +12,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.options import Panel
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
-from rocksteady.cli.flags.shaking_tests import prior_of, temper_of
+from rocksteady.cli.flags.shaking_tests import PRIOR, prior_of, temper_of
 from rocksteady.cli.flags.sweep import executor_flag, workers_flag
 from rocksteady.errors import InputError
 from rocksteady.show.export.files import check_apart
@@ -54,11 +54,7 @@ def back_analyse(
         "Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
         "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
     ),
-    prior: Path | None = survey_flag(
-        "--prior FILE",
-        "Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
-        "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-    ),
+    prior: Path | None = survey_flag(*PRIOR),
     measure: list[str] | None = scan_flag(
         "--measure NAME[:S]",
         "Set the measures, two or more flags; the region is in the first two. pga_g and "

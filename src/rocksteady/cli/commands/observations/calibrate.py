@@ -15,6 +15,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.shaking_tests import (
+    PRIOR,
     SamplingFlags,
     TableFlags,
     prior_of,
@@ -59,11 +60,7 @@ def calibrate(
     table: TableFlags,
     sampled: SamplingFlags,
     output: OutputFlags,
-    prior: Path | None = test_flag(
-        "--prior FILE",
-        "Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
-        "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
-    ),
+    prior: Path | None = test_flag(*PRIOR),
     model: str = sampling_flag(
         "--model NAME",
         "Choose the equations of motion: nonlinear (the full equations) or linear (slender "
