@@ -27,7 +27,7 @@ PLACES = {
 KEYS = {"heading", "label", "long_name", "title", "xlabel", "ylabel"}
 """Names of arguments and keys whose texts are labels everywhere."""
 TABLES = {"AXIS", "LABELS"}
-"""Constants of a module whose values are."""
+"""Constants of a module whose values are labels."""
 MEANT = {"height [m]": "keys of an axis, by its name, and of a drawing, by its unit"}
 """Texts that stand in several places for a reason, and the reason."""
 

@@ -43,12 +43,12 @@ class Checks:
         return sorted({check for found in own for check in found})
 
     def write(self, file: Path) -> None:
-        """Write all of it."""
+        """Write the checks as JSON."""
         file.write_text(json.dumps(vars(self)), encoding="utf-8")
 
     @classmethod
     def read(cls, file: Path) -> "Checks":
-        """Return what was written."""
+        """Read checks that `write` has written."""
         return cls(**json.loads(file.read_text(encoding="utf-8")))
 
 

@@ -65,7 +65,7 @@ def counted_otherwise(probability: float, counted: float) -> bool:
 
 
 def judged_share(probability: float | None, counted: float | None) -> float | None:
-    """Return what a verdict is from: a curve's probability, or the share counted where far above.
+    """Return the probability of a verdict: the share counted, if far above that of the curve.
 
     Examples
     --------

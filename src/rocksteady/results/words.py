@@ -14,24 +14,24 @@ from rocksteady.results.numbers import quantity
 
 
 class Label(NamedTuple):
-    """What people read of a field, and its form in JSON."""
+    """Words, unit and form of a field for people, and its form in JSON."""
 
     words: str | None = None
-    """The words before the value, by default its name; empty of what JSON alone has."""
+    """The words before the value, by default its name; empty for a field of JSON alone."""
     text: Callable[[Any], str] | None = None
-    """Writes the value; by default with its unit, or with three significant digits."""
+    """Formats the value; by default with its unit, or with three significant digits."""
     unit: str = ""
-    """Unit in which people read it."""
+    """Unit of the value in text."""
     plain: Callable[[Any], Any] | None = None
-    """Makes it plain, or each item of it, as `number_or_none` where NaN is null in JSON."""
+    """Converts the value, or each of its items, for JSON, as `number_or_none` makes NaN null."""
     optional: bool = False
-    """Whether people read nothing where it is None or has no text."""
+    """Whether text leaves the field out where it is None or empty."""
 
 
 def facts_of(result: object, *parts: str | Fact, **texts: str) -> list[Fact]:
     """Return facts on fields and properties, by their labels.
 
-    What has a label and is not named follows at the end, in the order of the class: a new field
+    Labelled fields that are not named follow at the end, in the order of the class: a new field
     needs no line but its own.
 
     Parameters
@@ -40,9 +40,9 @@ def facts_of(result: object, *parts: str | Fact, **texts: str) -> list[Fact]:
         An object whose class has labels in its annotations.
     parts
         Names of fields and properties, with spaces between them, and facts made elsewhere, in the
-        order of the JSON object.  What has no label is for JSON alone.
+        order of the JSON object.  A field without a label is for JSON alone.
     texts
-        Values as people read them, by name, in place of what their labels write.
+        Texts of values by field, which replace those of their labels.
     """
     labels = labels_of(type(result))
     facts: list[Fact] = []
@@ -52,9 +52,9 @@ def facts_of(result: object, *parts: str | Fact, **texts: str) -> list[Fact]:
         else:
             names = part.split()
             facts += [_fact(result, name, labels.get(name, Label("")), texts) for name in names]
-    rest = labels.keys() - {fact.key for fact in facts}
+    named = {fact.key for fact in facts}
     return facts + [
-        _fact(result, name, label, texts) for name, label in labels.items() if name in rest
+        _fact(result, name, label, texts) for name, label in labels.items() if name not in named
     ]
 
 
@@ -86,12 +86,12 @@ def _fact(result: object, name: str, label: Label, texts: Mapping[str, str]) -> 
     return Fact(name, _plain(value, label.plain), words, text)
 
 
-def _plain(value: Any, one: Callable[[Any], Any] | None) -> Any:
-    """Return a value in the types of JSON."""
+def _plain(value: Any, convert: Callable[[Any], Any] | None) -> Any:
+    """Return a value in the types of JSON, each of its items converted."""
     if getattr(value, "ndim", 0):  # an array
         value = value.tolist()
     if isinstance(value, tuple | list):
-        return [_plain(each, one) for each in value]
+        return [_plain(each, convert) for each in value]
     if isinstance(value, Mapping):
-        return {key: _plain(each, one) for key, each in value.items()}
-    return value if one is None else one(value)
+        return {key: _plain(each, convert) for key, each in value.items()}
+    return value if convert is None else convert(value)

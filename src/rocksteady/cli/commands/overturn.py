@@ -52,7 +52,7 @@ EXAMPLES = (
 
 
 class Search(NamedTuple):
-    """What is searched for, and how that is shown; `find` takes the run that is left.
+    """A search and its figure; `find` takes the `Run` alone.
 
     In errors `flags` stand in place of arguments.
     """

@@ -83,7 +83,7 @@ def needs(
     other, example
         What is needed, and a value that it may have.
     beside
-        The value of the other; none by default.
+        Value of the flag that is needed; None or False where it is not given.
 
     Raises
     ------

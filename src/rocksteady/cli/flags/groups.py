@@ -217,12 +217,12 @@ class AnimationFlags:
 
 
 def check_ending(flag: str, file: Path | None, *endings: str) -> None:
-    """Refuse a file whose name has none of some endings.
+    """Refuse a file whose name has none of the endings.
 
     Raises
     ------
     OutputError
-        If there is a file, and it has none.
+        If there is a file, and it has another ending.
     """
     if file is not None and file.suffix.lower() not in endings:
         valid = "the extension sets the format: " + ", ".join(endings)
@@ -267,7 +267,7 @@ def grouped(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _flag(parameter: inspect.Parameter, field: Any) -> inspect.Parameter:
-    """Return a parameter with the flag of its field, if that has one, where typer finds it."""
+    """Return a keyword parameter, annotated for typer with the flag of its field, if any."""
     parameter = parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
     if not isinstance(field, Field) or options.FLAG not in field.metadata:
         return parameter

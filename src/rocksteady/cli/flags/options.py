@@ -7,15 +7,15 @@ from typing import Any
 import typer
 
 FLAG = "flag"
-"""Key of what typer takes for a flag, in the metadata of its field."""
+"""Key of the typer option in the metadata of a field."""
 
 
 @dataclass(frozen=True)
 class Panel:
     """A panel of `--help`, which makes its flags.
 
-    They are made of their names with what stands for the value, as "--amplitude -A A", and of
-    their help.
+    A flag is made from its names and the placeholder of its value, as "--amplitude -A A", and
+    from its help.
     """
 
     name: str

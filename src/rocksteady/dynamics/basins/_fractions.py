@@ -28,7 +28,7 @@ def counted(states: int, window: int, confidence: float) -> dict[str, Any]:
 
 
 def fraction_described(fraction: Any, name: str, *facts: Fact) -> Description:
-    """Return the share with its interval, after the facts that say of what it is."""
+    """Return the share with its interval, after the facts on what is counted."""
     between = f"{number(100.0 * fraction.low)} to {number(100.0 * fraction.high)} %"
     share = f"{number(100.0 * fraction.share)} %"
     counts = [
@@ -41,7 +41,7 @@ def fraction_described(fraction: Any, name: str, *facts: Fact) -> Description:
 
 
 def with_between(rows: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
-    """Return the rows of fractions with both ends of the interval in one text."""
+    """Return the rows of fractions, each with its interval in words."""
     return [
         {**row, "between": f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"}
         for row in rows

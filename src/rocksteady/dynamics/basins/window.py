@@ -30,7 +30,7 @@ BEHIND = (
 )
 """What is valid of the states of such a block, and what to give."""
 LONG_NAMES = {"angle": "theta/alpha", "velocity": "d(theta/alpha)/d(p t)"}
-"""Of the axes of a window."""
+"""Long names of the axes of a window."""
 ROUNDED = 1.0 - 1e-9
 HALF_UNIT = 5e-13
 """Half a unit of the last of them."""
@@ -162,7 +162,7 @@ def window_text(result: Any) -> str:
 
 
 def axis_facts(result: Any) -> list[Fact]:
-    """Return both axes of the window of a result: first, last and number of points."""
+    """Return first, last and number of the points along both axes of a window."""
     return [
         Fact(key, {"start": float(axis[0]), "stop": float(axis[-1]), "count": len(axis)})
         for key, axis in (("angles", result.angle), ("velocities", result.velocity))
@@ -170,7 +170,7 @@ def axis_facts(result: Any) -> list[Fact]:
 
 
 def coordinates_of(result: Any, *names: str, **attributes: str) -> dict[str, Any]:
-    """Return axes of a window as coordinates of a dataset, in this order."""
+    """Return axes of a window, in the order given, as coordinates of a dataset."""
     return {
         name: (name, getattr(result, name), {"long_name": LONG_NAMES[name], **attributes})
         for name in names

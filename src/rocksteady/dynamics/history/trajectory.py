@@ -84,14 +84,14 @@ class Trajectory(Described):
 
     @cached_property
     def _timed(self) -> tuple[Floats, RunFacts]:
-        """Pivot time at which each row begins, and what the run amounts to."""
+        """Pivot time at which each row begins, and the facts of the run."""
         starts = np.empty(len(self.rows))
         tables = Tables(self.segments, self.sides)
         return starts, run_facts(tables, self.rows, int(self.status), starts)
 
     @property
     def _facts(self) -> RunFacts:
-        """What the run amounts to."""
+        """Times and peaks of the run."""
         return self._timed[1]
 
     @cached_property
@@ -211,8 +211,9 @@ class Trajectory(Described):
     @cached_property
     def _landings(self) -> Impacts:
         """All impacts, however slow."""
-        landings, tables = np.empty((LANDING_ROWS, len(self.rows))), (self.segments, self.sides)
-        count = fill_landings(Tables(*tables), self.rows, self._timed[0], landings)
+        landings = np.empty((LANDING_ROWS, len(self.rows)))
+        tables = Tables(self.segments, self.sides)
+        count = fill_landings(tables, self.rows, self._timed[0], landings)
         pt, half_cycles, phase, side, before, after = landings[:, :count]
         return Impacts(
             pt=pt,

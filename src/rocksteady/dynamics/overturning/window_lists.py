@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
-"""Fields that say what a search has left."""
+"""Fields on amplitudes that a search leaves out, undecided or unsettled."""
 
 
 class OverturningWindow(NamedTuple):
@@ -126,7 +126,7 @@ class WindowLists(Result):
         ]
 
     def _left(self, row: int) -> dict[str, Any]:
-        """Return what the search has left in one row."""
+        """Return what is left out, undecided or unsettled in one row."""
         return {name: getattr(self, name)[row].item() for name in LEFT}
 
     def _variables(self, rows: str, unit: Mapping[str, str], *more: str) -> dict[str, Any]:
@@ -139,7 +139,7 @@ class WindowLists(Result):
         unit
             Attributes of an amplitude.
         more
-            Fields besides, of shape (rows,), which stand before what the search has left.
+            Further fields of shape (rows,), which stand before those of `LEFT`.
         """
         words = dict.fromkeys(("low", "high", "first", "top"), unit)
         words["impacts"] = {"units": "1", "long_name": f"{COUNTED_IMPACTS}; -1: no window"}

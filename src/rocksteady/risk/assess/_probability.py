@@ -89,7 +89,7 @@ class Probability:
     method
         The same in words, with the restitutions.
     counted
-        Share of the runs at the demand that fall; None of what is not run.
+        Share of the runs at the demand that fall; None without runs.
     """
 
     value: float | None
@@ -100,7 +100,7 @@ class Probability:
 
     @property
     def judged(self) -> float | None:
-        """What verdict and colour are from: the share counted where it is far above the curve."""
+        """Probability of verdict and colour: the share counted, if far above the curve."""
         return judged_share(self.value, self.counted)
 
 

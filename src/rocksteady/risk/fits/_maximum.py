@@ -19,8 +19,6 @@ from rocksteady.risk.fits._trial_counts import Counts
 Floats = NDArray[np.float64]
 LARGEST_LOG = 690.0
 """Of a median: exp of more is beyond the floats."""
-FEWEST_PER_STRIPE = 10
-"""Trials of a stripe whose share is compared with the curve."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -34,7 +34,7 @@ def figure(content: str, label: str = "") -> Cell:
 
 
 def named(name: str, width: str = "", more: str = "") -> Cell:
-    """Return the cell of a name as its owner gives it, and of what stands behind it."""
+    """Return the cell of a name as its owner gives it, with markup after it."""
     return Cell(isolated(name) + more, f"{width} name".strip())
 
 
@@ -54,12 +54,12 @@ def digest(sha256: str) -> Markup:
 
 
 def quiet(text: str | None) -> Markup:
-    """Return a text, after a space, in the colour of what matters less; nothing of None."""
+    """Return a space and a text in a faint colour; nothing for None."""
     return Markup() if text is None else Markup(' <span class="quiet">{}</span>').format(text)
 
 
 def under(text: str | None) -> Markup:
-    """Return a text as a line of small letters; nothing of None."""
+    """Return a text as a line of small letters; nothing for None."""
     return Markup() if text is None else Markup('<span class="under">{}</span>').format(text)
 
 

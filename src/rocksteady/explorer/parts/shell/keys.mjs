@@ -83,8 +83,10 @@ function othersKey(app, event, target) {
   const seen = seenPanels(app).filter((panel) => panel.keys && panel.canvas !== target);
   const first = mainPanel(app);
   const ordered = [...seen.filter((panel) => panel === first), ...seen];
-  for (const panel of ordered) app.bring(panel);
-  return ordered.some((panel) => panel.keys?.(event) === true);
+  return ordered.some((panel) => {
+    app.bring(panel);
+    return panel.keys?.(event) === true;
+  });
 }
 
 /** @param {App} app */

@@ -5,6 +5,7 @@
 /** @import { FateSeries } from './shaken.mjs' */
 import { followPointer } from './dragging.mjs';
 import { GRAVITY, evaluate } from '../../physics/case.mjs';
+import { RUN_STATUS } from '../../physics/run.mjs';
 import { drawPeaks } from './peaks.mjs';
 import { askFates, fallenOf, few, shakenBy } from './shaken.mjs';
 
@@ -119,9 +120,8 @@ export function makeSpectrumPanel(app) {
  * @returns {(string | number)[][]}
  */
 export function rowsOf(series, degrees) {
-  const words = ['rocking', 'at-rest', 'overturned', 'lost-contact', 'undecided'];
   if (!series) return [];
-  return Array.from(series.values, (value, k) => [value, words[series.status[k]] ?? 'not computed',
+  return Array.from(series.values, (value, k) => [value, RUN_STATUS[series.status[k]] ?? 'not computed',
     Number.isNaN(series.peak[k]) ? '' : series.peak[k] * degrees,
     Number.isNaN(series.impacts[k]) ? '' : series.impacts[k]]);
 }
