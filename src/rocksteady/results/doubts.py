@@ -64,14 +64,12 @@ def counted_otherwise(probability: float, counted: float) -> bool:
     return math.isfinite(counted) and abs(probability - counted) > MOST_MISFIT
 
 
-def judged_share(probability: float | None, counted: float | None) -> float | None:
-    """Return the probability of a verdict: the share counted, if far above that of the curve.
+def far_above(probability: float, counted: float) -> float:
+    """Return a share counted at a demand where it is far above the curve, else the probability.
 
     Examples
     --------
-    >>> judged_share(0.04, 0.5), judged_share(0.7, 0.5), judged_share(0.36, 0.4)
+    >>> far_above(0.04, 0.5), far_above(0.7, 0.5), far_above(0.36, 0.4)
     (0.5, 0.7, 0.36)
     """
-    if probability is None or counted is None or not counted_otherwise(probability, counted):
-        return probability
-    return max(probability, counted)
+    return max(probability, counted) if counted_otherwise(probability, counted) else probability

@@ -470,3 +470,47 @@ def test_a_remedy_may_make_it_too_stocky_for_a_wall_to_turn_it_back() -> None:
     body = wall.body.wider(5.0)
     assert wall.block_of(body).restitution == 0.0
     assert wall.block_of(wall.body.wider(1.1)).restitution > 0.0
+
+
+def test_a_stocky_object_has_an_answer_though_no_wider_one_rocks() -> None:
+    """Three times its width has no restitution by Housner: the assessment ended in an error."""
+    geometry = {"width_m": 0.4, "height_m": 1.0}
+    options = {"draws": 1, "replicates": 0}
+    chest = ObjectFile(
+        values={
+            "name": "chest",
+            "geometry": geometry,
+            "demand": {"pga_g": 0.5, "pgv_m_s": 0.9},
+            "assessment": options,
+        }
+    )
+    found = assess_object(chest, make_synthetic_suite(4))
+    assert found.verdict == "above target"
+    (width,) = (each for each in found.remedies if each.name == "width")
+    assert width.value is None or width.value < 1.0
+
+
+def test_a_curve_that_is_nearly_flat_has_infinite_quantiles_and_an_answer() -> None:
+    values: dict[str, Any] = {
+        "name": "post",
+        "geometry": {"width_m": {"low": 0.18, "high": 0.22}, "height_m": 2.4},
+        "demand": {"pga_g": 0.3, "pgv_m_s": 0.2},
+        "assessment": {"draws": 3, "levels": 6, "replicates": 0, "target_probability": 0.3},
+    }
+    found = assess_object(ObjectFile(values=values), make_synthetic_suite(2, seed=2))
+    assert found.verdict in ("below target", "above target")
+
+
+def test_an_object_whose_nominal_size_stays_is_told_so() -> None:
+    values: dict[str, Any] = {
+        "name": "shelf",
+        "geometry": {"width_m": {"low": 0.27, "high": 0.33}, "height_m": 1.2},
+        "demand": {"pga_g": 0.24, "pgv_m_s": 0.5},
+        "assessment": {"draws": 1, "levels": 6, "replicates": 0},
+    }
+    found = assess_object(ObjectFile(values=values), make_synthetic_suite(4))
+    assert found.cases[0].basis == "statics"
+    assert found.verdict == "above target"
+    (width,) = (each for each in found.remedies if each.name == "width")
+    assert "an end of its ranges alone" in width.words
+    assert (width.probability, width.trials) == (0.0, None)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from rocksteady.results.doubts import judged_share
+from rocksteady.results.doubts import far_above
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
@@ -100,8 +100,10 @@ class Probability:
 
     @property
     def judged(self) -> float | None:
-        """Probability of verdict and colour: the share counted, if far above the curve."""
-        return judged_share(self.value, self.counted)
+        """What verdict and colour are from: the share counted where it is far above the curve."""
+        if self.value is None or self.counted is None:
+            return self.value
+        return far_above(self.value, self.counted)
 
 
 NO_ANSWER = Probability(value=None)

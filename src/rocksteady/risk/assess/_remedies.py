@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.results.numbers import length, number, percent
@@ -45,6 +46,8 @@ SMALLEST = 1e-3
 """Probability below which a step takes every other for the same."""
 NO_FALLS = "not worked out: the runs about the demand are within the target as they are"
 """Of remedies where the runs about the demand have nothing to remedy."""
+STAYS = "not worked out: the demand lifts an end of its ranges alone, not the object as described"
+"""Of remedies where the object as described stays where it stands."""
 NO_LIFT = "not worked out: no run lifts the object so changed at the demand"
 """Of remedies whose probability is not known."""
 
@@ -192,11 +195,11 @@ class Search:
             counts = self.runs(block)
             case = case_of("", "", counts, rests=stays(self.described, block))
             rounds += 1
-            if case.probability <= self.target:
+            if case.judged <= self.target:
                 # An end that has stood twice counts half, so that the other comes to it.
                 above *= 0.5
                 best, high, below = (change, case), change, self._beyond(case)
-            elif math.isnan(case.probability):
+            elif math.isnan(case.judged):
                 self.unknown = True
                 break
             elif change == most or rounds == ROUNDS:
@@ -214,12 +217,35 @@ class Search:
             change = math.expm1(math.log1p(low) + part * apart)
         return (None, case) if best is None else best
 
+    def reach(self, made: Callable[[float], Body], most: float) -> float:
+        """Return the largest change, `most` at most, of which a block can be made that rocks."""
+
+        def rocks(change: float) -> bool:
+            try:
+                self.described.block_of(made(change))
+            except InputError:  # Housner's restitution of a stocky block is none
+                return False
+            return True
+
+        low, high = 0.0, most
+        if rocks(most):
+            return most
+        while high - low > FINEST:
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if rocks(middle) else (low, middle)
+        return low
+
+    @property
+    def idle(self) -> str:
+        """Why no change of the object as described is needed."""
+        return STAYS if stays(self.described, self.described.block) else NO_FALLS
+
     def _beyond(self, case: Case) -> float:
         """Return by how much a probability is above the target, in standard deviations."""
         from scipy.special import ndtri
 
         fitted, target = (
-            min(max(share, SMALLEST), 1.0 - SMALLEST) for share in (case.probability, self.target)
+            min(max(share, SMALLEST), 1.0 - SMALLEST) for share in (case.judged, self.target)
         )
         # Exactly at the target is still below.
         return float(ndtri(fitted) - ndtri(target)) or -SMALLEST
@@ -275,12 +301,13 @@ def _width(search: Search) -> Remedy:
     """Return the least width between the edges."""
     body = search.described.body
     before = body.left + body.right
-    change, case = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
+    most = search.reach(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
+    change, case = search.least(lambda change: body.wider(1.0 + change), most)
     if change is None:
-        words = f"not even {MOST_WIDTH:g} times the width is enough"
+        words = f"not even {number(1.0 + most)} times the width is enough"
         return _of_runs(case, "width", NO_LIFT if search.unknown else words, unit="m")
     if change == 0.0:
-        return _of_runs(case, "width", NO_FALLS, unit="m")
+        return _of_runs(case, "width", search.idle, unit="m")
     width = before * (1.0 + change)
     return _of_runs(
         case,
@@ -300,15 +327,17 @@ def _ballast(search: Search) -> Remedy:
     if body.centre_height <= BALLAST_HEIGHT_M:
         case = case_of("", "", search.runs(search.described.block))
         return _of_runs(case, "ballast", "the mass centre is at the base already")
-    share, case = search.least(
-        lambda share: body.with_share(share, BALLAST_HEIGHT_M) if share > 0.0 else body,
-        MOST_BALLAST,
-    )
+
+    def made(share: float) -> Body:
+        return body.with_share(share, BALLAST_HEIGHT_M) if share > 0.0 else body
+
+    most = search.reach(made, MOST_BALLAST)
+    share, case = search.least(made, most)
     if share is None:
-        words = f"not even {MOST_BALLAST:g} times its mass is enough"
+        words = f"not even {number(most)} times its mass is enough"
         return _of_runs(case, "ballast", NO_LIFT if search.unknown else words)
     if share == 0.0:
-        return _of_runs(case, "ballast", NO_FALLS)
+        return _of_runs(case, "ballast", search.idle)
     mass = None if body.mass_kg is None else share * body.mass_kg
     centre = body.with_share(share, BALLAST_HEIGHT_M).centre_height
     amount = f"{number(100.0 * share)} % of its mass" if mass is None else f"{number(mass)} kg"
@@ -350,12 +379,13 @@ def _friction_cap(described: ObjectFile) -> Remedy:
 
 def _of_runs(case: Case, name: str, words: str, **fields: Any) -> Remedy:
     """Return a remedy with the probability of the runs of the object so changed."""
+    of_runs = case.basis != "statics"
     return Remedy(
         name=name,
         words=words,
         probability=case.probability,
         basis=case.basis,
-        fell=case.fell,
-        trials=case.trials,
+        fell=case.fell if of_runs else None,
+        trials=case.trials if of_runs else None,
         **fields,
     )

@@ -9,6 +9,7 @@ import numpy as np
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.doubts import far_above
 from rocksteady.risk.assess._counts import (
     MULTIPLES,
     THE_DEMAND,
@@ -47,7 +48,7 @@ class Case:
         Probability of falling at the demand: fitted over the levels about it, and the share of the
         runs there; where no curve can be fitted both are the share.
     basis
-        What the probability is from: "curve" or "count".
+        What the probability is from: "curve", "count", or "statics" (the PGA does not lift it).
     fell, trials
         Runs at the demand.
     median
@@ -62,6 +63,13 @@ class Case:
     fell: int
     trials: int
     median: float
+
+    @property
+    def judged(self) -> float:
+        """What a target is compared with: the share counted where it is far above the curve."""
+        if self.basis == "statics":
+            return self.probability
+        return far_above(self.probability, self.counted)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, None for what does not exist."""
@@ -166,7 +174,7 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
         change=change,
         probability=0.0 if rests else probability if fitted else counted,
         counted=counted,
-        basis="curve" if fitted else "count",
+        basis="statics" if rests else "curve" if fitted else "count",
         fell=fell,
         trials=trials,
         median=float(curve.median),

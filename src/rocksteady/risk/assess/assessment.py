@@ -272,8 +272,8 @@ class Assessment(Result):
             warnings.append(
                 "What matters and what helps is fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
-                f"{percent(self.cases[0].probability)} for the object as described; the answer is "
-                "of the curve through all levels."
+                f"{percent(self.cases[0].probability)} for the object as described; the "
+                "probability is of the curve through all levels."
             )
         warnings += [remark for risk in self.risks for remark in risk.remarks]
         return list(dict.fromkeys(warnings))
@@ -421,7 +421,8 @@ def _rocking(
     remedies: tuple[Remedy, ...] = ()
     if answer.judged and answer.judged > findings.target:
         # Where the runs about the demand give less than the answer, remedies owe the same factor.
-        goal = findings.target * min(1.0, cases[0].probability / answer.judged)
+        share = min(1.0, cases[0].judged / answer.judged) if cases[0].judged else 1.0
+        goal = findings.target * share
         remedies = find_remedies(Search(described, suite, level, goal, inner))
     assessed = replace(
         assessment,

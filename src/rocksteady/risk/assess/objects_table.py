@@ -68,8 +68,9 @@ class ObjectsTable(Result):
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
-        `Assessment`, the share ``counted`` at the demand, of those ``tried``, and the probability
-        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
+        `Assessment`, the share ``counted`` at the demand, of those ``tried``, the probability that
+        is ``judged`` (the share where it is more than 10 points above the curve), and that by the
+        ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
         of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
@@ -155,7 +156,7 @@ class ObjectsTable(Result):
             tables=[
                 Table(
                     "objects",
-                    sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]]),
+                    sorted(self.sorted_by("judged"), key=lambda row: ORDER[row["colour"]]),
                     columns,
                     kind=lambda row: str(row["colour"]),
                     alarm="red",
@@ -319,6 +320,7 @@ def _row(
         "basis": answer.basis,
         "method": answer.method,
         "counted": number_or_none(counts.share),
+        "judged": answer.judged,
         "closed_form": closed,
         **counts._asdict(),
         "alpha_rad": side.alpha,
@@ -351,7 +353,8 @@ def _sentence(
         return f"{name} stands: {peak_words(described.demand)} does not lift it."
     if answer.basis == "count":  # a share is no smaller than one of the runs
         return f"{name}: {fell or 'none'} of its {runs} fall at {with_article(level.words)}."
+    decides = "" if answer.judged == answer.value else ", which decides"
     return (
         f"{name}: {share_words(answer.value).lower()} objects of its shape and size would fall at "
-        f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell."
+        f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell{decides}."
     )

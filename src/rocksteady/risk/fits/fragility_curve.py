@@ -170,13 +170,16 @@ class FragilityCurve(Result):
         Returns
         -------
         float
-            NaN without a curve.
+            NaN without a curve, infinite where a flat one reaches it at no number.
         """
         p = SHARE("probability", probability)
         if self.status != FITTED:
             return self.median
         eta = float(family_of(self.family).quantile(np.array(p)))
-        return self.median * math.exp(self.beta * eta)
+        try:
+            return self.median * math.exp(self.beta * eta)
+        except OverflowError:
+            return math.inf
 
     @property
     def aic(self) -> float:

@@ -1,6 +1,7 @@
 """Fragility in two stages: whether an object uplifts, and whether it then fails."""
 
 import math
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Literal
@@ -185,7 +186,8 @@ class TwoStageCurve(Result):
         Returns
         -------
         float
-            Where a step jumps over the probability, the step; NaN without a curve.
+            Where a step jumps over the probability, the step; NaN without a curve, infinite where
+            a flat one reaches it at no number.
         """
         from scipy.optimize import brentq
 
@@ -204,8 +206,11 @@ class TwoStageCurve(Result):
         def excess(log_intensity: float) -> float:
             return float(self.probability(math.exp(log_intensity))) - p
 
-        low, high = math.log(low) - ROUNDING, math.log(high) + ROUNDING
-        return math.exp(brentq(excess, low, high, xtol=1e-14, rtol=1e-14))
+        top = math.log(sys.float_info.max)
+        low, high = math.log(low) - ROUNDING, min(math.log(high) + ROUNDING, top)
+        if high == top and excess(high) < 0.0:  # a nearly flat stage
+            return math.inf
+        return math.exp(brentq(excess, low, high, xtol=1e-14, rtol=1e-14, maxiter=1000))
 
     def describe(self) -> Description:
         """Return both stages, the product and the plain curve's misfit."""

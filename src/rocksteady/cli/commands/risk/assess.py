@@ -84,7 +84,7 @@ def assess(
     ),
     check: bool = options.output_flag(
         "--check",
-        "Leave with exit code 1 where a probability is above the target, or an object slides.",
+        "Leave with exit code 1 where an object does not meet the target, or slides.",
         default=False,
     ),
     target: float | None = demand_flag(
