@@ -308,7 +308,7 @@ def test_arrays_are_short_words_in_a_signature_and_other_lists_stay() -> None:
         return np.asarray([first, names, last])
 
     expected = "(first: ArrayLike, names: Sequence[str], last: ArrayLike | None = None) -> ndarray"
-    assert str(inspect.signature(taken)) == expected
+    assert str(inspect.signature(taken)).partition("[Any")[0] == expected  # of earlier NumPy too
 
 
 def test_arrays_of_a_kept_class_are_read_only_views_in_fields_and_tuples() -> None:
