@@ -1,0 +1,31 @@
+"""Rows of the page of an assessment: remedies out of reach, and the one of the least change."""
+
+from types import SimpleNamespace
+from typing import Any
+
+from rocksteady.show.assessment._assessment_tables import _remedy_words
+
+
+def remedy(words: str, change: float | None, probability: float = 0.05) -> Any:
+    """Return what the table reads of a remedy."""
+    return SimpleNamespace(words=words, change=change, probability=probability)
+
+
+def words_of(*remedies: Any) -> tuple[str, str]:
+    """Return the cells of the row of remedies."""
+    return _remedy_words(SimpleNamespace(remedies=remedies))  # type: ignore[arg-type]
+
+
+def test_the_remedy_of_the_least_change_is_named_with_its_probability() -> None:
+    wider, lower = remedy("a wider base", 0.3, 0.02), remedy("a lower mass", 0.1, 0.04)
+    assert words_of(wider, lower) == words_of(lower, wider) == ("a lower mass", "then 4 %")
+
+
+def test_a_remedy_out_of_reach_is_none() -> None:
+    out_of_reach = remedy("no width helps", None)
+    assert words_of(out_of_reach) == ("none within reach", "")
+    assert words_of(out_of_reach, remedy("a wider base", 0.3)) == ("a wider base", "then 5 %")
+
+
+def test_an_object_without_remedies_needs_none() -> None:
+    assert words_of() == ("none needed", "")
