@@ -68,11 +68,23 @@ class Status(_Outcome, IntEnum):
     UNDECIDED = 4
 
     @property
+    def plain(self) -> str:
+        """The verb of sentences and legends: it rocks, rests, falls."""
+        return _PLAIN[self]
+
+    @property
     def advice(self) -> str:
         """One sentence: what the status means and what to try next."""
         return _ADVICE[self]
 
 
+_PLAIN = {
+    Status.ROCKING: "rocks",
+    Status.AT_REST: "rests",
+    Status.OVERTURNED: "falls",
+    Status.LOST_CONTACT: "leaves its base",
+    Status.UNDECIDED: "undecided",
+}
 _ADVICE = {
     Status.ROCKING: (
         "The block was still rocking when the run ended; where the shaking goes on, a longer run "
@@ -84,7 +96,7 @@ _ADVICE = {
     ),
     Status.OVERTURNED: (
         "The block falls: it is proved that it cannot come back to its base; run every change of "
-        "block, shaking or start again, as even weaker shaking may overturn what now stands."
+        "block, motion or start again, as a weaker motion may fell what now stands."
     ),
     Status.LOST_CONTACT: (
         "The base dropped away at g or faster, so the block left it and the rocking model ends "

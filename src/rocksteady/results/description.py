@@ -3,9 +3,10 @@
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.results.answer import Answer
 from rocksteady.results.numbers import number, plural
 
 if TYPE_CHECKING:
@@ -142,12 +143,15 @@ class Description:
         The content, in order.
     notes
         Sentences at the end: what it means, and what to do next.
+    answer
+        What a screen shows by default; None where that is the whole description.
     """
 
     headline: str
     facts: Sequence[Fact] = ()
     tables: Sequence[Table] = ()
-    notes: Sequence[str] = field(default=())
+    notes: Sequence[str] = ()
+    answer: Answer | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """Return the JSON object: all facts and rows that have a key."""

@@ -1,10 +1,12 @@
 """Renderings of a description: text for terminals, HTML for notebooks and reports."""
 
+import re
 import textwrap
 import unicodedata
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Table
 
 if TYPE_CHECKING:
@@ -13,6 +15,9 @@ if TYPE_CHECKING:
 
 WIDTH = 80
 """Columns of a summary."""
+
+NARROW = 60
+"""Columns of a terminal below which a label stands on a line of its own."""
 
 MANY = 7
 """Columns of a table from which on they stand closer together."""
@@ -40,6 +45,37 @@ def printable(text: object, *, keep: str = "") -> str:
         repr(letter)[1:-1] if _unprintable(letter) and letter not in keep else letter
         for letter in str(text)
     )
+
+
+def print_answer(answer: Answer, console: "Console") -> None:
+    """Print an answer on a console: the sentence, rows and facts, and the command that follows.
+
+    Below 60 columns a label stands on a line of its own.
+    """
+    width = min(console.width, WIDTH)
+    console.print(_filled(printable(answer.sentence), width), style="bold")
+    labels = [printable(label) for label, _ in answer.lines]
+    indent = max([15, *map(len, labels)]) + 4
+    narrow = console.width < NARROW
+    for label, (_, words) in zip(labels, answer.lines, strict=True):
+        start = 4 if narrow else indent
+        lines = _filled(printable(words), width - start, whole=True).split("\n")
+        gap = f"  {label}\n    " if narrow else f"{f'  {label}':<{indent}}"
+        console.print(gap + f"\n{'':{start}}".join(lines))
+    if answer.follow_up:
+        console.print("next: " + _continued(printable(answer.follow_up), width - len("next: ")))
+
+
+def _continued(command: str, width: int) -> str:
+    """Return a command in lines that end in a backslash, broken before its flags."""
+    lines = [""]
+    for part in re.split(r" (?=-)", command):
+        if lines[-1] and len(lines[-1]) + len(part) + 3 > width:
+            lines[-1] += " \\"
+            lines.append(f"  {part}")
+        else:
+            lines[-1] += f" {part}" if lines[-1] else part
+    return "\n".join(lines)
 
 
 def print_description(description: Description, console: "Console") -> None:
@@ -80,8 +116,8 @@ def _filled(text: str, width: int, *, whole: bool = False) -> str:
     return lines.replace("\N{NO-BREAK SPACE}%", " %")
 
 
-def as_text(description: Description) -> str:
-    """Return a description as plain text of 80 columns."""
+def as_text(description: Description, *, more: bool = True) -> str:
+    """Return a description as plain text of 80 columns: its answer, then all of it with `more`."""
     import io
 
     from rich.console import Console
@@ -98,7 +134,10 @@ def as_text(description: Description) -> str:
         markup=False,
         emoji=False,
     )
-    print_description(description, plain)
+    if description.answer is not None:
+        print_answer(description.answer, plain)
+    if more or description.answer is None:
+        print_description(description, plain)
     return "\n".join(line.rstrip() for line in stream.getvalue().splitlines())
 
 

@@ -26,9 +26,15 @@ class Result(ABC):
         """Return the facts, tables and notes of the result."""
 
     @with_call_errors
-    def summary(self) -> str:
-        """Return the result as text of 80 columns, as the command prints it."""
-        return as_text(self.describe())
+    def summary(self, *, more: bool = False) -> str:
+        """Return the answer as text of 80 columns, as the command prints it.
+
+        Parameters
+        ----------
+        more
+            Whether facts, tables and notes follow, as with ``--more``.
+        """
+        return as_text(self.describe(), more=more)
 
     @with_call_errors
     def to_dict(self) -> dict[str, Any]:

@@ -130,7 +130,33 @@ def simulate(
         )
     description = with_neighbours(trajectory, notes)
     write_files(trajectory, description, output, film, samples)
-    output.leave("simulate", description, decided=trajectory.status is not Status.UNDECIDED)
+    output.leave(
+        "simulate",
+        description,
+        decided=trajectory.status is not Status.UNDECIDED,
+        follow_up=next_command(motion, shaking, series, pulse, recorded, reading, block),
+    )
+
+
+def next_command(
+    motion: "Motion | Record",
+    shaking: ShakingFlags,
+    series: SeriesFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+) -> str:
+    """Return what to run next: all strengths of a record or a pulse, the attractor of shaking."""
+    if recorded.record:
+        whole = replace(recorded, scale=None, pga_g=None)
+        return options.follow_up("overturn", whole, reading, block)
+    if pulse.given:
+        frequency = replace(shaking, amplitude=None, accel_g=None, accel_m_s2=None)
+        return options.follow_up("overturn", pulse, frequency, block)
+    if isinstance(motion, Still):
+        return ""
+    return options.follow_up("attractor", shaking, series, block)
 
 
 def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> Description:
@@ -147,21 +173,24 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     from rocksteady.model.equations import LINEAR_NOTE
 
     description = trajectory.describe()
-    facts, remarks = [*description.facts], [*description.notes]
+    facts, remarks, answer = [*description.facts], [*description.notes], description.answer
     if isinstance(trajectory.block, Block) and not isinstance(
         trajectory.motion, PeriodicMotion | Still
     ):
         neighbours = check_neighbours(trajectory)
         facts.append(neighbours.fact)
         remarks = [*neighbours.notes, *remarks]
+        answer = neighbours.answer
     full = full_run(trajectory)
     facts.append(full)
     if full.value is not None:
         remarks = [remark for remark in remarks if remark != LINEAR_NOTE]
+        if answer is not None:  # which names what the linear model leaves out
+            answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))
-    return replace(description, facts=facts, notes=remarks)
+    return replace(description, facts=facts, notes=remarks, answer=answer)
 
 
 def write_files(

@@ -7,7 +7,7 @@ collects them again when the command is called.
 
 import inspect
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import Field, dataclass, fields, is_dataclass
+from dataclasses import Field, dataclass, fields, is_dataclass, replace
 from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
@@ -21,7 +21,7 @@ from rocksteady.cli.flags import options
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Table
-from rocksteady.results.rendering import print_description
+from rocksteady.results.rendering import print_answer, print_description
 from rocksteady.show.export.files import check_apart, check_writable, save_csv, save_figure
 from rocksteady.show.style.legends import checked_place
 from rocksteady.show.style.page import Page, width_mm_of
@@ -42,6 +42,8 @@ class OutputFlags:
     """What a command leaves behind."""
 
     as_json: bool = options.as_json()
+    more: bool = options.more()
+    quiet: bool = options.quiet()
     plot: Path | None = options.output_flag("--plot FILE", "Save a figure: .png, .svg or .pdf.")
     width: str | None = options.output_flag(
         "--width LENGTH",
@@ -139,6 +141,7 @@ class OutputFlags:
         also: Sequence[Description] = (),
         decided: bool = True,
         wrap: bool = False,
+        follow_up: str = "",
     ) -> None:
         """Print the answer of a command, and end it with code 3 where it is undecided.
 
@@ -151,11 +154,13 @@ class OutputFlags:
         values, after
             The values of --json where they are not those of the answer, and further ones.
         also
-            What is printed below it, without --json.
+            What is printed below it with --more, without --json.
         decided
             Whether the command could decide the question.
         wrap
             As for `terminal.console`.
+        follow_up
+            The command that goes on from the answer.
 
         Raises
         ------
@@ -167,10 +172,23 @@ class OutputFlags:
                 command, {**(answer.to_dict() if values is None else values), **(after or {})}
             )
         else:
-            for description in (answer, *also):
-                print_description(description, terminal.console(wrap=wrap))
+            if answer.answer is not None and follow_up:
+                answer = replace(answer, answer=replace(answer.answer, follow_up=follow_up))
+            self._print(answer, *also, wrap=wrap)
         if not decided:
             raise typer.Exit(INCOMPLETE)
+
+    def _print(self, *descriptions: Description, wrap: bool) -> None:
+        """Print the answer, and with --more or without one all of the descriptions."""
+        console, answer = terminal.console(wrap=wrap), descriptions[0].answer
+        if self.quiet:
+            console.print(descriptions[0].headline if answer is None else answer.sentence)
+            return
+        if answer is not None:
+            print_answer(answer, console)
+        if self.more or answer is None:
+            for description in descriptions:
+                print_description(description, console)
 
 
 @dataclass(frozen=True, kw_only=True)

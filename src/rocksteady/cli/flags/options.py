@@ -1,5 +1,6 @@
 """Flags shared by several commands: one spelling, help text and unit each."""
 
+import shlex
 from dataclasses import dataclass, field, fields
 from functools import partial
 from typing import Any
@@ -8,6 +9,8 @@ import typer
 
 FLAG = "flag"
 """Key of the typer option in the metadata of a field."""
+NAME = "name"
+"""Key of the shortest name of the flag there."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +28,7 @@ class Panel:
         names = [each for each in words.split() if each.startswith("-")]
         metavar = next(iter(words.split()[len(names) :]), None)
         option = typer.Option(*names, metavar=metavar, help=help, rich_help_panel=self.name)
-        return field(default=default, metadata={FLAG: option})
+        return field(default=default, metadata={FLAG: option, NAME: min(names, key=len)})
 
 
 def given_in(group: Any) -> dict[str, object]:
@@ -35,6 +38,37 @@ def given_in(group: Any) -> dict[str, object]:
         for each in fields(group)
         if getattr(group, each.name) != each.default
     }
+
+
+def follow_up(command: str, *parts: object) -> str:
+    """Return a command that takes flags of this run along.
+
+    Parameters
+    ----------
+    command
+        Its name, with what is added to the flags.
+    parts
+        Groups of flags as they were given, and texts as they are.
+
+    Examples
+    --------
+    >>> from rocksteady.cli.flags.block_and_shaking import BlockFlags
+    >>> follow_up("overturn", BlockFlags(restitution="0.9", one_sided=True), "--more")
+    'rocksteady overturn -r 0.9 --one-sided --more'
+    """
+    words = ["rocksteady", command]
+    for part in parts:
+        if isinstance(part, str):
+            words.append(part)
+            continue
+        for each in fields(part):  # type: ignore[arg-type]
+            value = getattr(part, each.name)
+            if value == each.default or value is None or FLAG not in each.metadata:
+                continue
+            name = each.metadata[NAME]
+            for one in value if isinstance(value, list | tuple) else [value]:
+                words.append(name if one is True else f"{name} {shlex.quote(str(one))}")
+    return " ".join(filter(None, words))
 
 
 block_flag = Panel("Block")
@@ -161,6 +195,10 @@ gravity_m_s2 = partial(
 as_json = partial(
     output_flag, "--json", "Print one JSON object on standard output, nothing else.", default=False
 )
+more = partial(
+    output_flag, "--more", "Print all facts, tables and notes below the answer.", default=False
+)
+quiet = partial(output_flag, "--quiet", "Print the first line of the answer alone.", default=False)
 csv = partial(output_flag, "--csv FILE", "Save the data as CSV.")
 force = partial(output_flag, "--force", "Overwrite files that exist.", default=False)
 out_folder = partial(

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.dynamics.history._answer import answer_of
 from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
@@ -76,7 +77,10 @@ def description_of(run: Described) -> Description:
         notes.insert(0, LINEAR_NOTE)
     motion = motion_text(run.block, run.motion, run.vertical)
     words = f"{outcome(run)}: {run.block.describe().headline} on {motion}"
-    return Description(f"{words}, {run.model.name} model", facts, notes=notes)
+    texts = {fact.key or fact.label: fact.text for fact in facts}
+    return Description(
+        f"{words}, {run.model.name} model", facts, notes=notes, answer=answer_of(run, texts)
+    )
 
 
 def outcome(run: Described) -> str:

@@ -3,8 +3,10 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
-from rocksteady.dynamics.history._outcome import outcome, peak_words
+from rocksteady.dynamics.history._answer import name_of, sentence
+from rocksteady.dynamics.history._outcome import peak_words
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, Start, State
 from rocksteady.dynamics.history.trajectory import Trajectory
@@ -25,8 +27,9 @@ from rocksteady.model.motions.segments import (
     segments_of,
 )
 from rocksteady.outcomes import Status
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, number
+from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
 
 LEAST, LONGEST = 50, 1000
@@ -40,7 +43,9 @@ RESTITUTION = 0.03
 SLENDERNESS = 0.02
 """Relative change of alpha."""
 
-RANGE = "scale +-5 %, restitution +-.03, alpha +-2 %"
+RANGE = "±5 % scale, ±0.03 rest., ±2 % alpha"
+STEP = 0.02
+"""Step of the factors of the motion at which it is asked whether block and neighbours stand."""
 
 
 @checked_result
@@ -128,6 +133,46 @@ class Neighbours(Result):
         )
         return (words,)
 
+    @cached_property
+    def stands_at(self) -> float | None:
+        """Largest factor of the motion at which it stands and no neighbour falls, by steps of 2 %.
+
+        None if there is none down to 2 %, or no neighbour falls at 1.
+        """
+        if not self.fall and self.agree:
+            return None
+        for step in range(1, round(1.0 / STEP)):
+            scale = 1.0 - step * STEP
+            case = _scaled(self.case, scale)
+            if case.status is not Status.OVERTURNED and not any(
+                each.status is Status.OVERTURNED for each in _neighbours(case, _sized(case))
+            ):
+                return scale
+        return None
+
+    @property
+    def answer(self) -> Answer:
+        """The answer of the case, with what its neighbours say on it."""
+        case = self.case
+        given, falls = case.describe().answer, case.status is Status.OVERTURNED
+        assert given is not None
+        others = self.runs - self.fall if falls else self.fall
+        verb = "stand" if falls else "fall"
+        words = f"but {others} of {self.runs} neighbours {verb}"
+        if self.agree:
+            words = "and so do" if falls else "and"
+            words += f" all {self.runs} neighbours" + ("" if falls else " stand")
+        stands = ""
+        if self.stands_at is not None:
+            pga = "" if case.pga_g is None else f" ({quantity(self.stands_at * case.pga_g, 'g')})"
+            times = f"{self.stands_at:.2f} x {name_of(case.motion)}"
+            stands = f"{times}{pga}, where no neighbour falls"
+        facts = [fact for fact in given.facts if fact[1]]
+        facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
+        place = [label for label, _ in facts].index("block") - 1 if len(facts) > 2 else 0
+        facts.insert(max(place, 0), ("stands at", stands))
+        return Answer(f"{sentence(case)}, {words}.", facts)
+
     def describe(self) -> Description:
         """Return how many fall, and what was changed in each."""
         columns = (
@@ -161,6 +206,7 @@ class Neighbours(Result):
             ],
             tables=[Table("cases", rows, columns, most=len(rows))],
             notes=self.notes,
+            answer=self.answer,
         )
 
 
@@ -199,15 +245,30 @@ def check_neighbours(trajectory: Trajectory) -> Neighbours:
     >>> print(neighbours.fall, "of", neighbours.runs)
     26 of 26
     """
-    block, motion = trajectory.block, trajectory.motion
-    if not isinstance(block, Block) or isinstance(motion, PeriodicMotion | Still):
+    motion = trajectory.motion
+    if not isinstance(trajectory.block, Block) or isinstance(motion, PeriodicMotion | Still):
+        block = trajectory.block
         raise ModelError(
             "trajectory",
             Words(f"has {block.describe().headline} on a {type(motion).__name__} motion"),
             "neighbours are those of a Block on a motion that ends",
             "simulate a Block on a Record or a Pulse",
         )
-    return Neighbours(case=trajectory, cases=tuple(_neighbours(trajectory, block)))
+    return Neighbours(case=trajectory, cases=tuple(_neighbours(trajectory, _sized(trajectory))))
+
+
+def _sized(case: Trajectory) -> Block:
+    """Return the block of a case that has neighbours."""
+    assert isinstance(case.block, Block)
+    return case.block
+
+
+def _scaled(case: Trajectory, factor: float) -> Trajectory:
+    """Return the case on a part of its horizontal motion."""
+    block = _sized(case)
+    across = _in_units_of(block, block, case.motion, factor)
+    base = BaseMotion(across, case.vertical)
+    return simulate(block, base, start=case.start, model=case.model)
 
 
 def _neighbours(case: Trajectory, block: Block) -> Iterator[Neighbour]:
@@ -325,7 +386,7 @@ def full_run(run: Trajectory) -> Fact:
         "peak": full.peak,
         "overturn_time_s": full.overturn_time_s,
     }
-    words = outcome(full)
+    words = sentence(full).removeprefix("It ")
     if full.status is not Status.OVERTURNED:
-        words += f", peak {peak_words(full.peak, block.alpha if block.symmetric else None)}"
+        words += f", tilt up to {peak_words(full.peak, block.alpha if block.symmetric else None)}"
     return Fact("full_equations", values, "full equations", words)

@@ -1,0 +1,81 @@
+"""Answer of a time history: whether it falls, rests or rocks, when, and why."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Still
+from rocksteady.outcomes import Status
+from rocksteady.results.answer import Answer
+from rocksteady.results.numbers import number, plural, quantity
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history._outcome import Described
+    from rocksteady.model.motions.segments import Motion
+
+
+def answer_of(run: "Described", words: Mapping[str, str]) -> Answer:
+    """Return the sentence and the facts of a run.
+
+    Parameters
+    ----------
+    run
+        The run.
+    words
+        Words of its facts by their JSON keys.
+    """
+    falls = run.status is Status.OVERTURNED
+    tilt = words.get("peak") or " and ".join(
+        words[key] for key in ("peak, left edge", "peak, right edge")
+    )
+    impacts = plural(run.impact_count, "impact")
+    friction = words.get("friction_needed")
+    lifts = "" if run.uplift_g is None else quantity(run.uplift_g, "g")
+    if run.pga_g is not None:
+        lifts += f"; {name_of(run.motion)} reaches {quantity(run.pga_g, 'g')}"
+    facts = [
+        ("largest tilt", "" if falls or not run.peak else f"{tilt}; {impacts}"),
+        ("lifts at", lifts),
+        ("friction needed", f"{friction}, or it slides" if friction else ""),
+        ("block", run.block.describe().headline),
+        ("computed", run.model.name),
+    ]
+    return Answer(f"{sentence(run)}.", facts)
+
+
+def sentence(run: "Described") -> str:
+    """Return how a run ended, and when, without a stop."""
+    if run.status is Status.AT_REST and not run.peak:
+        return f"It {Status.AT_REST.plain} throughout: {name_of(run.motion)} never lifts it"
+    verb = {Status.UNDECIDED: "It is undecided"}.get(run.status, f"It {run.status.plain}")
+    if run.status is Status.ROCKING:
+        verb = f"It still {run.status.plain}"
+    return f"{verb} {_when(run)}"
+
+
+def name_of(motion: "Motion | Record") -> str:
+    """Return what moves the base, in a word or two."""
+    if isinstance(motion, Record):
+        return motion.name or "the record"
+    return "the pulse" if isinstance(motion, Pulse) else "the motion"
+
+
+def _when(run: "Described") -> str:
+    """Return when a run ended: in seconds, else in periods of the base, else in pivot time."""
+    pt = run.end_time_pt
+    if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
+        pt = run.overturn_time_pt
+    if run.status is Status.AT_REST and run.rest_time_pt is not None:
+        pt = run.rest_time_pt
+    if isinstance(run.block, Block):
+        time = quantity(pt / run.block.p, "s")
+    elif isinstance(run.motion, PeriodicMotion):
+        time = f"{number(pt * run.motion.frequency_ratio / (2.0 * math.pi))} periods"
+    else:
+        time = f"pt {number(pt)}"
+    after = "after it is let go" if isinstance(run.motion, Still) else f"into {name_of(run.motion)}"
+    return f"{time} {after}"

@@ -1,0 +1,42 @@
+"""Answer of a result: what a screen shows by default, in at most eight lines.
+
+One sentence with the number that matters, its doubt and its reason; up to five facts; the command
+that goes on from here.  Tables, caveats and further facts of the result follow with ``--more``.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+MOST_FACTS: Final = 5
+"""Facts of an answer."""
+MOST_ROWS: Final = 12
+"""Rows of an answer whose rows are what was asked for."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """Answer to the question of a command.
+
+    Attributes
+    ----------
+    sentence
+        The first line, which ``--quiet`` prints alone.
+    facts
+        Label and words of each fact, the most important first.
+    rows
+        Label and words of each row, the worst first, where the rows are the answer.
+    follow_up
+        A command that runs as it stands; empty where none follows.
+    """
+
+    sentence: str
+    facts: Sequence[tuple[str, str]] = ()
+    rows: Sequence[tuple[str, str]] = ()
+    follow_up: str = ""
+
+    @property
+    def lines(self) -> list[tuple[str, str]]:
+        """Rows, then facts, each with its label; those without words are left out."""
+        facts = [fact for fact in self.facts if fact[1]]
+        return [*self.rows[:MOST_ROWS], *facts[:MOST_FACTS]]

@@ -1,0 +1,46 @@
+"""Answers: at most eight lines, in 80 columns, with labels on their own lines where it is narrow."""
+
+import io
+
+import pytest
+from rich.console import Console
+
+from rocksteady.results.answer import MOST_FACTS, Answer
+from rocksteady.results.rendering import print_answer
+
+
+def printed(answer: Answer, width: int = 80) -> list[str]:
+    """Return the lines of an answer on a console of some width."""
+    stream = io.StringIO()
+    print_answer(answer, Console(file=stream, width=width, soft_wrap=True, highlight=False))
+    return stream.getvalue().splitlines()
+
+
+FACTS = [("lifts at", "0.25 g"), ("friction needed", "0.324"), ("empty", "")]
+
+
+def test_facts_stand_under_the_sentence_and_those_without_words_are_left_out() -> None:
+    lines = printed(Answer("It falls.", FACTS, follow_up="rocksteady overturn -W 3"))
+    assert lines == [
+        "It falls.",
+        "  lifts at         0.25 g",
+        "  friction needed  0.324",
+        "next: rocksteady overturn -W 3",
+    ]
+
+
+def test_no_more_than_five_facts_are_shown() -> None:
+    assert len(printed(Answer("It falls.", [("fact", str(i)) for i in range(9)]))) == 1 + MOST_FACTS
+
+
+@pytest.mark.parametrize("width", [40, 59, 80, 200])
+def test_no_line_is_longer_than_the_console_or_80_columns(width: int) -> None:
+    words = "a reason of many words " * 8
+    command = "rocksteady overturn " + "--height-m 1.8 --width-m 0.4 " * 4
+    lines = printed(Answer(words, [("label", words)], follow_up=command), width)
+    assert max(map(len, lines)) <= min(width, 80)
+    assert " ".join(lines).replace("\\ ", " ").split()[-4:] == command.split()[-4:]
+
+
+def test_on_a_narrow_console_labels_stand_on_lines_of_their_own() -> None:
+    assert printed(Answer("It falls.", FACTS[:1]), 40) == ["It falls.", "  lifts at", "    0.25 g"]
