@@ -1,4 +1,4 @@
-"""Answers: at most eight lines, in 80 columns, with labels on their own lines where it is narrow."""
+"""Answers: at most eight lines, within 80 columns and within the console."""
 
 import io
 

@@ -66,8 +66,8 @@ def follow_up(command: str, *parts: object) -> str:
             if value == each.default or value is None or FLAG not in each.metadata:
                 continue
             name = each.metadata[NAME]
-            for one in value if isinstance(value, list | tuple) else [value]:
-                words.append(name if one is True else f"{name} {shlex.quote(str(one))}")
+            values = value if isinstance(value, list | tuple) else [value]
+            words += [name if one is True else f"{name} {shlex.quote(str(one))}" for one in values]
     return " ".join(filter(None, words))
 
 
