@@ -182,7 +182,7 @@ VAGUE = re.compile(
 NAMED = re.compile(
     r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess|object|facade) = |"
     r"[^:]+: line \d+|.*; see rocksteady.*--help$|"
-    r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help )"
+    r".* is (too much|no command|no flag of [^:]*): rocksteady.* --help(-all)? )"
 )
 
 

@@ -215,7 +215,7 @@ def test_help_names_every_flag_with_its_meaning(
     command: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "100")
-    ran = rocksteady(f"{command} --help")
+    ran = rocksteady(f"{command} --help-all")
     assert (ran.code, ran.err) == (0, "")
     import typer
 
@@ -229,12 +229,9 @@ def test_help_names_every_flag_with_its_meaning(
         assert unit in ran.out, unit
 
 
-def test_the_program_alone_shows_its_help() -> None:
-    ran = rocksteady("")
-    assert ran.code in (0, 2)
+def test_the_program_lists_its_commands() -> None:
     for command in COMMANDS:
-        assert command in ran.out + ran.err
-        assert command in rocksteady("--help").out
+        assert f"\n  {command} " in rocksteady("--help").out
 
 
 def test_version() -> None:

@@ -6,7 +6,7 @@ import sys
 from tests.cli.program import refused
 from tests.every import every
 
-LISTS = "rocksteady steady --help lists its flags"
+LISTS = "rocksteady steady --help-all lists its flags"
 
 
 @every(
@@ -15,7 +15,11 @@ LISTS = "rocksteady steady --help lists its flags"
         ("steady", "--ampl 2", f"--ampl is no flag of rocksteady steady: {LISTS}; did you mean "),
         ("steady", "--zzz", f"--zzz is no flag of rocksteady steady: {LISTS}; leave it out"),
         ("steady", "-A", "-A is given without a value: it takes one; see rocksteady steady --help"),
-        ("steady", "extra", "'extra' is too much: rocksteady steady --help lists what it takes; "),
+        (
+            "steady",
+            "extra",
+            "'extra' is too much: rocksteady steady --help-all lists what it takes; ",
+        ),
         (
             "",
             "stedy",

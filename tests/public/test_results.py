@@ -136,7 +136,7 @@ def test_a_result_whose_json_names_the_model_has_it(made: dict[str, Any]) -> Non
 
 
 def test_all_neighbours_are_listed(made: dict[str, Any]) -> None:
-    text = made["neighbours"].summary()
+    text = made["neighbours"].summary(more=True)
     assert "more rows" not in text
     assert text.count("at-rest") + text.count("overturned") == 26 + 1
 

@@ -153,4 +153,5 @@ def paths() -> list[str]:
 
 def freeze_help(path: str) -> Iterator[tuple[str, str]]:
     """Yield the help of a command."""
-    yield f"{path} --help".strip(), tidy(rocksteady(path, "--help").out)
+    for flag in ("--help", "--help-all"):
+        yield f"{path} {flag}".strip(), tidy(rocksteady(path, flag).out)

@@ -12,6 +12,7 @@ import traceback
 import warnings
 from copy import copy
 from functools import cache
+from types import ModuleType
 from typing import Annotated, Any, TextIO
 
 import typer
@@ -37,6 +38,7 @@ from rocksteady.cli.commands.observations import back_analyse, calibrate, predic
 from rocksteady.cli.commands.risk import assess, facade, fragility, screens
 from rocksteady.cli.commands.windows import basins, edge
 from rocksteady.cli.console import terminal
+from rocksteady.cli.console.help import NAMES, Program, with_main
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
@@ -46,7 +48,7 @@ from rocksteady.errors import RocksteadyError, UnfinishedError, one_line
 HELP = (
     "Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.\n\n"
     "Results go to standard output, messages to standard error. Every command has --json; "
-    "rocksteady COMMAND --help shows its flags, their units and examples."
+    "rocksteady COMMAND --help-all shows its flags, their units and examples."
 )
 USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
 OUTPUT_LOST = "standard output cannot be written"
@@ -58,46 +60,42 @@ NO_NUMBER = "should be a valid number"
 
 app = typer.Typer(
     name="rocksteady",
+    cls=Program,
     no_args_is_help=True,
     add_completion=True,
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings={"help_option_names": NAMES},
 )
-COMMANDS = (
-    explore,
-    steady,
-    simulate,
-    attractor,
-    orbits,
-    bifurcate,
-    curves,
-    basins,
-    edge,
-    maps,
-    overturn,
-    record,
-    spectrum,
-    fragility,
-    assess,
-    facade,
-    screens,
-    calibrate,
-    predict,
-    back_analyse,
-    restitution,
-    paper,
-    doctor,
-)
+GROUPS = {
+    "One block": (simulate, overturn, record, spectrum, restitution),
+    "Steady motions": (steady, attractor, orbits, bifurcate, curves, basins, edge, maps),
+    "Objects and risk": (
+        *(assess, screens, facade, fragility),
+        *(calibrate, predict, back_analyse),
+    ),
+    "Pages and papers": (explore, paper, study),
+    "This installation": (doctor,),
+}
+"""Modules of commands, by the titles under which --help lists them."""
+COMMANDS = tuple(each for group in GROUPS.values() for each in group if each is not study)
+
+
+def _name(command: ModuleType) -> str:
+    """Return the name of the command of a module."""
+    if command is maps:
+        return "map"
+    return command.__name__.rpartition(".")[2].replace("_", "-")
+
+
+Program.groups = {title: [*map(_name, group)] for title, group in GROUPS.items()}
 for command in COMMANDS:
-    name = command.__name__.rpartition(".")[2]
-    function = getattr(command, name)
     app.command(
-        "map" if command is maps else name.replace("_", "-"),
-        cls=OncePerFlag,
+        _name(command),
+        cls=with_main(OncePerFlag, getattr(command, "MAIN", "")),
         help=command.HELP,
         epilog=command.EXAMPLES,
-    )(function)
+    )(getattr(command, command.__name__.rpartition(".")[2]))
 app.add_typer(study.app, name="study", help=study.HELP)
 
 
@@ -171,7 +169,7 @@ def _program(first: str | None) -> Any:
     Flags take long to build: beside a command or --help only what is called has them.
     """
     names = {command.name for command in app.registered_commands}
-    if first not in {*names, "study", "--help", "-h", "--version"}:  # all, as to complete a line
+    if first not in {*names, "study", *NAMES, "--version"}:  # all, as to complete a line
         return typer.main.get_command(app)
     program = copy(app)
     program.registered_commands = [
@@ -269,7 +267,7 @@ def _unknown(error: TyperException, path: str) -> str | None:
         return one_line(f"{option} is given without a value: it takes one; see {path} --help")
     if option is not None:
         near = sorted(error.possibilities or ())  # type: ignore[attr-defined]
-        lists, hint = f"{path} --help lists its flags", "leave it out, or give one of these"
+        lists, hint = f"{path} --help-all lists its flags", "leave it out, or give one of these"
         hint = f"did you mean {' or '.join(near)}?" if near else hint
         return one_line(f"{option} is no flag of {path}: {lists}; {hint}")
     words = re.match(
@@ -279,7 +277,9 @@ def _unknown(error: TyperException, path: str) -> str | None:
         return None
     command, suggestions, extra = words.groups()
     if extra is not None:
-        return one_line(f"{extra!r} is too much: {path} --help lists what it takes; leave it out")
+        return one_line(
+            f"{extra!r} is too much: {path} --help-all lists what it takes; leave it out"
+        )
     near = re.findall(r"'(.*?)'", suggestions)
     hint = f"did you mean {' or '.join(near)}?" if near else "give one of these"
     return one_line(f"{command!r} is no command: {path} --help lists them; {hint}")

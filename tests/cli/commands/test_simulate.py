@@ -85,7 +85,7 @@ def test_a_pulse_on_a_real_block_has_neighbours_uplift_and_friction() -> None:
     )
     run = simulate(block, pulse)
     found = check_neighbours(run)
-    values, text = rocksteady(f"{command} --json").json, rocksteady(command).out
+    values, text = rocksteady(f"{command} --json").json, rocksteady(f"{command} --more").out
     assert values["neighbours"] == {"runs": 26, "fall": found.fall}
     assert values["friction_needed"] == pytest.approx(run.friction_needed)
     assert (values["uplift_g"], values["pga_g"]) == pytest.approx((math.tan(0.25), 2.0))
@@ -226,10 +226,36 @@ def test_a_run_that_cannot_be_decided_ends_with_3(monkeypatch: pytest.MonkeyPatc
     ],
 )
 def test_the_text_says_how_it_ended(command: str, words: list[str]) -> None:
-    ran = rocksteady(command)
+    ran = rocksteady(f"{command} --more")
     assert (ran.code, ran.err) == (0, "")
     for word in words:
         assert word in ran.out
+
+
+def test_more_adds_to_the_answer_and_quiet_leaves_its_first_line() -> None:
+    command = "simulate --width-m 0.4 --height-m 2 --pulse one-sine --accel-g 0.4 --freq-hz 1"
+    answer = rocksteady(command).out
+    assert len(answer.rstrip().splitlines()) <= 8
+    assert rocksteady(f"{command} --more").out.startswith(answer)
+    assert rocksteady(f"{command} --quiet").out == answer.splitlines(keepends=True)[0]
+    for flag in ("--more", "--quiet"):
+        assert rocksteady(f"{command} --json {flag}").out == rocksteady(f"{command} --json").out
+
+
+@every(
+    "flags",
+    [
+        "-A 2 -W 1.9 -r 0.8",
+        "--width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
+        "--width-m 0.4 --height-m 2 --pulse one-sine --accel-g 0.4 --freq-hz 1 -r 0.9",
+    ],
+)
+def test_the_command_that_follows_runs(flags: str) -> None:
+    text = rocksteady(f"simulate {flags}").out.replace("\\\n", " ")
+    command = text.partition("next: rocksteady ")[2]
+    assert command
+    ran = rocksteady(command.strip())
+    assert (ran.code, ran.err) == (0, ""), command
 
 
 # ----------------------------------------------------------------------------------- files

@@ -74,7 +74,7 @@ def test_equal_distances_are_the_symmetric_block() -> None:
 
 def test_a_summary_names_the_edges(tmp_path: Path) -> None:
     out = rocksteady(
-        f"simulate {FLAGS} -A 2 -W 5 --cycles 3",
+        f"simulate {FLAGS} -A 2 -W 5 --cycles 3 --more",
         "--plot",
         tmp_path / "a.png",
         "--csv",

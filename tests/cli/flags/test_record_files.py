@@ -147,7 +147,9 @@ def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: 
         BLOCK, BaseMotion(record_of(samples()), record_of(-samples(9, 0.4))), model=Nonlinear()
     )
     assert filed["peak"] == pytest.approx(truth.peak, rel=1e-9) != plain.json["peak"]
-    text = rocksteady(f"simulate {SIZE} --model nonlinear --record", across, "--vertical", down)
+    text = rocksteady(
+        f"simulate {SIZE} --model nonlinear --more --record", across, "--vertical", down
+    )
     assert "sign changed: DWN" in " ".join(text.out.split())
     assert "without --vertical" in refused(command, across, "--reverse-vertical")
 

@@ -64,7 +64,7 @@ def test_a_kick_that_is_no_number_is_refused() -> None:
 
 
 def test_the_help_names_the_default() -> None:
-    text = " ".join(rocksteady("simulate --help").out.split())
+    text = " ".join(rocksteady("simulate --help-all").out.split())
     assert "--kick" in text
     assert "1e-6" in text
 

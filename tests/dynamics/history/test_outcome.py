@@ -192,11 +192,11 @@ def test_impacts_that_lose_much_need_the_friction_of_their_impulses() -> None:
     assert run.friction_at_impacts == pytest.approx(across / up)
     assert run.friction_at_impacts == pytest.approx(3.0 * 0.4 / 1.6)
     assert run.friction_needed == run.friction_at_impacts
-    assert "0.75, for impacts" in run.summary()
+    assert "0.75, for impacts" in run.summary(more=True)
     plain = simulate(Block.rectangle(width=0.4, height=1.2), GROUND)
     assert plain.friction_needed is not None
     assert plain.friction_needed > (plain.friction_at_impacts or 1.0)
-    assert "for impacts" not in plain.summary()
+    assert "for impacts" not in plain.summary(more=True)
     assert simulate(block.against_wall(0.5), GROUND).friction_at_impacts is None
 
 
@@ -280,8 +280,8 @@ def test_a_verdict_on_the_border_of_falling_is_not_robust() -> None:
         found = check_neighbours(pushed(amplitude))
         assert 0 < found.fall < 26
         assert not found.agree
-        assert "not robust" in found.summary()
-        assert fits(found.summary())
+        assert "not robust" in found.summary(more=True)
+        assert fits(found.summary(more=True))
 
 
 def test_a_neighbour_is_the_case_of_its_block_in_metres() -> None:
@@ -385,10 +385,10 @@ def test_vertical_motion_is_named_with_its_peak() -> None:
 @runs
 def test_the_summary_says_how_it_ended(name: str) -> None:
     run = run_of(name)
-    text = run.summary()
+    text = run.summary(more=True)
     assert fits(text)
     headline, words = run.describe().headline, " ".join(text.split())
-    assert words.startswith(headline)
+    assert words.startswith(" ".join(run.summary().split()) + " " + headline)
     assert words.endswith(run.status.advice)
     assert f"{run.model.name} model" in headline
     assert headline in repr(run)
@@ -400,19 +400,19 @@ def test_the_summary_says_how_it_ended(name: str) -> None:
 def test_a_peak_is_in_degrees_first_and_times_are_in_seconds() -> None:
     run = simulate(LEANING, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
     degrees = math.degrees(0.5 * LEANING.alpha)
-    assert f"peak, left edge {degrees:.3g}° = 0.5 alpha" in " ".join(run.summary().split())
-    assert f"{run.rest_time_s:.3g} s (pt {run.rest_time_pt:.3g})" in run.summary()
+    assert f"peak, left edge {degrees:.3g}° = 0.5 alpha" in " ".join(run.summary(more=True).split())
+    assert f"{run.rest_time_s:.3g} s (pt {run.rest_time_pt:.3g})" in run.summary(more=True)
     bare = simulate(BARE, Harmonic(amplitude=6.0, frequency_ratio=1.0))
     periods = bare.overturn_time_pt / (2.0 * math.pi) if bare.overturn_time_pt else 0.0
-    assert f"pt {bare.overturn_time_pt:.3g} ({periods:.3g} periods)" in bare.summary()
-    assert "°" not in bare.summary()
+    assert f"pt {bare.overturn_time_pt:.3g} ({periods:.3g} periods)" in bare.summary(more=True)
+    assert "°" not in bare.summary(more=True)
 
 
 def test_a_growth_beyond_rounding_is_noted() -> None:
     point = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     few, many = (simulate(BARE, point, start=Steady(branch=2), cycles=n) for n in (2, 400))
     for run in (few, many):
-        assert ("rounding decides" in run.summary()) == (run.growth > 1e12)
+        assert ("rounding decides" in run.summary(more=True)) == (run.growth > 1e12)
 
 
 @runs

@@ -16,10 +16,13 @@ if TYPE_CHECKING:
     from rocksteady.show.style.page import Page
 
 HELP = (
+    "Find what a motion settles to.\n\n"
     "Attractor of a motion under harmonic shaking: rest, a fall, a periodic motion, or none.\n\n"
-    "A periodic motion is recognised by its returns, polished by Newton's method and believed only "
-    "if it is stable by its exact multipliers. Exit code 3 where nothing could be decided."
+    "A periodic motion is recognised by its returns, polished by Newton's method and believed "
+    "only if it is stable by its exact multipliers. Exit code 3 where nothing could be decided."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m accel_g freq_hz start cycles plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady attractor -A 2 -W 1.9 -r 0.8 --start steady --side - --plot attractor.png\n\n"

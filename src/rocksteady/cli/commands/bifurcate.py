@@ -18,15 +18,19 @@ LONGEST_AXIS = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 
 HELP = (
-    "Periodic motions followed over a parameter, stable and unstable, with their bifurcations.\n\n"
+    "Follow periodic motions over a parameter.\n\n"
+    "Periodic motions followed over a parameter, stable and unstable, with their "
+    "bifurcations.\n\n"
     "Exactly one of -A, -W and -r is an axis start:stop:count; the others are numbers. Branches "
     "are followed around their folds, and every branch that begins at a bifurcation is followed "
     "too. They start from the symmetric motions of each order -n in closed form (with --model "
     "nonlinear from those to which they lead; for a block whose sides differ, from motions with "
     "two impacts, by a search, as under --harmonic), and from what two sweeps, upwards and "
-    "downwards through the values of the axis, settle to. Exit code 3 where --max-branches ended "
-    "the work."
+    "downwards through the values of the axis, settle to. Exit code 3 where --max-branches "
+    "ended the work."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m accel_g freq_hz cascade order plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady bifurcate -A 2 -W 1.6:2.4:400 -r 0.8 --cascade --plot diagram.png\n\n"

@@ -12,15 +12,21 @@ from rocksteady.cli.flags.range import plane_of
 curve_flag = options.Panel("Curves")
 
 HELP = (
-    "Bifurcation curves in the plane of two parameters, with their points of codimension two.\n\n"
+    "Follow bifurcations over two parameters.\n\n"
+    "Bifurcation curves in the plane of two parameters, with their points of codimension "
+    "two.\n\n"
     "Exactly two of -A, -W and -r are axes start:stop:count; the third is a number. At count "
     "values of each axis branches of periodic motions are followed across the plane, from the "
     "symmetric motions of order -n in closed form (with --model nonlinear, those to which they "
     "lead; for a block whose sides differ, motions with two impacts that a search finds); every "
-    "bifurcation on them is then followed in "
-    "both parameters, and so are the curves that meet at a point of codimension two. Exit code 3 "
-    "where --max-curves or --max-branches ended the work."
+    "bifurcation on them is then followed in both parameters, and so are the curves that meet "
+    "at a point of codimension two. Exit code 3 where --max-curves or --max-branches ended the "
+    "work."
 )
+MAIN = (
+    "amplitude frequency_ratio restitution order max_period max_impacts max_curves model plot csv"
+)
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --plot curves.png\n\n"

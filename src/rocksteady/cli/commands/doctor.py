@@ -5,11 +5,12 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 
 HELP = (
+    "Check that this installation computes the right bits.\n\n"
     "Check this installation: repeat recorded calls of every kernel, and compare all bits.\n\n"
     "Prints what runs the kernels (a library compiled ahead of time, or numba), for which "
-    "processor, the versions, the GPU of --executor gpu or why there is none, and for each kernel "
-    "that differs how many values do. The results are the same to the last bit on every processor "
-    "and system."
+    "processor, the versions, the GPU of --executor gpu or why there is none, and for each "
+    "kernel that differs how many values do. The results are the same to the last bit on every "
+    "processor and system."
 )
 EXAMPLES = "Examples:\n\nrocksteady doctor\n\nrocksteady doctor --check --json"
 

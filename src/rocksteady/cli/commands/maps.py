@@ -20,13 +20,16 @@ if TYPE_CHECKING:
     from rocksteady.show.plots.map_quantities import Colouring
 
 HELP = (
+    "Find the outcome in every cell of a grid.\n\n"
     "Attractor or fate of the block in every cell of a grid.\n\n"
     "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
     "bifurcation diagram. With --fate each motion is followed for --cycles periods only, to see "
     "whether the block falls. With --out the cells are kept on disk as they are finished, and "
-    "--resume continues after whatever ended the run. Exit code 3 where more than 1 cell in 1000 "
-    "is undecided."
+    "--resume continues after whatever ended the run. Exit code 3 where more than 1 cell in "
+    "1000 is undecided."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m start fate cycles out plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"

@@ -9,12 +9,19 @@ from rocksteady.cli.flags.range import SeriesFlags
 search_flag = options.Panel("Search")
 
 HELP = (
-    "The periodic motions under harmonic shaking, stable and unstable, with their multipliers.\n\n"
+    "Find the periodic motions at one amplitude and frequency.\n\n"
+    "The periodic motions under harmonic shaking, stable and unstable, with their "
+    "multipliers.\n\n"
     "Symmetric ones with two impacts come in closed form, with solutions that pass through the "
-    "floor included, or with --model nonlinear as the motions to which the closed forms lead; the "
-    "others are found by Newton's method from a grid of states, which is no proof that there are "
-    "no more. One of two mirror images is listed."
+    "floor included, or with --model nonlinear as the motions to which the closed forms lead; "
+    "the others are found by Newton's method from a grid of states, which is no proof that "
+    "there are no more. One of two mirror images is listed."
 )
+MAIN = (
+    "amplitude frequency_ratio restitution width_m height_m accel_g freq_hz "
+    "max_period max_impacts plot"
+)
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady orbits -A 2 -W 1.9 -r 0.8 --plot orbits.png\n\n"

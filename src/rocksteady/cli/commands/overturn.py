@@ -31,14 +31,17 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
 
 HELP = (
+    "Find every strength at which a pulse or a record fells a block.\n\n"
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
     "The overturning amplitudes are not one interval: a block may fall after an impact, stand "
     "under a stronger pulse and fall without an impact under a still stronger one. Each window "
     "has its number of impacts; its ends are found to rounding, in the linear model or (--model "
     "nonlinear) with the full equations. With --record or --records the factor of a record is "
-    "searched; with --kick the least sudden change of the base velocity that overturns the block. "
-    "Exit code 3 where an amplitude is undecided."
+    "searched; with --kick the least sudden change of the base velocity that overturns the "
+    "block. Exit code 3 where an amplitude is undecided."
 )
+MAIN = "width_m height_m restitution record pulse accel_g freq_hz amplitude frequency_ratio plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady overturn --pulse one-sine -W 0.5:8:200 -A 12 -r 0.9 --plot spectrum.png\n\n"

@@ -28,11 +28,14 @@ if TYPE_CHECKING:
     from rocksteady.seismic.measures.time_course import IntegratedRecord
 
 HELP = (
-    "What ground-motion files hold: format, samples, unit and warnings; peaks, "
-    "durations and spectra, exact for an acceleration that is linear between its samples.\n\n"
+    "Read ground-motion files: peaks, durations, spectra, faults.\n\n"
+    "What ground-motion files hold: format, samples, unit and warnings; peaks, durations and "
+    "spectra, exact for an acceleration that is linear between its samples.\n\n"
     "A file with several channels is described channel by channel, unless --channel names one. "
     "With a block, the dimensionless measures of its size are added."
 )
+MAIN = "files channel units dt_s baseline width_m height_m damping plot csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady record RSN77_PUL164.AT2 --plot pacoima.png\n\n"

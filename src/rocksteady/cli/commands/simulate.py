@@ -33,12 +33,15 @@ if TYPE_CHECKING:
     from rocksteady.show.film.animation import Film
 
 HELP = (
-    "One time history: every flight in closed form (of the full equations with --model nonlinear: "
-    "to within a tolerance), every impact, overturning proved.\n\n"
-    "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks freely "
-    "until it rests or overturns. After "
-    "a pulse (--pulse) and a recorded motion (--record) too it is followed until then."
+    "Follow one block through one motion.\n\n"
+    "One time history: every flight in closed form (of the full equations with --model "
+    "nonlinear: to within a tolerance), every impact, overturning proved.\n\n"
+    "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks "
+    "freely until it rests or overturns. After a pulse (--pulse) and a recorded motion "
+    "(--record) too it is followed until then."
 )
+MAIN = "width_m height_m restitution record scale pulse accel_g freq_hz start plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot run.png\n\n"

@@ -31,14 +31,17 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
 HELP = (
-    "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "
-    "on recorded ground, over their size 2 pi/p and their slenderness.\n\n"
-    "Each block is at rest when the record begins, and is followed to rest or proven overturning "
-    "by the full equations, or with --model linear in closed form. For several records the "
-    "median, the 16 and 84 % quantiles and the share that overturns are added. With --one-sided "
-    "the blocks stand against a wall; --reverse then gives another motion. Exit code 3 where a "
-    "block is undecided."
+    "Find which sizes and slendernesses fall in a record.\n\n"
+    "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular "
+    "blocks on recorded ground, over their size 2 pi/p and their slenderness.\n\n"
+    "Each block is at rest when the record begins, and is followed to rest or proven "
+    "overturning by the full equations, or with --model linear in closed form. For several "
+    "records the median, the 16 and 84 % quantiles and the share that overturns are added. With "
+    "--one-sided the blocks stand against a wall; --reverse then gives another motion. Exit "
+    "code 3 where a block is undecided."
 )
+MAIN = "record scale alpha_deg periods_s width_m height_m restitution plot csv out"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady spectrum --record RSN77_PUL164.AT2 --alpha-deg 10:25:4 --periods-s 0.5:10:400 "

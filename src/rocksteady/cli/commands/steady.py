@@ -21,12 +21,15 @@ if TYPE_CHECKING:
     from rocksteady.show.style.page import Page
 
 HELP = (
+    "Find the symmetric steady motions, in closed form.\n\n"
     "Symmetric steady states under harmonic shaking, both branches, in closed form.\n\n"
     "At a point: the region, its boundaries, and for each solution phase, velocity, peak, "
-    "admissibility, multipliers of a period and stability (Tso and Wong 1989, eqs 12 to 25). "
-    "-n may be repeated. -A and -W may also be axes start:stop:count, both ends included (log: "
+    "admissibility, multipliers of a period and stability (Tso and Wong 1989, eqs 12 to 25). -n "
+    "may be repeated. -A and -W may also be axes start:stop:count, both ends included (log: "
     "before it for logarithmic spacing); --plot then draws response curves."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m accel_g freq_hz order plot csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady steady -A 2 -W 4 -r 0.8\n\n"

@@ -8,8 +8,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from typer.core import TyperCommand
-
+from rocksteady.cli.console.help import HelpfulCommand
 from rocksteady.errors import InputError, ModelError, one_line
 from rocksteady.model.checks.arguments import LONGEST_NAME
 
@@ -116,7 +115,7 @@ def flags_of(
         raise kind(flags[error.name], error.value, error.valid, error.hint) from None
 
 
-class OncePerFlag(TyperCommand):
+class OncePerFlag(HelpfulCommand):
     """A command that refuses a flag with a value given twice, of which typer drops the first."""
 
     def make_parser(self, ctx: Any) -> Any:
@@ -152,7 +151,7 @@ def _values_of(arguments: dict[str, Any]) -> set[str]:
     return {value for several in values for value in several if isinstance(value, str)}
 
 
-def _check_paths(command: TyperCommand, values: dict[str, Any]) -> None:
+def _check_paths(command: HelpfulCommand, values: dict[str, Any]) -> None:
     """Refuse names of files that are empty, which would mean this folder, or too long for any."""
     for each in command.params:
         if not PATHS & set((each.metavar or "").split("|")):

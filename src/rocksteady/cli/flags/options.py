@@ -168,8 +168,8 @@ orders = partial(
 start = partial(
     start_flag,
     "--start START",
-    "Start at rest; on steady or steady:2 (branch 1 or 2 of order -n); at U,V (u and "
-    "du/d(pt)); or at U,tau=DU (DU = du/d(omega t)).",
+    "Set the start: rest (default), U,V (u and du/d(pt)), U,tau=DU (DU = du/d(omega t)), or "
+    "steady or steady:2 (branch 1 or 2 of order -n).",
     default="rest",
 )
 side = partial(

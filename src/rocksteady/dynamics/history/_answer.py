@@ -76,6 +76,6 @@ def _when(run: "Described") -> str:
     elif isinstance(run.motion, PeriodicMotion):
         time = f"{number(pt * run.motion.frequency_ratio / (2.0 * math.pi))} periods"
     else:
-        time = f"pt {number(pt)}"
+        return f"at pt {number(pt)}"
     after = "after it is let go" if isinstance(run.motion, Still) else f"into {name_of(run.motion)}"
     return f"{time} {after}"

@@ -235,7 +235,7 @@ def test_a_hostile_command_line_is_refused_in_a_line(
 
 
 def test_help_shows_examples() -> None:
-    text = rocksteady("facade --help").out
+    text = rocksteady("facade --help-all").out
     assert "rocksteady facade --example" in text
     assert "--limit-state" in text
 

@@ -36,12 +36,15 @@ if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
 
 HELP = (
+    "Write an interactive page, one HTML file.\n\n"
     "The explorer: an interactive page in one HTML file that computes by itself.\n\n"
     "Drag the point on the map of motions, and time history, phase portrait, sweeps, basins, "
-    "pulses, ground motions and design charts follow at once. The page holds the kernels of this "
-    "program and gives the same numbers; it needs no server and no network. Without --out it is "
-    "written into a temporary folder."
+    "pulses, ground motions and design charts follow at once. The page holds the kernels of "
+    "this program and gives the same numbers; it needs no server and no network. Without --out "
+    "it is written into a temporary folder."
 )
+MAIN = "width_m height_m restitution amplitude frequency_ratio record tab out no_browser force"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady explore\n\n"

@@ -16,10 +16,12 @@ if TYPE_CHECKING:
     from rocksteady.studies.tso_wong_1989.study import Study
 
 HELP = (
+    "Compute every figure and statement of Tso and Wong (1989).\n\n"
     "Every figure of Tso and Wong (1989) and every statement that can be checked, computed.\n\n"
-    "Writes figures as PNG, SVG and PDF with their data as CSV, claims.json with a verdict on each "
-    "statement, and report.html, which shows it all in one file. Takes about half a minute; "
-    "finished figures are kept in the folder, and --resume continues after whatever ended the run."
+    "Writes figures as PNG, SVG and PDF with their data as CSV, claims.json with a verdict on "
+    "each statement, and report.html, which shows it all in one file. Takes about half a "
+    "minute; finished figures are kept in the folder, and --resume continues after whatever "
+    "ended the run."
 )
 EXAMPLES = (
     "Examples:\n\n"

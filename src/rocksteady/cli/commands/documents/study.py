@@ -17,7 +17,7 @@ from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
 
-HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
+HELP = "Run a study of minutes, a folder each: atlas, facade-checks."
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, unsymmetric and doubled region of the families n = 1, 3, 5 with exact "

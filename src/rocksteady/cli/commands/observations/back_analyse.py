@@ -24,12 +24,14 @@ if TYPE_CHECKING:
     from rocksteady.risk.back_analysis.survey import Survey
 
 HELP = (
-    "Find the PGA and PGV that agree with what fell and what stood in one shaking.\n\n"
-    "Draws of each object are run under every record at every scale. The region of 90 % is tried "
-    "on records that are left out in turn, as the true shaking is in no suite; the temper of the "
-    "likelihood and the probability of the region follow from that. Where everything fell there "
-    "is a lower bound alone, where nothing fell an upper one at most."
+    "Find the PGA and PGV from what fell and what stood.\n\n"
+    "Draws of each object are run under every record at every scale. The region of 90 % is "
+    "tried on records that are left out in turn, as the true shaking is in no suite; the temper "
+    "of the likelihood and the probability of the region follow from that. Where everything "
+    "fell there is a lower bound alone, where nothing fell an upper one at most."
 )
+MAIN = "survey records prior measure draws limits plot csv example"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady back-analyse --survey cemetery.csv --records suite --plot region.png\n\n"

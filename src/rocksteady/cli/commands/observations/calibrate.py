@@ -30,13 +30,15 @@ if TYPE_CHECKING:
     from rocksteady.risk.observations.observations import Observations
 
 HELP = (
-    "Calibrate objects by the shaking tests in which they fell or stood.\n\n"
+    "Fit objects to the shaking tests in which they fell or stood.\n\n"
     "Draws of each object are run under the record of each test at gains about its own, and "
     "weighted by how well they explain the outcomes. Scores are of tests that are predicted "
-    "without their group, beside the base rate and a logistic on intensity measures. --out keeps "
-    "the posterior for `rocksteady predict`, with a report. Outcomes identify alpha alone: height, "
-    "p and restitution come back about as they were put in."
+    "without their group, beside the base rate and a logistic on intensity measures. --out "
+    "keeps the posterior for `rocksteady predict`, with a report. Outcomes identify alpha "
+    "alone: height, p and restitution come back about as they were put in."
 )
+MAIN = "tests objects records prior draws gains out plot example"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady calibrate --tests tests.csv --records suite --out fit\n\n"

@@ -19,12 +19,15 @@ if TYPE_CHECKING:
     from rocksteady.risk.observations.shaking_test import ShakingTest
 
 HELP = (
+    "Predict shaking tests from a calibration.\n\n"
     "Predict the probability that a calibrated object falls, with its 90 % interval.\n\n"
-    "--fit names the folder that `rocksteady calibrate --out` wrote. --tests takes a table whose "
-    "outcomes may be empty; --record takes ground-motion files, at each factor of --scale. The "
-    "records of the calibration are not needed. The folder's predictions.csv has the tests of the "
-    "calibration, each predicted without its own group."
+    "--fit names the folder that `rocksteady calibrate --out` wrote. --tests takes a table "
+    "whose outcomes may be empty; --record takes ground-motion files, at each factor of "
+    "--scale. The records of the calibration are not needed. The folder's predictions.csv has "
+    "the tests of the calibration, each predicted without its own group."
 )
+MAIN = "fit record scale tests objects records object plot csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady predict --fit fit --tests next.csv --csv predictions.csv\n\n"

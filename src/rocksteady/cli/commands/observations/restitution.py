@@ -9,12 +9,15 @@ from rocksteady.cli.flags.demand import sized_block
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 
 HELP = (
-    "Fit the restitution to the peaks of measured free rocking, beside Housner's value.\n\n"
-    "The scatter from impact to impact is separated from the measuring error.\n\n"
-    "--peaks names a CSV table with a column peak_rad, peak_deg or peak_mrad and a line for each "
-    "half cycle; further columns: sigma_rad (measuring error), test (several releases), side (+ or "
-    "-) and t_s (time, for a check of the block's size)."
+    "Fit the restitution to the peaks of measured free rocking.\n\n"
+    "Housner's value stands beside it. The scatter from impact to impact is separated from the "
+    "measuring error.\n\n"
+    "--peaks names a CSV table with a column peak_rad, peak_deg or peak_mrad and a line for "
+    "each half cycle; further columns: sigma_rad (measuring error), test (several releases), "
+    "side (+ or -) and t_s (time, for a check of the block's size)."
 )
+MAIN = "peaks width_m height_m each_side model plot csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady restitution --peaks peaks.csv --width-m 0.05 --height-m 0.5\n\n"

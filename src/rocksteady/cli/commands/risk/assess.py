@@ -30,15 +30,18 @@ if TYPE_CHECKING:
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
 
 HELP = (
+    "Estimate the probability that an object falls.\n\n"
     "Probability that an object falls, with a sentence and the reason.\n\n"
     "FILE is an object in TOML (docs/guides/objects.md): it is run on the motions of --records, "
-    "with published formulas, sensitivity, risk and remedies beside; --out keeps all in a folder. "
-    "A FILE that ends in .csv is a table of objects, each with a probability, a colour and a "
-    "sentence, at --pga-g and --pgv-m-s. --example needs no file.\n\n"
-    "Without FILE a block, a peak acceleration and a peak velocity give a probability by a closed "
-    "form fitted to published runs. Where friction lets the object slide there is no probability "
-    "of falling by rocking."
+    "with published formulas, sensitivity, risk and remedies beside; --out keeps all in a "
+    "folder. A FILE that ends in .csv is a table of objects, each with a probability, a colour "
+    "and a sentence, at --pga-g and --pgv-m-s. --example needs no file.\n\n"
+    "Without FILE a block, a peak acceleration and a peak velocity give a probability by a "
+    "closed form fitted to published runs. Where friction lets the object slide there is no "
+    "probability of falling by rocking."
 )
+MAIN = "file records pga_g pgv_m_s width_m height_m friction target out example"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4\n\n"

@@ -29,15 +29,18 @@ if TYPE_CHECKING:
     from rocksteady.risk.facades.facade_runs import FacadeRuns
 
 HELP = (
+    "Check a wall, parapet, pinnacle or gable (Circolare 2019 n. 7).\n\n"
     "Check a wall, parapet, pinnacle or gable against falling, by Circolare 2019 n. 7, C8.7.1: "
     "linear, nonlinear static and nonlinear dynamic, side by side.\n\n"
     "FILE describes the facade in TOML (docs/guides/facades.md), with loads, ties and the "
     "demand of each limit state. A tie counts in displacements with until_collapse = true. "
-    "--records runs the facade under ground motions, as recorded and "
-    "reversed: no run may go beyond d0, and the mean of the largest displacements has a "
-    "limit. If FILE has no demand for the limit state of the records, 7 records or more give "
-    "it. --out writes a report in English or Italian."
+    "--records runs the facade under ground motions, as recorded and reversed: no run may go "
+    "beyond d0, and the mean of the largest displacements has a limit. If FILE has no demand "
+    "for the limit state of the records, 7 records or more give it. --out writes a report in "
+    "English or Italian."
 )
+MAIN = "file records pga_g limit_state restitution language out check plot example"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady facade wall.toml --records suite --pga-g 0.25\n\n"

@@ -20,13 +20,16 @@ if TYPE_CHECKING:
     from rocksteady.risk.fragility.fitting import Fitting
 
 HELP = (
+    "Compute the fragility of a block from a suite of records.\n\n"
     "Fragility: the probability that a block lifts, tilts beyond a part of alpha, or overturns, "
     "over the intensity of the ground motion.\n\n"
-    "Every record is scaled to every level, run as it is and reversed, for a band of restitutions, "
-    "by the full equations; curves are fitted by maximum likelihood, with bands by a bootstrap of "
-    "records. Where blocks stand without lifting the curves have two stages, uplift and failure "
-    "given uplift. --out keeps the runs and --resume continues them."
+    "Every record is scaled to every level, run as it is and reversed, for a band of "
+    "restitutions, by the full equations; curves are fitted by maximum likelihood, with bands "
+    "by a bootstrap of records. Where blocks stand without lifting the curves have two stages, "
+    "uplift and failure given uplift. --out keeps the runs and --resume continues them."
 )
+MAIN = "width_m height_m restitution records measure levels states out plot example"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady fragility --width-m 0.32 --height-m 1.8 --records suite --plot fragility.png\n\n"

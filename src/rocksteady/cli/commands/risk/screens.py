@@ -10,13 +10,15 @@ from rocksteady.cli.flags.groups import grouped, in_columns
 from rocksteady.cli.flags.record_files import ReadingFlags
 
 HELP = (
+    "Apply published formulas to a block.\n\n"
     "Published formulas for uplift, rocking and overturning of a block, side by side: statics, "
-    "Shenton's friction, ASCE 43-05, Ishiyama, Kaneko-Hayashi, the Circolare, p PGV/(g tan alpha) "
-    "and FEMA P-58's cabinets.\n\n"
-    "Each row prints its equation and edition, and implements that equation alone: "
-    "the engineer verifies. A row whose input is missing names it. Peaks and spectra may be those "
-    "of a floor."
+    "Shenton's friction, ASCE 43-05, Ishiyama, Kaneko-Hayashi, the Circolare, p PGV/(g tan "
+    "alpha) and FEMA P-58's cabinets.\n\n"
+    "Each row prints its equation and edition, and implements that equation alone: the engineer "
+    "verifies. A row whose input is missing names it. Peaks and spectra may be those of a floor."
 )
+MAIN = "width_m height_m pga_g pgv_m_s friction vertical_g record spectrum check csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady screens --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.4\n\n"

@@ -32,14 +32,17 @@ if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 HELP = (
+    "Find which starts end where.\n\n"
     "Attractor or fate of each state of a window: basins of attraction and their shares.\n\n"
-    "With an axis of frequencies, restitutions or phases (-W 1.5:3:31) it computes the shares over "
-    "it, with labels that stay with their orbits. With an axis of amplitudes (-A 0:1:21) it "
-    "computes how the safe basin, the states from which the block does not overturn, erodes as the "
-    "amplitude grows; --shares gives the shares there too. Under a recorded motion (--record) or a "
-    "pulse (--pulse) it computes which states come to rest and which overturn, to which side, and "
-    "at what peak. Exit code 3 where more than 1 state in 1000 is undecided."
+    "With an axis of frequencies, restitutions or phases (-W 1.5:3:31) it computes the shares "
+    "over it, with labels that stay with their orbits. With an axis of amplitudes (-A 0:1:21) "
+    "it computes how the safe basin, the states from which the block does not overturn, erodes "
+    "as the amplitude grows; --shares gives the shares there too. Under a recorded motion "
+    "(--record) or a pulse (--pulse) it computes which states come to rest and which overturn, "
+    "to which side, and at what peak. Exit code 3 where more than 1 state in 1000 is undecided."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m record pulse angles velocities plot"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady basins -A 0.5 -W 2 -r 0.95 --plot basins.png\n\n"

@@ -17,13 +17,16 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.edges.manifold import Manifold
 
 HELP = (
-    "The edge of two basins: the unstable motion on it, and the least fatal kick from a state.\n\n"
-    "A motion is kept on the edge by bisection and polished by Newton's method.  Without --other "
-    "the edge is sought among kicks, sudden changes of the base velocity.  With --manifolds the "
-    "curves along which motions approach the edge motion and leave it are computed too; the first "
-    "separate the basins.  Exit code 3 "
-    "where the motion on the edge does not repeat."
+    "Find the least kick that makes it fall.\n\n"
+    "The edge of two basins: the unstable motion on it, and the least fatal kick from a "
+    "state.\n\n"
+    "A motion is kept on the edge by bisection and polished by Newton's method. Without --other "
+    "the edge is sought among kicks, sudden changes of the base velocity. With --manifolds the "
+    "curves along which motions approach the edge motion and leave it are computed too; the "
+    "first separate the basins. Exit code 3 where the motion on the edge does not repeat."
 )
+MAIN = "amplitude frequency_ratio restitution width_m height_m start other manifolds plot csv"
+"""Parameters that the short help shows."""
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady edge -A 0.2 -W 2 -r 0.9 --manifolds --plot edge.png\n\n"

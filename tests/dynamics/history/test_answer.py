@@ -1,0 +1,76 @@
+"""Answers of time histories: their verdict, their time, and the scale at which none falls."""
+
+import pytest
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Pulse,
+    State,
+    Still,
+    check_neighbours,
+    simulate,
+)
+from rocksteady.dynamics.history.trajectory import Trajectory
+
+BLOCK = Block.rectangle(width=0.4, height=0.8)
+
+
+def shaken(accel_g: float, hz: float = 1.0) -> Trajectory:
+    """Return a block in a pulse."""
+    pulse = Pulse.from_si(
+        BLOCK, shape="one-sine", acceleration_m_s2=9.80665 * accel_g, frequency_hz=hz
+    )
+    return simulate(BLOCK, pulse)
+
+
+def first_line(run: Trajectory) -> str:
+    """Return the sentence of a run."""
+    answer = run.describe().answer
+    assert answer is not None
+    return answer.sentence
+
+
+def test_the_sentence_says_when_it_falls_or_rests() -> None:
+    falls, rests = shaken(0.9), shaken(0.55)
+    assert falls.status == "overturned"
+    assert first_line(falls) == f"It falls {falls.overturn_time_s:.3g} s into the pulse."
+    assert rests.status == "at-rest"
+    assert first_line(rests) == f"It rests {rests.rest_time_s:.3g} s into the pulse."
+    assert "never lifts" in first_line(shaken(0.4))
+
+
+def test_a_dimensionless_block_counts_periods_and_a_free_one_seconds() -> None:
+    steady = simulate(
+        DimensionlessBlock(restitution=0.8),
+        Harmonic(amplitude=2.0, frequency_ratio=1.9),
+        cycles=40,
+        start=State(angle=0.5, velocity=0.0),
+    )
+    assert " periods into the motion" in first_line(steady)
+    free = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0))
+    assert first_line(free) == f"It rests {free.rest_time_s:.3g} s after it is let go."
+
+
+@pytest.mark.parametrize("accel_g", [0.75, 0.9, 1.5])
+def test_no_neighbour_falls_where_it_is_said_to_stand_and_one_falls_just_above(
+    accel_g: float,
+) -> None:
+    found = check_neighbours(shaken(accel_g))
+    scale = found.stands_at
+    assert (scale is None) == (found.agree and not found.fall)
+    if scale is None:
+        return
+    for factor, stands in ((scale, True), (scale + 0.02, False)):
+        case = shaken(factor * accel_g)
+        fall = check_neighbours(case).fall + (case.status == "overturned")
+        assert (fall == 0) == stands
+    assert f"{scale:.2f} x the pulse ({scale * accel_g:.3g} g)" in found.summary()
+
+
+def test_the_sentence_counts_the_neighbours_that_end_otherwise() -> None:
+    found = check_neighbours(shaken(0.9))
+    assert 0 < found.fall < found.runs
+    assert f"but {found.runs - found.fall} of {found.runs} neighbours stand." in found.summary()
+    assert "all 26 neighbours stand" in check_neighbours(shaken(0.4)).summary()
