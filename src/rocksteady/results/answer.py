@@ -11,7 +11,7 @@ from typing import Final
 MOST_FACTS: Final = 5
 """Facts of an answer."""
 MOST_ROWS: Final = 12
-"""Rows of an answer whose rows are what was asked for."""
+"""Rows of an answer that consists of rows."""
 
 
 @dataclass(frozen=True)

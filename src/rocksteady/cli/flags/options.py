@@ -67,7 +67,9 @@ def follow_up(command: str, *parts: object) -> str:
                 continue
             name = each.metadata[NAME]
             values = value if isinstance(value, list | tuple) else [value]
-            words += [name if one is True else f"{name} {shlex.quote(str(one))}" for one in values]
+            words += [
+                name if item is True else f"{name} {shlex.quote(str(item))}" for item in values
+            ]
     return " ".join(filter(None, words))
 
 

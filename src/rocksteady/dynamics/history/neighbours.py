@@ -45,7 +45,7 @@ SLENDERNESS = 0.02
 
 RANGE = "±5 % scale, ±0.03 rest., ±2 % alpha"
 STEP = 0.02
-"""Step of the factors of the motion at which it is asked whether block and neighbours stand."""
+"""Step of the factors of the motion in the search for one at which all of them stand."""
 
 
 @checked_result
