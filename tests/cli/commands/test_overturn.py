@@ -78,13 +78,13 @@ def test_the_full_equations_keep_the_contract(tmp_path: Path) -> None:
     with table.open(encoding="utf-8", newline="") as file:
         assert float(next(csv.DictReader(file))["low"]) == low
     assert picture.stat().st_size > 5000
-    text = rocksteady(point).out
+    text = rocksteady(f"{point} --more").out
     assert "nonlinear model" in " ".join(text.split())
     assert "3.03234" in text
 
 
 def test_the_table_has_a_row_a_window() -> None:
-    ran = rocksteady(f"{POINT} -A 8")
+    ran = rocksteady(f"{POINT} -A 8 --more")
     assert ran.code == 0
     lines = [" ".join(line.split()) for line in ran.out.splitlines()]
     assert "2 1.22518 2.3144 1 -" in lines
@@ -92,7 +92,7 @@ def test_the_table_has_a_row_a_window() -> None:
     assert "6 5.16416 7.66987 1 -" in lines
     assert all(len(line) <= 80 for line in ran.out.splitlines())
     assert "stands" in rocksteady("overturn --pulse one-sine -W 12 -r 0.9 -A 2").out
-    many = rocksteady("overturn --pulse type-c2 -W 0.7 -r 0.9 -A 1.2 --resolution 0.01")
+    many = rocksteady("overturn --pulse type-c2 -W 0.7 -r 0.9 -A 1.2 --resolution 0.01 --more")
     assert "narrower windows are left out" in many.out
 
 
@@ -228,3 +228,50 @@ def test_a_moment_of_no_record_is_refused_as_it_was_given(text: str) -> None:
     ran = rocksteady(f"overturn --kick {BODY} --at-s {text}")
     assert ran.code == 2
     assert f"--at-s = '{text}'" in ran.err
+
+
+def answer(command: str) -> list[str]:
+    """Return the lines of an answer, none of them longer than the screen."""
+    ran = rocksteady(command)
+    lines = ran.out.splitlines()
+    assert ran.code == 0
+    assert all(len(line) <= 80 for line in lines)
+    return [" ".join(line.split()) for line in lines]
+
+
+def test_the_answer_of_a_pulse_has_the_ends_of_its_windows() -> None:
+    command = "overturn --pulse one-sine -W 3 -r 0.9"
+    lines = answer(command)
+    (row,) = rocksteady(f"{command} --json").json["windows"]
+    (low, high), (above, _) = row["intervals"]
+    first = f"It falls first at A = {low:.3g}; above A = {above:.3g} it always falls"
+    assert " ".join(lines[:2]).startswith(first)
+    assert f"falls A = {low:.3g}-{high:.3g}" in lines
+    assert lines[-1] == f"next: rocksteady {command} --more"
+    assert len(lines) <= 9
+
+
+def test_the_answer_of_frequencies_counts_those_at_which_it_stands() -> None:
+    lines = answer("overturn --pulse one-sine -W 0.5:12:9 -r 0.9 -A 9")
+    rows = rocksteady("overturn --pulse one-sine -W 0.5:12:9 -r 0.9 -A 9 --json").json["windows"]
+    falls = [row for row in rows if row["intervals"]]
+    assert f"at {len(falls)} of 9 frequencies" in lines[0]
+    shown = [line for line in lines if line.startswith("W = ")]
+    left = len(falls) - len(shown)
+    fall = f"{left} that fall, " if left else ""
+    more = f"more {9 - len(shown)} more with --more: {fall}{9 - len(falls)} that stand"
+    assert more in lines
+
+
+def test_the_answer_of_a_kick_is_the_least_of_both_ways() -> None:
+    command = "overturn --kick --start 0.5,0 -r 0.9"
+    lines = answer(command)
+    values = rocksteady(f"{command} --json").json
+    assert lines[0] == f"The least kick that fells it is {values['least']:.3g} alpha g/p."
+    other = max(row["first"] for row in values["kicks"])
+    assert f"the other way -{other:.3g} alpha g/p" in lines
+
+
+def test_the_answer_says_that_it_stands() -> None:
+    lines = answer("overturn --pulse one-sine -W 12 -r 0.9 -A 2")
+    assert lines[0] == "It stands in the one-sine pulse at W = 12, up to A = 2."

@@ -95,7 +95,7 @@ def test_there_is_a_row_a_window(block: Block | DimensionlessBlock) -> None:
     assert len(rows) == sum(len(row["modes"]) for row in found.to_dict()["windows"])
     assert (rows.low < rows.high).all()
     assert ({"freq_hz", "low_g"} <= set(rows)) == (block is LEANING)
-    text = found.summary()
+    text = found.summary(more=True)
     assert fits(text)
     assert "stands throughout at omega/p = 8." in text
     assert ("Hz" in text) == ("°" in text) == (block is LEANING)
@@ -113,7 +113,7 @@ def test_windows_of_any_kind_have_their_words() -> None:
         left_out_width=np.array([1e-6, 3e-5, 0.0]),
         unsettled=np.array([1, 0, 0]),
     )
-    text = changed.summary()
+    text = changed.summary(more=True)
     lines = [line.split() for line in text.splitlines()]
     assert ["1", "2.5", "2.6", "3", "+"] in lines
     assert ["1", "2.7", "the", "end", "10", "-"] in lines

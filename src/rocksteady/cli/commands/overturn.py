@@ -1,7 +1,9 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import partial
+from shlex import quote
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
@@ -26,9 +28,12 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.results.numbers import quantity
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
+    from rocksteady.results.answer import Answer
+    from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 
 HELP = (
     "Find every strength at which a pulse or a record fells a block.\n\n"
@@ -181,6 +186,14 @@ def overturn(
     ):
         result = search.find(run=shown)
     description = result.describe()
+    typed = {**conflicting, **of_kicks, "--scales": scales, "--resolution": resolution}
+    typed = {**typed, "--model": model, "--pulse": None}
+    flags = [f"{name} {quote(str(value))}" for name, value in typed.items() if value is not None]
+    more = options.follow_up(
+        "overturn" + " --kick" * kick, pulse, recorded, suite, reading, *flags, block, "--more"
+    )
+    if not kick and recorded.record and len(recorded.record) == 1:
+        description = replace(description, answer=with_standing(result, description.answer))
     output.write_csv(result.to_dataframe)
     sweep.write_netcdf(result.to_dataset)
     output.write_plot(lambda page: search.figure(result, description.headline, page))
@@ -190,7 +203,28 @@ def overturn(
         after={"seconds": meter.seconds, "store": run.place and str(run.place.path)},
         decided=not result.undecided.any(),
         wrap=True,
+        follow_up=more,
     )
+
+
+def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answer | None":
+    """Return an answer with the largest scale of a record at which no neighbour falls."""
+    from rocksteady.dynamics.history.neighbours import check_neighbours
+    from rocksteady.dynamics.history.simulate import simulate
+
+    if answer is None or not scales.first[0] > 0.0:
+        return answer
+    block, motion = scales.block, scales.motions[0]
+    base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
+    whole = scales.within[0] <= 1.0 <= scales.top[0] and scales.falls(0, 1.0)
+    scale = 1.0 if whole else float(scales.first[0])
+    case = simulate(block, base.scaled(scale), model=scales.model)
+    part = check_neighbours(case).stands_at
+    if part is None:
+        return answer
+    pga = quantity(part * scale * float(scales.pga_g[0]), "g")
+    stands = f"{part * scale:.2f} x ({pga}), where no neighbour falls"
+    return replace(answer, facts=[*answer.facts[:2], ("stands at", stands), *answer.facts[2:]])
 
 
 def _refuse(what: str, idle: Mapping[str, object]) -> None:

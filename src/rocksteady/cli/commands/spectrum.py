@@ -157,7 +157,23 @@ def spectrum(
     kept = f", kept in {values['store']}" if values["store"] else ""
     note = f"{values['cells']:,} motions in {meter.seconds:.2f} s{kept}"
     answer = replace(described, notes=[*described.notes, note])
-    output.leave("spectrum", answer, values=values, decided=not values["counts"]["undecided"])
+    typed = {
+        "--alpha-rad": alpha_rad,
+        "--alpha-deg": alpha_deg,
+        "--periods-s": periods_s,
+        "--p-rad-s": p_rad_s,
+        "--width-m": width_m,
+        "--height-m": height_m,
+        "-r": restitution,
+        "--model": model,
+        "--gravity-m-s2": gravity_m_s2,
+        "--tolerance": tolerance,
+    }
+    flags = [f"{flag} {value}" for flag, value in typed.items() if value is not None]
+    flags += ["--one-sided"] if one_sided else []
+    more = options.follow_up("spectrum", recorded, reading, *flags, "--more")
+    decided = not values["counts"]["undecided"]
+    output.leave("spectrum", answer, values=values, decided=decided, follow_up=more)
 
 
 def refuse_records(recorded: RecordFlags, reading: ReadingFlags, model: str | None) -> None:

@@ -27,7 +27,7 @@ from rocksteady.dynamics.overturning.window_cells import (
     nothing_found,
     outputs,
 )
-from rocksteady.dynamics.overturning.window_lists import LEFT, WindowLists
+from rocksteady.dynamics.overturning.window_lists import LEFT, SHOWN, WindowLists
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.tables import JUMP
 from rocksteady.model.blocks.block import Block
@@ -39,8 +39,9 @@ from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion, Still
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, quantity
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -206,6 +207,46 @@ class FatalKicks(WindowLists):
                 Table("kicks", listed),
             ],
             notes,
+            answer=self._answer(),
+        )
+
+    def _answer(self) -> Answer:
+        """Return the least kick of all moments, and those of the others and of the other way."""
+        sized = isinstance(self.block, Block)
+
+        def write(kick: float) -> str:
+            size = quantity(kick, "alpha g/p")
+            return f"{quantity(kick * self.unit_m_s, 'm/s')} ({size})" if sized else size
+
+        def moment(index: int) -> str:
+            time = float(self.time_pt[index])
+            if isinstance(self.block, Block):
+                return quantity(time / self.block.p, "s")
+            return f"pt {number(time)}"
+
+        searched = f"both ways, up to {write(self.within[1])}{self._missing}"
+        facts = [self._undecided, ("searched", searched), self._computed]
+        if math.isnan(self._smallest):
+            return Answer("It stands after every kick searched.", facts)
+        if self._smallest == 0.0:
+            return Answer("It falls without a kick.", facts)
+        order = np.argsort(np.abs(self.least), kind="stable").tolist()
+        at = order[0]
+        other = abs(self.first[2 * at + int(self.least[at] > 0.0)])
+        way = "-" if self.least[at] > 0.0 else "+"
+        words = f"{way}{write(other)}" if other > 0.0 else "no kick fells it"
+        state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
+        facts[1:1] = [("the other way", words), ("tilt before", state)]
+        least = self.least.tolist()
+        rows = [
+            (moment(row), "stands" if math.isnan(least[row]) else write(least[row]))
+            for row in order[:SHOWN]
+        ]
+        when = f" at {moment(at)}" if len(order) > 1 else ""
+        return Answer(
+            f"The least kick that fells it is {write(self._smallest)}{when}.",
+            facts,
+            rows if len(order) > 1 else [],
         )
 
     @property

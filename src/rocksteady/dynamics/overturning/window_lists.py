@@ -1,6 +1,6 @@
 """Lists of windows over which a block overturns: what all results that have them share."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -16,11 +16,18 @@ from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Fact
+from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+WIDEST = 3
+"""Windows that an answer names."""
+SHOWN = 5
+"""Rows of an answer."""
+MOST_DIGITS = 6
+"""Significant digits of an end of a window."""
 LEFT = ("left_out", "left_out_width", "undecided", "unsettled")
 """Fields on amplitudes that a search leaves out, undecided or unsettled."""
 
@@ -113,6 +120,67 @@ class WindowLists(Result):
             return Fact("block", block_values(self.block), "block", words)
         return Fact("", label="block", text=words)
 
+    @property
+    def _by_first(self) -> list[int]:
+        """The rows that an answer shows, the smallest `first` at the beginning."""
+        falling = np.flatnonzero(~np.isnan(self.first))
+        order = falling[np.argsort(self.first[falling], kind="stable")]
+        return [int(row) for row in order[:SHOWN]]
+
+    @property
+    def _computed(self) -> tuple[str, str]:
+        """Model and block, as a fact of an answer."""
+        return "computed", f"{self.model.name}, {self.block.describe().headline}"
+
+    @property
+    def _undecided(self) -> tuple[str, str]:
+        """How many sizes have no decision, as a fact of an answer."""
+        count = int(self.undecided.sum())
+        words = f"at {count:,} of the sizes tried, which count as standing"
+        return "undecided", words if count else ""
+
+    @property
+    def _rest(self) -> tuple[str, str]:
+        """How many rows an answer leaves out, as a fact of it."""
+        stand = int(np.isnan(self.first).sum())
+        fall = len(self.first) - stand - len(self._by_first)
+        kinds = {"that fall": fall, "that stand": stand}
+        words = ", ".join(f"{count} {kind}" for kind, count in kinds.items() if count)
+        return "more", words and f"{fall + stand} more with --more: {words}"
+
+    @property
+    def _missing(self) -> str:
+        """What the list of windows lacks, after the words on what was searched."""
+        words, count = "", int(self.left_out.sum())
+        if count:
+            words = f"; {plural(count, 'window')} of {number(self.left_out_width.sum(), 1)} in all"
+            words += " left out"
+        return words + "; narrower ones may be missing" * bool(self.unsettled.any())
+
+    def _verdict(self, row: int, write: Callable[[float], str]) -> str:
+        """Return from which size on a block of one row falls, and from which on it always does."""
+        first, end = float(self.first[row]), float(self._ends[row])
+        least = ", the least searched" if first <= self.within[0] else ""
+        last = (self.intervals(row) or [(first, end)])[-1]
+        if last[1] < end and number(last[1]) == number(end):
+            return f"first at {write(first)}{least}"
+        if last[1] < end:
+            return f"first at {write(first)}{least}; above {write(last[1])} it stands"
+        if last[0] == first:
+            return f"at {write(first)}{least}, and at all above"
+        return f"first at {write(first)}{least}; above {write(last[0])} it always falls"
+
+    def _widest(self, row: int, unit: float = 1.0) -> str:
+        """Return the widest windows of one row that end before the search does."""
+        ended = [ends for ends in self.intervals(row) if ends[1] < self._ends[row]]
+        widest = sorted(sorted(ended, key=lambda ends: ends[0] - ends[1])[:WIDEST])
+        return ", ".join(_span(low * unit, high * unit) for low, high in widest)
+
+    def _narrower(self, row: int) -> str:
+        """Return how many windows of one row are narrower than the widest ones."""
+        count = sum(ends[1] < self._ends[row] for ends in self.intervals(row)) - WIDEST
+        return f"; {plural(count, 'narrower window')}" if count > 0 else ""
+
     def _modes(self, row: int) -> list[dict[str, Any]]:
         """Return the windows of one row in plain values."""
         return [
@@ -159,3 +227,16 @@ class WindowLists(Result):
             "within": list(self.within),
             "resolution": self.resolution,
         }
+
+
+def listed(names: Sequence[str]) -> str:
+    """Return some names, the first three and the number of the others."""
+    more = len(names) - WIDEST
+    return ", ".join(names[:WIDEST]) + (f" and {more:,} more" if more > 0 else "")
+
+
+def _span(low: float, high: float) -> str:
+    """Return two ends with as many digits as tell them apart."""
+    pairs = ((number(low, digits), number(high, digits)) for digits in range(3, MOST_DIGITS))
+    apart = next((ends for ends in pairs if ends[0] != ends[1]), None)
+    return "-".join(apart or (number(low, MOST_DIGITS), number(high, MOST_DIGITS)))

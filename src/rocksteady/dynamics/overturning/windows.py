@@ -12,7 +12,7 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
-from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.dynamics.overturning.window_lists import WindowLists, listed
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -21,8 +21,9 @@ from rocksteady.model.checks.validation import in_range, index_value, is_pair, r
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import amplitude_text, case_text, restitution_values
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
@@ -151,7 +152,51 @@ class OverturningWindows(WindowLists):
         headline = (
             f"Overturning: {self._pulse_text} pulse, {case_text(block)}, {self.model.name} model"
         )
-        return Description(headline, facts, [windows, Table("windows", rows)], notes)
+        tables = [windows, Table("windows", rows)]
+        return Description(headline, facts, tables, notes, answer=self._answer(rows))
+
+    def _answer(self, rows: list[dict[str, Any]]) -> Answer:
+        """Return where it falls, at the one frequency or at each."""
+        sized, unit = isinstance(self.block, Block), 1.0
+        if isinstance(self.block, Block):
+            unit = self.block.uplift_acceleration / self.block.gravity
+
+        def write(amplitude: float) -> str:
+            size = number(amplitude * unit)
+            return f"{size} g" if sized else f"A = {size}"
+
+        names = [
+            quantity(row["freq_hz"], "Hz") if sized else f"W = {number(row['frequency_ratio'])}"
+            for row in rows
+        ]
+        shown, pulse = self._by_first, f"{self._pulse_text} pulse"
+        searched = f"{write(self.within[0])} to {write(self.within[1])}{self._missing}"
+        facts = [self._undecided, ("searched", searched), self._computed]
+        if not shown:
+            at = names[0] if len(names) == 1 else f"all {len(names)} frequencies"
+            top = write(self.within[1])
+            return Answer(f"It stands in the {pulse} at {at}, up to {top}.", facts)
+        if len(rows) > 1:
+            stands = [names[row] for row in np.flatnonzero(np.isnan(self.first))]
+            facts[1:1] = [self._rest, ("stands at", listed(stands))]
+            return Answer(
+                f"It falls in the {pulse} at {len(rows) - len(stands)} of {len(rows)} frequencies, "
+                f"first at {write(self.first[shown[0]])} ({names[shown[0]]}).",
+                facts,
+                [(names[row], "falls " + self._verdict(row, write)) for row in shown],
+            )
+        first, last = self.at(0)[0], self.at(0)[-1]
+        after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"
+        if last.low > first.low:
+            after += f", {plural(last.impacts, 'impact')} at {write(last.low)}"
+        spans = "{} g" if sized else "A = {}"
+        widest, closed = self._widest(0, unit), rows[0]["closed_form"]
+        facts[1:1] = [
+            ("falls", widest and f"{spans.format(widest)}{self._narrower(0)}"),
+            ("falls after", after),
+            ("without impact", "" if closed is None else f"from {write(closed)} on, closed form"),
+        ]
+        return Answer(f"It falls {self._verdict(0, write)} ({names[0]} {pulse}).", facts)
 
     @property
     def _pulse_text(self) -> str:

@@ -8,8 +8,9 @@ import numpy as np
 
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.outcomes import Status
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, length, number, plural
+from rocksteady.results.numbers import angle, length, number, percent, plural, quantity
 from rocksteady.seismic.spectra.suite import QUANTILES, summarise_spectra
 from rocksteady.sweep.cases.labelled import as_dataset
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
 FALLS = "falls"
+SHOWN = 5
+"""Rows of an answer."""
 MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
 """Columns of slendernesses in a text, of one record and of several; of more each run is a row."""
 WITH_FALLS = "with falls"
@@ -84,13 +87,88 @@ def describe(dataset: "Labelled") -> Description:
     if suite:
         tables.append(Table("suite", suite))
     tables.append(_grid(shown, suite=bool(suite)) if grid else _list(shown, suite=bool(suite)))
-    return Description(headline=_headline(dataset), facts=facts, tables=tables)
+    answer = None if of_record or not shown else _answer(dataset, shown, counts)
+    return Description(headline=_headline(dataset), facts=facts, tables=tables, answer=answer)
+
+
+def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[str, int]) -> Answer:
+    """Return which blocks fall: of each slenderness up to which size, else at which scales."""
+    over_scale = max(dataset.sizes.get(name, 1) for name in ("scale", "level")) > 1
+    sizes = not over_scale and "width_m" not in rows[0]
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for row in rows:
+        name = angle(row["alpha_rad"]) if sizes else _size(row)
+        groups.setdefault(name, []).append(row)
+    names = np.atleast_1d(dataset["record"].values).tolist()
+    where = shortened(names[0]) if len(names) == 1 else plural(len(names), "record")
+    order = sorted(groups, key=lambda name: -sum(map(_falls, groups[name])))
+    key = "scale" if over_scale else "period_s"
+    undecided = counts[Status.UNDECIDED.label]
+    lost = counts[Status.LOST_CONTACT.label]
+    left_out = order[SHOWN:]
+    falling = sum(any(map(_falls, groups[name])) for name in left_out)
+    more = f"{len(left_out)} more with --more: {falling} with falls"
+    facts = [
+        ("undecided", f"{undecided:,} runs" if undecided else ""),
+        ("lost contact", f"{lost:,} runs leave the base" if lost else ""),
+        ("more", more if left_out else ""),
+        ("runs", _counts(counts)),
+        ("computed", _headline(dataset).partition(": ")[2]),
+    ]
+    falls = [row for row in groups[order[0]] if _falls(row)]
+    least = f"No block falls in {where}."
+    if falls:
+        worst = max(falls, key=lambda row: (_falls(row), row[key] * (-1 if over_scale else 1)))
+        words = f"A block of {_size(worst)} falls in {where}"
+        if over_scale:
+            words += f" from {number(worst['scale'])} x on"
+        elif sizes and len(names) == 1:
+            words = f"Blocks of {angle(worst['alpha_rad'])} fall in {where} up to "
+            radius = 0.75 * dataset.attrs["gravity"] / worst["p_rad_s"] ** 2
+            width, height = (2.0 * radius * f(worst["alpha_rad"]) for f in (math.sin, math.cos))
+            size = f"{number(width)} x {number(height)} m"
+            words += f"2 pi/p = {quantity(worst['period_s'], 's')} ({size})"
+        least = f"{words}."
+        if len(names) > 1:
+            least = least.replace(where, f"{round(_falls(worst) * len(names))} of {where}")
+    shown = [(name, _course(groups[name], key)) for name in order[:SHOWN]]
+    return Answer(least, facts, shown)
+
+
+def _size(row: dict[str, Any]) -> str:
+    """Return the size of a block: width and height, or slenderness and 2 pi/p."""
+    if "width_m" in row:
+        return f"{number(row['width_m'])} x {number(row['height_m'])} m"
+    return f"{angle(row['alpha_rad'])} and 2 pi/p = {quantity(row['period_s'], 's')}"
+
+
+def _course(rows: Sequence[dict[str, Any]], key: str) -> str:
+    """Return what becomes of some blocks over their size, or of one over the scale."""
+    sign, unit = (1.0, "x") if key == "scale" else (-1.0, "s")
+    first = sorted(rows, key=lambda row: sign * row[key])
+    falls = [row for row in first if _falls(row)]
+    peaks = [row["peaks"][1] if "peaks" in row else row["peak"] for row in first if not _falls(row)]
+    tilt = max((peak for peak in peaks if math.isfinite(peak)), default=None)
+    words = "" if tilt is None else f"; tilts to {quantity(tilt, 'alpha')}"
+    if not falls:
+        return f"stands{words}"
+    if len(first) == 1:
+        share = _falls(falls[0])
+        return FALLS if "peak" in falls[0] else f"falls in {percent(share)} of records"
+    beyond = first[first.index(falls[0]) :]
+    stand = sum(not _falls(row) for row in beyond)
+    end = "from {} on" if sign > 0.0 else "up to {}"
+    but = f", stands at {stand} of {len(beyond)}" if stand else ""
+    if "peaks" in falls[0]:
+        most = max(map(_falls, falls))
+        but = f", in at most {percent(most)} of records"
+    return "falls " + end.format(quantity(falls[0][key], unit)) + but + words
 
 
 def _headline(dataset: "Labelled") -> str:
     """Return what shakes which blocks, in a line."""
     names = np.atleast_1d(dataset["record"].values).tolist()
-    parts = [_shortened(names[0]) if len(names) == 1 else plural(len(names), "record")]
+    parts = [shortened(names[0]) if len(names) == 1 else plural(len(names), "record")]
     if _vertical(dataset) is not None:
         parts[0] += " and vertical"
     scale = np.unique(dataset["scale"].values)
@@ -120,7 +198,7 @@ def _vertical(dataset: "Labelled") -> str | None:
     return None if vertical == "none" else vertical
 
 
-def _shortened(name: str, most: int = 40) -> str:
+def shortened(name: str, most: int = 40) -> str:
     """Return a name of a few words, its middle left out where it is long."""
     return name if len(name) <= most else f"{name[: most // 2]}…{name[-most // 2 + 1 :]}"
 
@@ -259,7 +337,7 @@ def _list(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
     """Return a table with a row for each block and level."""
     some = rows[0] if rows else {}
     columns = [
-        Column("record", "record", _shortened, left=True),
+        Column("record", "record", shortened, left=True),
         Column("direction", "direction", left=True),
         Column("block", "block", left=True),
         Column("width_m", "width", length),

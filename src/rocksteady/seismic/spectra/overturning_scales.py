@@ -31,10 +31,12 @@ from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import case_text
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.seismic.spectra.batch import GroundShaking
+from rocksteady.seismic.spectra.describe import shortened
 from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -216,7 +218,40 @@ class OverturningScales(WindowLists):
                 Table("windows", rows),
             ],
             self._notes(),
+            answer=self._answer(),
         )
+
+    def _answer(self) -> Answer:
+        """Return at which scales it falls in the one record, or in each."""
+        names, count = [shortened(name) for name in self.names], len(self.names)
+        shown, falls = self._by_first, int((~np.isnan(self.first)).sum())
+        low, high = (number(end) for end in self.within)
+        searched = f"{low} to {high} x{self._missing}"
+        if short := int((self.top < self.within[1]).sum()):
+            searched += f"; {plural(short, 'record')} up to -g, from {number(self.top.min())} x on"
+        facts = [self._undecided, ("searched", searched), self._computed]
+
+        def write(row: int, scale: float) -> str:
+            pga = quantity(scale * self.pga_g[row], "g")
+            return f"{number(scale)} x ({pga})"
+
+        if not shown:
+            where = names[0] if count == 1 else f"all {count} records"
+            reached = quantity(self.pga_g.max() * self.within[1], "g")
+            return Answer(f"It stands in {where}, from {low} to {high} x ({reached}).", facts)
+        if count == 1:
+            name = names[0]
+            windows = self._widest(0)
+            facts[1:1] = [("falls", windows and f"{windows} x{self._narrower(0)}")]
+            verdict = self._verdict(0, functools.partial(write, 0))
+            return Answer(f"It falls {verdict}.".replace(" x (", f" x {name} (", 1), facts)
+        rows = [
+            (names[row], "falls " + self._verdict(row, functools.partial(write, row)))
+            for row in shown
+        ]
+        facts[1:1] = [self._rest]
+        least = f"first at {write(shown[0], self.first[shown[0]])} in {names[shown[0]]}"
+        return Answer(f"It falls in {falls} of {count} records, {least}.", facts, rows)
 
     def _notes(self) -> list[str]:
         """Return what the search has left."""
