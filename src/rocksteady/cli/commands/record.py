@@ -2,7 +2,9 @@
 
 import sys
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
@@ -16,8 +18,9 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Table
-from rocksteady.results.numbers import plural
+from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
 from rocksteady.show.style.palette import shortened
 
@@ -45,6 +48,10 @@ EXAMPLES = (
 )
 
 
+LONGEST = 74
+"""Characters of a command that follows, whose files have no flags to break it before."""
+MOST_ANSWERED = 5
+"""Records of an answer."""
 PLOTTED_PERIODS = "log:0.02:10:200"
 
 
@@ -105,9 +112,20 @@ def record(
     rows = [record_values(*results) for results in zip(recordings, measures, shown, strict=True)]
     if len(rows) == 1:
         answer = described(recordings[0], measures[0], printed)
-        output.leave("record", answer, values=rows[0])
+        sized_as = block if block.given else "--width-m 0.5 --height-m 2"
+        follow_up = options.follow_up(
+            f"simulate --record {quote(str(files[0]))}", reading, sized_as
+        )
+        if measures[0].drifts and reading.baseline == ReadingFlags.baseline:
+            mended = replace(reading, baseline="linear")
+            follow_up = options.follow_up(f"record {quote(str(files[0]))}", mended)
+        output.leave("record", answer, values=rows[0], follow_up=follow_up)
     else:
-        output.leave("record", table_of(recordings, measures), values={"records": rows})
+        names = " ".join(quote(str(file)) for file in files)
+        more = options.follow_up(f"record {names}", reading, block, "--more")
+        more = more if len(more) < LONGEST else ""
+        answer = table_of(recordings, measures)
+        output.leave("record", answer, values={"records": rows}, follow_up=more)
 
 
 def record_values(
@@ -128,11 +146,17 @@ def described(
 ) -> Description:
     """Return the description of a channel with its measures, and with its spectrum."""
     first, second = recording.describe(), measures.describe()
+    samples = next(fact.words for fact in first.facts if fact.key == "npts")
+    answer = second.answer
+    if answer is not None:
+        about = [("warnings", "; ".join(recording.warnings)), ("station", recording.title)]
+        answer = replace(answer, facts=[*about, *answer.facts[:2], ("samples", samples)])
     return Description(
         headline=first.headline,
         facts=[*first.facts, *second.facts],
         tables=[table for spectrum in spectra for table in spectrum.describe().tables],
         notes=[*first.notes, *second.notes],
+        answer=answer,
     )
 
 
@@ -158,8 +182,28 @@ def table_of(
         Column("arias_m_s", "Arias m/s"),
         Column("significant_5_95_s", "D5-95 s"),
     ]
+    strongest = sorted(measures, key=lambda each: -each.pga_g)
+    least, most = (number(each.pga_g) for each in (strongest[-1], strongest[0]))
+    drifting = sum(each.drifts for each in measures)
+    left_out = len(rows) - MOST_ANSWERED
+    answer = Answer(
+        f"{plural(len(rows), 'record')} peak at {least} to {most} g.",
+        [
+            ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
+            ("more", f"{left_out} weaker with --more" * (left_out > 0)),
+        ],
+        [
+            (
+                shortened(printable(each.record.name or "record"), 30),
+                f"{each.peaks_text}; strong part {quantity(each.significant_5_95_s, 's')}",
+            )
+            for each in strongest[:MOST_ANSWERED]
+        ],
+    )
     return Description(
-        headline=plural(len(rows), "record"), tables=[Table("", rows, columns, most=len(rows))]
+        headline=plural(len(rows), "record"),
+        tables=[Table("", rows, columns, most=len(rows))],
+        answer=answer,
     )
 
 

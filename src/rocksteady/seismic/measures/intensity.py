@@ -12,6 +12,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
@@ -132,6 +133,11 @@ class IntensityMeasures(Result):
     p_pgv_per_pga: float | None = None
 
     @property
+    def peaks_text(self) -> str:
+        """PGA, PGV and PGD in words."""
+        return f"{number(self.pga_g)} g, {number(self.pgv_m_s)} m/s and {number(self.pgd_m)} m"
+
+    @property
     def warning(self) -> str | None:
         """A sentence on a record that drifts; None of one that does not."""
         if not self.drifts:
@@ -165,7 +171,24 @@ class IntensityMeasures(Result):
             f"significant duration {number(self.significant_5_95_s)} s",
             facts=facts,
             notes=notes,
+            answer=self._answer(name),
         )
+
+    def _answer(self, name: str) -> Answer:
+        """Return the peaks, how long it is strong, and whether it drifts."""
+        end = quantity(self.final_velocity_m_s, "m/s")
+        ratio = quantity(self.pgv_per_pga_s, "s")
+        facts = [
+            ("drift", self.warning or f"none: velocity at the end {end}"),
+            ("Arias intensity", quantity(self.arias_m_s, "m/s")),
+            ("PGV/PGA", f"{ratio}; mean period {quantity(self.mean_period_s, 's')}"),
+        ]
+        if self.pga_per_uplift is not None:
+            lifts = "never lifts" if self.pga_per_uplift < 1.0 else "lifts"
+            words = f"it {lifts}: PGA is {number(self.pga_per_uplift)} x what lifts it"
+            facts.insert(0, ("block at rest", words))
+        strong = quantity(self.significant_5_95_s, "s")
+        return Answer(f"{name} peaks at {self.peaks_text}; its strong part lasts {strong}.", facts)
 
 
 @checked
