@@ -12,6 +12,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, number_or_none, plural
@@ -20,6 +21,8 @@ from rocksteady.risk.free_rocking.release import Release
 
 Floats = NDArray[np.float64]
 
+ANSWERED = ("scatter of impacts", "measuring error", "trend", "until 5 % of the peak")
+"""Labels of facts that stand in the answer."""
 SMALL = 0.05
 """Part of the first peak down to which impacts are counted."""
 MOST_COUNTED = 1_000_000
@@ -243,6 +246,11 @@ class RestitutionFit(Result):
         share = (
             "" if self.factor is None or not same else f", {number(self.factor[0])} of Housner's"
         )
+        texts = {fact.label: fact.words for fact in facts}
+        interval = f" (90 %: {spans})" if identified else ", without an interval: too few impacts"
+        of_housner = ""
+        if share and self.factor is not None:
+            of_housner = f", {self.factor[0]:.3f} of Housner's {plain}"
         table = Table(
             "impacts",
             [vars(each) for each in self.impacts],
@@ -263,6 +271,14 @@ class RestitutionFit(Result):
             facts=facts,
             tables=[table],
             notes=self.warnings,
+            answer=Answer(
+                f"Restitution {words}{interval}{of_housner}.",
+                [
+                    ("in doubt", " ".join(self.warnings)),
+                    ("from", f"{counted} of {plural(len(self.releases), 'release')}"),
+                    *((label, texts.get(label, "")) for label in ANSWERED),
+                ],
+            ),
         )
 
 

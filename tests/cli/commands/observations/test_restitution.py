@@ -42,7 +42,7 @@ def test_json_has_the_estimates_and_the_block(peaks: Path) -> None:
 def test_text_table_and_picture_are_written(peaks: Path, tmp_path: Path) -> None:
     plot, table = tmp_path / "fit.png", tmp_path / "impacts.csv"
     flags = ("--plot", str(plot), "--csv", str(table), "--width", "84mm")
-    ran = rocksteady("restitution", "--peaks", str(peaks), *SIZE, *flags)
+    ran = rocksteady("restitution", "--peaks", str(peaks), *SIZE, *flags, "--more")
     assert ran.code == 0, ran.err
     assert "restitution 0.95, 0.964 of Housner's, from 12 impacts of 1 release" in ran.out
     assert plot.stat().st_size > 10_000
@@ -72,3 +72,11 @@ def test_what_cannot_be_fitted_has_one_line(
     assert ran.code == 2
     assert words in ran.err
     assert len(ran.err.strip().splitlines()) == 1
+
+
+def test_the_answer_has_the_interval_and_housners_value(peaks: Path) -> None:
+    command = ("restitution", "--peaks", str(peaks), *SIZE)
+    values = json.loads(rocksteady(*command, "--json").out)
+    first = " ".join(rocksteady(*command).out.splitlines()[:1])
+    assert first.startswith(f"Restitution {values['restitution'][0]:.4g} (90 %: ")
+    assert f"{values['factor'][0]:.3f} of Housner's {values['housner'][0]:.4g}." in first

@@ -7,6 +7,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
 from rocksteady.cli.flags.demand import sized_block
 from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
+from rocksteady.results.numbers import number
 
 HELP = (
     "Fit the restitution to the peaks of measured free rocking.\n\n"
@@ -77,4 +78,8 @@ def restitution(
 
         output.write_plot(lambda page: restitution_figure(fit, description.headline, page))
     after = {"block": body.describe().to_dict(), "file": str(peaks)}
-    output.leave("restitution", description, after=after)
+    measured = fit.measured
+    ratios = dict.fromkeys((measured.positive.restitution, measured.negative.restitution))
+    found = "-r " + ",".join(number(ratio, 4) for ratio in ratios)
+    follow_up = options.follow_up("simulate", block, found, "--start 0.8,0")
+    output.leave("restitution", description, after=after, follow_up=follow_up)
