@@ -446,3 +446,30 @@ def test_reverse_turns_a_pulse_round_and_needs_one_or_a_record() -> None:
     assert turned["side_peaks"][::-1] == pytest.approx(mirrored["side_peaks"], rel=1e-6)
     assert turned["side_peaks"] != plain["side_peaks"]
     assert "without --record" in refused("simulate -A 2 -W 3 -r 0.8 --reverse")
+
+
+# ------------------------------------------------------------------------------------ answer
+
+
+def test_the_answer_counts_time_in_periods_of_a_pulse() -> None:
+    command = "simulate -r 0.9 --pulse one-sine -A 3 -W 3"
+    pt = rocksteady(f"{command} --json").json["overturn_time_pt"]
+    lines = rocksteady(command).out.splitlines()
+    assert lines[0] == f"It falls {3.0 * pt / (2.0 * math.pi):.3g} periods into the pulse."
+    assert lines[-1] == "next: rocksteady overturn --pulse one-sine -W 3 -r 0.9"
+
+
+def test_the_answer_names_the_full_equations() -> None:
+    command = "simulate --width-m 0.5 --height-m 2 -A 2 -W 3 --cycles 0.5"
+    full = rocksteady(f"{command} --json").json["full_equations"]
+    text = rocksteady(command).out
+    assert f"falls {full['overturn_time_s']:.3g} s into the motion" in text
+    assert "but falls" not in text  # after the half period that was followed
+
+
+@every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It rests p t = ")])
+def test_the_answer_of_a_block_let_go_is_followed_by_a_kick(start: str, words: str) -> None:
+    lines = rocksteady(f"simulate -r 0.9 --start {start}").out.splitlines()
+    assert lines[0].startswith(words)
+    assert lines[-1] == f"next: rocksteady overturn --kick --start {start} -r 0.9"
+    assert rocksteady(lines[-1].removeprefix("next: rocksteady ")).code == 0

@@ -137,7 +137,9 @@ def simulate(
         "simulate",
         description,
         decided=trajectory.status is not Status.UNDECIDED,
-        follow_up=next_command(motion, shaking, series, pulse, recorded, reading, block),
+        follow_up=next_command(
+            motion, shaking, series, pulse, recorded, reading, block, start, model
+        ),
     )
 
 
@@ -149,16 +151,21 @@ def next_command(
     recorded: RecordFlags,
     reading: ReadingFlags,
     block: BlockFlags,
+    start: StartFlags,
+    model: str | None,
 ) -> str:
     """Return what to run next: all strengths of a record or a pulse, the attractor of shaking."""
+    full = "" if model is None else f"--model {model}"
     if recorded.record:
         whole = replace(recorded, scale=None, pga_g=None)
-        return options.follow_up("overturn", whole, reading, block)
+        return options.follow_up("overturn", whole, reading, block, full)
     if pulse.given:
+        phase = "" if start.phase is None else f"--phase {start.phase!r}"
         frequency = replace(shaking, amplitude=None, accel_g=None, accel_m_s2=None)
-        return options.follow_up("overturn", pulse, frequency, block)
+        return options.follow_up("overturn", pulse, frequency, recorded, phase, block, full)
     if isinstance(motion, Still):
-        return ""
+        begin = start.start if "," in start.start else "0,0"
+        return options.follow_up("overturn --kick", f"--start {begin}", block, full)
     return options.follow_up("attractor", shaking, series, block)
 
 
@@ -188,8 +195,16 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     facts.append(full)
     if full.value is not None:
         remarks = [remark for remark in remarks if remark != LINEAR_NOTE]
-        if answer is not None:  # which names what the linear model leaves out
+        if answer is not None and isinstance(
+            trajectory.block, Block
+        ):  # which names what the linear model leaves out
             answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
+            falls = trajectory.status is Status.OVERTURNED
+            time, end = full.value["overturn_time_s"], trajectory.end_time_pt / trajectory.block.p
+            if falls if time is None else not falls and time <= end:
+                verb = "falls" if time is not None else "does not fall"
+                words = f"{answer.sentence[:-1]}, but {verb} in the full equations."
+                answer = replace(answer, sentence=words)
     for key, lines in notes.items():
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))

@@ -14,11 +14,11 @@ from rocksteady.results.answer import Answer
 from rocksteady.results.numbers import number, plural, quantity
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.history._outcome import Described
+    from rocksteady.dynamics.history._physical import Physical
     from rocksteady.model.motions.segments import Motion
 
 
-def answer_of(run: "Described", words: Mapping[str, str]) -> Answer:
+def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
     """Return the sentence and the facts of a run.
 
     Parameters
@@ -47,11 +47,15 @@ def answer_of(run: "Described", words: Mapping[str, str]) -> Answer:
     return Answer(f"{sentence(run)}.", facts)
 
 
-def sentence(run: "Described") -> str:
+def sentence(run: "Physical") -> str:
     """Return how a run ended, and when, without a stop."""
     if run.status is Status.AT_REST and not run.peak:
         return f"It {Status.AT_REST.plain} throughout: {name_of(run.motion)} never lifts it"
-    verb = {Status.UNDECIDED: "It is undecided"}.get(run.status, f"It {run.status.plain}")
+    if run.status is Status.OVERTURNED and run.overturn_time_pt == 0.0:
+        return "It falls at once: it starts beyond its limit"
+    if run.status is Status.UNDECIDED:
+        return f"No answer yet: it is undecided {_when(run)}"
+    verb = f"It {run.status.plain}"
     if run.status is Status.ROCKING:
         verb = f"It still {run.status.plain}"
     return f"{verb} {_when(run)}"
@@ -64,7 +68,7 @@ def name_of(motion: "Motion | Record") -> str:
     return "the pulse" if isinstance(motion, Pulse) else "the motion"
 
 
-def _when(run: "Described") -> str:
+def _when(run: "Physical") -> str:
     """Return when a run ended: in seconds, else in periods of the base, else in pivot time."""
     pt = run.end_time_pt
     if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
@@ -73,7 +77,7 @@ def _when(run: "Described") -> str:
         pt = run.rest_time_pt
     if isinstance(run.block, Block):
         time = quantity(pt / run.block.p, "s")
-    elif isinstance(run.motion, PeriodicMotion):
+    elif isinstance(run.motion, PeriodicMotion | Pulse):
         time = f"{number(pt * run.motion.frequency_ratio / (2.0 * math.pi))} periods"
     else:
         return f"at pt {number(pt)}"

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rocksteady.dynamics.history._answer import answer_of
 from rocksteady.dynamics.history._physical import Physical
@@ -17,9 +17,6 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
 
-if TYPE_CHECKING:
-    from rocksteady.model.equations import Model
-
 DECIDED_BY_ROUNDING = 1e12
 """Growth of a small difference above which rounding decides how a run goes on."""
 
@@ -27,22 +24,6 @@ DECIDED_BY_ROUNDING = 1e12
 @checked
 class Described(Physical, Result):
     """A run that describes itself."""
-
-    if TYPE_CHECKING:
-        model: Model
-        status: Status
-
-        @property
-        def peak(self) -> float: ...
-
-        @property
-        def side_peaks(self) -> tuple[float, float]: ...
-
-        @property
-        def impact_count(self) -> int: ...
-
-        @property
-        def growth(self) -> float: ...
 
     def describe(self) -> Description:
         """Return how it ended, its peaks, times and inputs."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rocksteady.dynamics.history._answer import name_of, sentence
+from rocksteady.dynamics.history._answer import sentence
 from rocksteady.dynamics.history._outcome import peak_words
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, Start, State
@@ -27,7 +27,7 @@ from rocksteady.model.motions.segments import (
     segments_of,
 )
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import MOST_FACTS, Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
@@ -45,7 +45,7 @@ SLENDERNESS = 0.02
 
 RANGE = "±5 % scale, ±0.03 rest., ±2 % alpha"
 STEP = 0.02
-"""Step of the factors of the motion in the search for one at which all of them stand."""
+"""Step of the factors of the motion at which block and neighbours are followed."""
 
 
 @checked_result
@@ -159,18 +159,23 @@ class Neighbours(Result):
         others = self.runs - self.fall if falls else self.fall
         verb = "stand" if falls else "fall"
         words = f"but {others} of {self.runs} neighbours {verb}"
-        if self.agree:
+        if case.status is Status.LOST_CONTACT:
+            same = sum(each.status is case.status for each in self.cases)
+            words = f"and so do {same} of {self.runs} neighbours"
+        elif self.agree:
             words = "and so do" if falls else "and"
             words += f" all {self.runs} neighbours" + ("" if falls else " stand")
         stands = ""
         if self.stands_at is not None:
             pga = "" if case.pga_g is None else f" ({quantity(self.stands_at * case.pga_g, 'g')})"
-            times = f"{self.stands_at:.2f} x {name_of(case.motion)}"
+            times = f"{self.stands_at:.2f} x this motion"
             stands = f"{times}{pga}, where no neighbour falls"
         facts = [fact for fact in given.facts if fact[1]]
         facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
         place = [label for label, _ in facts].index("block") - 1 if len(facts) > 2 else 0
         facts.insert(max(place, 0), ("stands at", stands))
+        if stands and len(facts) > MOST_FACTS:  # the block was given
+            facts = [fact for fact in facts if fact[0] != "block"]
         return Answer(f"{sentence(case)}, {words}.", facts)
 
     def describe(self) -> Description:
@@ -387,6 +392,6 @@ def full_run(run: Trajectory) -> Fact:
         "overturn_time_s": full.overturn_time_s,
     }
     words = sentence(full).removeprefix("It ")
-    if full.status is not Status.OVERTURNED:
+    if full.status is not Status.OVERTURNED and full.peak:
         words += f", tilt up to {peak_words(full.peak, block.alpha if block.symmetric else None)}"
     return Fact("full_equations", values, "full equations", words)

@@ -232,9 +232,9 @@ class FatalKicks(WindowLists):
             return Answer("It falls without a kick.", facts)
         order = np.argsort(np.abs(self.least), kind="stable").tolist()
         at = order[0]
-        other = abs(self.first[2 * at + int(self.least[at] > 0.0)])
+        opposite = abs(self.first[2 * at + int(self.least[at] > 0.0)])
         way = "-" if self.least[at] > 0.0 else "+"
-        words = f"{way}{write(other)}" if other > 0.0 else "no kick fells it"
+        words = f"{way}{write(opposite)}" if opposite > 0.0 else "no kick fells it"
         state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
         facts[1:1] = [("the other way", words), ("tilt before", state)]
         least = self.least.tolist()

@@ -141,7 +141,7 @@ class WindowLists(Result):
 
     @property
     def _rest(self) -> tuple[str, str]:
-        """How many rows an answer leaves out, as a fact of it."""
+        """Number of rows that are left out, as a fact of an answer."""
         stand = int(np.isnan(self.first).sum())
         fall = len(self.first) - stand - len(self._by_first)
         kinds = {"that fall": fall, "that stand": stand}
@@ -236,7 +236,7 @@ def listed(names: Sequence[str]) -> str:
 
 
 def _span(low: float, high: float) -> str:
-    """Return two ends with as many digits as tell them apart."""
+    """Return two ends with as many digits as they differ in."""
     pairs = ((number(low, digits), number(high, digits)) for digits in range(3, MOST_DIGITS))
     apart = next((ends for ends in pairs if ends[0] != ends[1]), None)
     return "-".join(apart or (number(low, MOST_DIGITS), number(high, MOST_DIGITS)))

@@ -80,6 +80,6 @@ def restitution(
     after = {"block": body.describe().to_dict(), "file": str(peaks)}
     measured = fit.measured
     ratios = dict.fromkeys((measured.positive.restitution, measured.negative.restitution))
-    found = "-r " + ",".join(number(ratio, 4) for ratio in ratios)
-    follow_up = options.follow_up("simulate", block, found, "--start 0.8,0")
+    flag = "-r " + ",".join(number(ratio, 4) for ratio in ratios)
+    follow_up = options.follow_up("simulate", block, flag, "--start 0.8,0")
     output.leave("restitution", description, after=after, follow_up=follow_up)
