@@ -40,3 +40,29 @@ class Answer:
         """Rows, then facts, each with its label; those without words are left out."""
         facts = [fact for fact in self.facts if fact[1]]
         return [*self.rows[:MOST_ROWS], *facts[:MOST_FACTS]]
+
+
+def aligned(table: Sequence[Sequence[str]]) -> list[tuple[str, str]]:
+    """Return the cells of a table as rows of an answer, with columns that stand below each other.
+
+    Parameters
+    ----------
+    table
+        Rows of as many cells, the first of them the label; columns but it and the last are numbers.
+    """
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    return [
+        (
+            row[0],
+            "  ".join(
+                [
+                    *(
+                        cell.rjust(width)
+                        for cell, width in zip(row[1:-1], widths[1:-1], strict=True)
+                    ),
+                    row[-1],
+                ]
+            ),
+        )
+        for row in table
+    ]
