@@ -124,3 +124,22 @@ def lean_text(block: AnyBlock, lean: float) -> str:
     if isinstance(block, DimensionlessBlock):
         return quantity(lean, "alpha")
     return f"{angle(lean * block.alpha)} = {quantity(lean, 'alpha')}"
+
+
+def tilt_text(block: AnyBlock, lean: float) -> str:
+    """Return an angle u = theta/alpha of an answer; in degrees where the block has a size.
+
+    Examples
+    --------
+    >>> tilt_text(Block.rectangle(width=0.4, height=1.2, restitution=0.9), 0.142)
+    '2.62° (0.142 alpha)'
+    """
+    part = quantity(lean, "alpha")
+    return f"{angle(lean * block.alpha)} ({part})" if isinstance(block, Block) else part
+
+
+def peak_unit(block: AnyBlock, amplitude: float) -> str:
+    """Return an amplitude of an answer: in g where the block has a size, else as A."""
+    if isinstance(block, Block):
+        return quantity(amplitude * block.alpha, "g")
+    return f"A = {number(amplitude)}"

@@ -81,8 +81,8 @@ def test_multipliers_are_of_a_period_in_every_command() -> None:
     settled = rocksteady(f"attractor {point} --start steady --json").json["multipliers"]
     assert complex(*settled[0]) == pytest.approx(whole, rel=1e-9)
     for command in (f"steady {point}", f"attractor {point} --start steady"):
-        assert "multipliers of a period" in rocksteady(command).out
-    assert "Multipliers are of a period." in rocksteady(f"orbits {point}").out
+        assert "multipliers of a period" in rocksteady(f"{command} --more").out
+    assert "Multipliers are of a period." in rocksteady(f"orbits {point} --more").out
 
 
 def test_the_json_of_a_point_keeps_the_contract() -> None:
@@ -131,7 +131,7 @@ def test_every_region_is_named_and_region_4_has_no_solution(point: str, region: 
     assert values["region"] == region
     assert values["region_meaning"] == REGIONS[region]
     assert len(values["solutions"]) == (0 if region == 4 else 2)
-    text = rocksteady(f"steady {point}")
+    text = rocksteady(f"steady {point} --more")
     assert text.code == 0
     assert f"region {region}: {REGIONS[region]}" in " ".join(text.out.split())
 
@@ -151,7 +151,7 @@ def test_what_is_infinite_is_null() -> None:
 
 
 def test_the_text_is_for_80_columns_and_says_what_matters() -> None:
-    ran = rocksteady(POINT)
+    ran = rocksteady(f"{POINT} --more")
     for word in (
         "stable",
         "inadmissible",
@@ -275,10 +275,52 @@ def test_an_axis_through_a_bad_value_is_refused() -> None:
 
 
 def test_the_text_of_axes_counts_what_was_found() -> None:
-    ran = rocksteady("steady -A 0.1:2:2 -W 4:8:2 -r 0.8")
+    ran = rocksteady("steady -A 0.1:2:2 -W 4:8:2 -r 0.8 --more")
     text = " ".join(ran.out.split())
     assert "points 4, 2 with solutions" in text
     assert "branch 1 2 admissible, 2 stable" in text
+
+
+def answer(command: str) -> list[str]:
+    ran = rocksteady(command)
+    assert (ran.code, ran.err) == (0, "")
+    lines = ran.out.splitlines()
+    assert len(lines) <= 9
+    assert max(map(len, lines)) <= 80
+    return lines
+
+
+def test_the_answer_of_a_point_is_its_stable_motion_in_the_units_given() -> None:
+    size = "steady --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2"
+    values = rocksteady(f"{size} --json").json
+    first, *facts = answer(size)
+    (stable,) = (each for each in values["solutions"] if each["stable"])
+    degrees = math.degrees(stable["peak"] * values["block"]["alpha_rad"])
+    assert f"at {degrees:.3g}° ({stable['peak']:.3g} alpha), out of phase" in first
+    speed = stable["velocity"] * values["block"]["alpha_rad"] * values["block"]["p_rad_s"]
+    assert f"{math.degrees(speed):.3g}°/s" in " ".join(facts)
+    least = values["boundaries"]["existence"] * values["block"]["alpha_rad"]
+    assert f"from {least:.3g} g up" in " ".join(facts)
+
+
+def test_the_answer_of_a_point_without_motion_is_the_least_amplitude() -> None:
+    least = rocksteady("steady -A 0.1 -W 4 -r 0.8 --json").json["boundaries"]["existence"]
+    assert f"needs A = {least:.3g}" in answer("steady -A 0.1 -W 4 -r 0.8")[0]
+
+
+@every(
+    ("axes", "first"),
+    [
+        ("-A 2 -W 1:5:100 -r 0.8", "A stable symmetric motion is possible at 76 of 100 points."),
+        ("-A 0.01:0.1:5 -W 4 -r 0.8", "No stable symmetric motion is possible at any of 5 points."),
+        ("-A 2 -W 4 -r 0.8 -n 1 -n 3", "A stable symmetric motion is possible at 1 of 2 points."),
+    ],
+)
+def test_the_answer_of_axes_counts_points_with_a_stable_motion(axes: str, first: str) -> None:
+    values = rocksteady(f"steady {axes} --json").json["points"]
+    stable = sum(any(each["stable"] for each in point["solutions"]) for point in values)
+    assert answer(f"steady {axes}")[0] == first
+    assert f" {stable} of " in first or not stable
 
 
 # ----------------------------------------------------------------------------------- files

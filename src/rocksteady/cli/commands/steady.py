@@ -83,10 +83,28 @@ def steady(
     if states.region.size == 1:
         output.write_plot(lambda page: point_figure(states, page))
         full = full_equations_of(states, body)
-        description = replace(description, facts=[*description.facts, full])
+        answer = description.answer
+        if answer is not None and full.value is not None:
+            answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
+        description = replace(description, facts=[*description.facts, full], answer=answer)
+        further = options.follow_up("attractor", shaking, block, *_start_of(states))
     else:
         output.write_plot(lambda page: curves_figure(body, amplitudes, ratios, orders, page))
-    output.leave("steady", description)
+        moving = len(ratios) + len(amplitudes) > 2
+        further = options.follow_up("map" if moving else "attractor", shaking, block)
+        if len(ratios) > 1 and output.plot is None:
+            repeated = [f"-n {each}" for each in orders if order]
+            further = options.follow_up("steady", shaking, block, *repeated, "--plot steady.png")
+    output.leave("steady", description, follow_up=further)
+
+
+def _start_of(states: "SteadyStates") -> list[str]:
+    """Return the flags that start on a motion of an order above 1, if there is one."""
+    point = states.to_dict()
+    branches = [each["branch"] for each in point["solutions"] if each["admissible"]]
+    if point["order"] == 1 or not branches:
+        return []
+    return ["--start steady" + (":2" if branches[0] == 2 else ""), f"-n {point['order']}"]
 
 
 def full_equations_of(states: "SteadyStates", body: Block | DimensionlessBlock) -> Fact:

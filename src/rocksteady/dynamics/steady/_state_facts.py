@@ -1,10 +1,10 @@
 """Facts of steady states, for texts, JSON and tables."""
 
-import math
 from typing import Any
 
 import numpy as np
 
+from rocksteady.dynamics.steady._answer import grid_answer, point_answer, span
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.dynamics.steady.verdicts import (
     MULTIPLIERS,
@@ -12,6 +12,7 @@ from rocksteady.dynamics.steady.verdicts import (
     multipliers_value,
     verdict,
 )
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -165,6 +166,7 @@ def describe_point(states: Any) -> Description:
             Fact("model", "linear"),
         ],
         [Table("", rows if values["solutions"] else (), columns)],
+        answer=point_answer(values, block or DimensionlessBlock(restitution=values["restitution"])),
     )
 
 
@@ -182,18 +184,14 @@ def describe_grid(states: Any) -> Description:
             facts.append(Fact("", label=f"branch {which + 1}", text=text))
     facts.append(Fact("model", "linear", "model"))
     orders = sorted({int(n) for n in states.order.ravel()})
-    return Description(
-        f"Symmetric steady states at {plural(len(points), 'point')}: "
+    over = (
         f"A {span(states.amplitude)}, Ω {span(states.frequency_ratio)}, "
-        f"restitution {span(states.restitution)}, n = {', '.join(map(str, orders))}, linear model",
+        f"restitution {span(states.restitution)}, n = {', '.join(map(str, orders))}"
+    )
+    return Description(
+        f"Symmetric steady states at {plural(len(points), 'point')}: {over}, linear model",
         facts,
         [Table("points", points)],
         ["plot response curves of one branch with compute_response_curve"],
+        grid_answer(states, points) if states.admissible is not None else None,
     )
-
-
-def span(values: Any) -> str:
-    """Return the ends of an array in a few words."""
-    flat = np.ravel(values)
-    low, high = (float(np.nanmin(flat)), float(np.nanmax(flat))) if flat.size else (math.nan,) * 2
-    return number(low) if low == high else f"{number(low)} to {number(high)}"
