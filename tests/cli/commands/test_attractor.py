@@ -117,7 +117,7 @@ def test_an_orbit_that_comes_to_rest_has_infinitely_many_impacts() -> None:
     assert (values["impacts_per_period"], values["rest_phases"]) == (None, 2)
     assert values["multipliers"] == [[0.0, 0.0], [0.0, 0.0]]
     assert values["lyapunov"] is None
-    text = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05").out
+    text = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05 --more").out
     assert "infinitely many" in text
     assert "2 times in a period" in text
 
@@ -159,11 +159,51 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
     ],
 )
 def test_the_text_says_what_it_is_in_80_columns(command: str, words: list[str]) -> None:
-    ran = rocksteady(command)
+    ran = rocksteady(f"{command} --more")
     assert (ran.code, ran.err) == (0, "")
     for word in words:
         assert word in ran.out
     assert max(map(len, ran.out.splitlines())) <= 82
+
+
+@every(
+    ("command", "first"),
+    [
+        (POINT, "It settles to an unsymmetric steady motion, from 0.9 to -0.444 alpha."),
+        ("attractor -A 1 -W 4 -r 0.8", "It rests throughout: the motion never lifts it."),
+        (
+            "attractor -A 2 -W 1.7 -r 0.8 --start steady",
+            "It falls: from this start (steady) it reaches no steady motion.",
+        ),
+        (CHAOS, "It rocks on and never repeats: a small difference grows 1.46-fold a period."),
+        (
+            "attractor --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
+            "It settles to a symmetric steady motion, up to 1.61° (0.142 alpha).",
+        ),
+    ],
+)
+def test_the_answer_is_what_it_settles_to(command: str, first: str) -> None:
+    ran = rocksteady(command)
+    lines = ran.out.splitlines()
+    assert lines[0] == first
+    assert len(lines) <= 8
+    assert lines[-1].startswith("next: rocksteady basins ")
+    values = rocksteady(f"{command} --json").json
+    if values["kind"] == "aperiodic":
+        assert f"{math.exp(values['lyapunov']):.3g}-fold" in first
+    elif values["period"]:
+        shrinks = math.exp(values["lyapunov"])
+        assert f"shrinks to {100 * shrinks:.2g} % a period" in ran.out
+        assert f"{values['period']} period of the base" in ran.out
+
+
+def test_an_undecided_attractor_goes_on_with_more_periods() -> None:
+    ran = rocksteady("attractor -A 6 -W 6 -r 0.25 --cycles 20")
+    assert ran.code == 3
+    assert ran.out.startswith("Undecided: ")
+    command = ran.out.partition("next: rocksteady ")[2].replace("\\\n ", "")
+    assert command.split()[-2:] == ["--cycles", "200"]
+    assert rocksteady(command.strip()).code in (0, 3)
 
 
 # ------------------------------------------------------------------------------- bad input

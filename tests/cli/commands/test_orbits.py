@@ -112,7 +112,7 @@ def test_a_real_block_is_in_radians_and_seconds() -> None:
 
 
 def test_the_text_is_a_row_an_orbit_in_80_columns() -> None:
-    ran = rocksteady(POINT)
+    ran = rocksteady(f"{POINT} --more")
     assert (ran.code, ran.err) == (0, "")
     lines = ran.out.splitlines()
     assert max(map(len, lines)) <= 80
@@ -130,7 +130,7 @@ def test_where_nothing_moves_the_list_is_empty(tmp_path: Path) -> None:
     command = "orbits -A 0.1 -W 4 -r 0.8"
     assert rocksteady(f"{command} --json").json["orbits"] == []
     table, figure = tmp_path / "a.csv", tmp_path / "a.png"
-    ran = rocksteady(f"{command} --csv", table, "--plot", figure)
+    ran = rocksteady(f"{command} --more --csv", table, "--plot", figure)
     assert ran.code == 0
     assert "0 periodic motions" in ran.out
     assert len(table.read_text(encoding="utf-8").splitlines()) == 1
@@ -209,9 +209,30 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
 def test_every_row_is_counted_as_a_motion_or_as_inadmissible() -> None:
     """Of an odd period a solution may pass through the floor: it has a row, and is no motion."""
     values = rocksteady(f"{POINT} --json").json["orbits"]
-    text = " ".join(rocksteady(POINT).out.split())
+    text = " ".join(rocksteady(f"{POINT} --more").out.split())
     admissible = sum(orbit["admissible"] for orbit in values)
     others = len(values) - admissible
     assert (admissible, others) == (12, 1)
     assert f"found {admissible} periodic motions" in text
     assert f"; {others} inadmissible solution " in text
+
+
+def test_the_answer_lists_the_stable_motions_first_and_starts_on_one() -> None:
+    ran = rocksteady(POINT)
+    lines = ran.out.splitlines()
+    values = rocksteady(f"{POINT} --json").json["orbits"]
+    assert lines[0].startswith("1 of 12 steady motions is stable")
+    (stable,) = (each for each in values if each["stable"])
+    assert lines[2].split()[1:3] == ["stable", stable["kind"]]
+    assert lines[2].split()[5:7] == [f"{peak:.3f}" for peak in stable["peaks"]]
+    beyond = sum(max(map(abs, each["peaks"])) > 1.0 for each in values if each["admissible"])
+    assert f"{beyond} motions: no fall" in ran.out
+    assert "8 more with --more: 7 unstable, 1 inadmissible" in ran.out
+    command = ran.out.partition("next: rocksteady ")[2].replace("\\\n ", "").strip()
+    reached = rocksteady(f"{command} --json").json
+    assert reached["peaks"] == pytest.approx(stable["peaks"])
+
+
+def test_the_answer_where_nothing_moves_is_that_none_was_found() -> None:
+    first = rocksteady("orbits -A 0.1 -W 4 -r 0.8 --seeds 8").out.splitlines()[0]
+    assert first == "No steady motion was found up to 3 periods and 6 impacts."

@@ -69,11 +69,17 @@ def attractor(
         )
     output.write_csv(lambda: in_columns(attractor.columns, attractor.rows()))
     output.write_plot(lambda page: figure_of(attractor, page))
+    further = "" if model == "nonlinear" else options.follow_up("basins", shaking, series, block)
+    if attractor.reason.endswith("follow more cycles"):
+        longer = "--model nonlinear" if model == "nonlinear" else ""
+        longer = f"{longer} --cycles {10 * cycles}".strip()
+        further = options.follow_up("attractor", shaking, series, block, start, longer)
     output.leave(
         "attractor",
         attractor.describe(),
         after={**start.values(attractor.motion.phase), "cycles": cycles},
         decided=attractor.kind is not AttractorKind.UNDECIDED,
+        follow_up=further,
     )
 
 

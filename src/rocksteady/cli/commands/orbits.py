@@ -1,10 +1,16 @@
 """`rocksteady orbits`: stable and unstable periodic motions at one amplitude and frequency."""
 
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.orbits.orbit import Orbit
 
 search_flag = options.Panel("Search")
 
@@ -66,4 +72,12 @@ def orbits(
     (table,) = description.tables
     output.write_csv(lambda: (table.header or ["number"], table.records()))
     output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
-    output.leave("orbits", description)
+    chosen = "--model nonlinear" if model == "nonlinear" else ""
+    further = options.follow_up("attractor", shaking, series, block, chosen, *_start_of(listed))
+    output.leave("orbits", description, follow_up=further)
+
+
+def _start_of(listed: "Sequence[Orbit]") -> list[str]:
+    """Return the flags that start on the first stable motion, if there is one without rests."""
+    states = [orbit.start for orbit in listed if orbit.stable and not orbit.rest_phases]
+    return [f"--start=0,{s.side * s.speed:.6g} --phase {s.phase:.6g}" for s in states[:1]]

@@ -22,6 +22,7 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits._answers import attractor_answer
 from rocksteady.dynamics.orbits._orbit_facts import (
     case_facts,
     kind_text,
@@ -318,6 +319,7 @@ class Attractor(Result):
                 self._full_equations,
             ],
             notes=notes,
+            answer=attractor_answer(self, rounded=ROUNDED),
         )
 
 
@@ -456,9 +458,12 @@ def full_outcomes(
         return Fact("full_equations")
     outcomes = {name: _outcome(block, motion, start) for name, start in starts.items()}
     rows = [{"start": name, **values} for name, (values, _) in outcomes.items()]
-    words = [f"{name} {text}" for name, (_, text) in outcomes.items()]
-    if len(words) == 1:
-        ((_, words[0]),) = outcomes.values()
+    names: dict[str, list[str]] = {}
+    for name, (_, text) in outcomes.items():
+        names.setdefault(text, []).append(name.removeprefix("from ").rstrip(":"))
+    words = [f"from {', '.join(starts)}: {text}" for text, starts in names.items()]
+    if len(outcomes) == 1:
+        words = list(names)
     return Fact("full_equations", rows, "full equations", "; ".join(words))
 
 
