@@ -58,9 +58,9 @@ def test_the_json_keeps_the_contract() -> None:
 
 
 def test_the_text_says_what_there_is() -> None:
-    ran = rocksteady(MAP)
+    ran = rocksteady(f"{MAP} --more")
     assert (ran.code, ran.err) == (0, "")
-    lines = ran.out.splitlines()
+    lines = ran.out.partition("next: ")[2].splitlines()[1:]
     assert lines[0] == "What the block settles to: restitution 0.8, from rest, linear model"
     assert lines[1].split() == ["cells", "63"]
     assert re.search(r"^overturned +\d+ +[\d.]+ %$", ran.out, re.MULTILINE)
@@ -73,7 +73,7 @@ def test_the_table_has_the_shares_of_the_legend(tmp_path: Path) -> None:
     values = rocksteady(f"{flags} --json").json
     assert values["counts"]["subharmonic"] == sum(values["subharmonic_counts"].values()) > 0
     nc = tmp_path / "a.nc"
-    out = rocksteady(f"{flags} --netcdf", nc).out
+    out = rocksteady(f"{flags} --more --netcdf", nc).out
     with xr.open_dataset(nc) as found:
         shares = {LOOKS[one].words: share for one, share in map_cells(found).shares().items()}
     for words, share in shares.items():
@@ -302,7 +302,7 @@ def test_an_acceleration_in_g_is_an_axis_too(tmp_path: Path) -> None:
 def test_what_is_written_is_what_was_found(tmp_path: Path) -> None:
     files = {end: tmp_path / f"a.{end}" for end in ("png", "csv", "nc", "zarr")}
     ran = rocksteady(
-        f"{MAP} --plot {files['png']} --csv {files['csv']} --netcdf {files['nc']}",
+        f"{MAP} --more --plot {files['png']} --csv {files['csv']} --netcdf {files['nc']}",
         "--out",
         files["zarr"],
     )
@@ -493,3 +493,25 @@ def test_a_map_without_a_gpu_is_refused_before_a_store_is_begun(tmp_path: Path) 
         "nvidia-smi and CUDA_VISIBLE_DEVICES, or leave the executor out for threads"
     )
     assert not (tmp_path / "map.zarr").exists()
+
+
+@pytest.mark.parametrize("more", ["", "--fate"])
+def test_the_answer_is_where_it_falls_rocks_and_rests(more: str) -> None:
+    command = f"map -A 0.5:6:12 -W 0.5:8:12 -r 0.8 {more}".strip()
+    lines = rocksteady(command).out.splitlines()
+    counts = rocksteady(f"{command} --json").json["counts"]
+    rests = counts.get("rest", 0) + counts.get("at-rest", 0)
+    rocks = 144 - rests - counts["overturned"] - counts.get("undecided", 0)
+    falls, rocks_in, rests_in = (
+        f"{100.0 * count / 144:.3g} %" for count in (counts["overturned"], rocks, rests)
+    )
+    assert lines[0] == (
+        f"From rest it falls in {falls}, rocks in {rocks_in} and rests in {rests_in} of the map."
+    )
+    assert len(lines) <= 8
+    assert lines[-1] == f"next: rocksteady {command} --plot map.png"
+
+
+def test_the_answer_of_a_map_of_one_outcome_says_all() -> None:
+    first = rocksteady("map -A 0.1:0.5:3 -W 2:3:3 -r 0.8").out.splitlines()[0]
+    assert first == "From rest it rests in all of the map."

@@ -40,7 +40,7 @@ def test_the_counts_are_those_of_the_grid() -> None:
     assert values["axes"]["amplitude"] == {"start": 0.5, "stop": 6.0, "count": 12}
     assert (values["restitution"], values["start"], values["model"]) == (0.8, "rest", "linear")
     assert (values["cycles"], values["fate"], values["store"]) == (200, False, None)
-    text = found.rocksteady.summary()
+    text = found.rocksteady.summary(more=True)
     assert fits(text)
     lines = [line.split() for line in text.splitlines()]
     for kind, count in values["counts"].items():
@@ -53,7 +53,7 @@ def test_fates_have_no_periods() -> None:
     values = found.rocksteady.to_dict()
     assert "subharmonic" not in values["counts"]
     assert values["counts"]["overturned"] == int((found.fate == 2).sum()) > 0
-    text = found.rocksteady.summary()
+    text = found.rocksteady.summary(more=True)
     assert fits(text)
     assert ["fate", "cells", "share"] in [line.split() for line in text.splitlines()]
     assert repr(found.rocksteady).startswith("<rocksteady fate map: 108 cells")
@@ -115,7 +115,7 @@ def test_a_map_in_a_store_is_resumed_with_one_run_and_its_progress(tmp_path: Pat
         found.rocksteady.to_dict()["counts"]
         == (map_attractors(BLOCK, **given).rocksteady.to_dict()["counts"])
     )
-    assert open_store(path).rocksteady.summary() == found.rocksteady.summary()
+    assert open_store(path).rocksteady.summary(more=True) == found.rocksteady.summary(more=True)
 
 
 def test_a_map_plots_itself() -> None:

@@ -1,5 +1,6 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
+import shlex
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -39,8 +40,6 @@ EXAMPLES = (
     "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
     "rocksteady map -A 2 -W 1.5:4:500 -r 0.8 --plot diagram.png"
 )
-FEW = 1e-3
-"""Share of undecided cells that is no failure."""
 
 
 @grouped
@@ -93,7 +92,7 @@ def maps(
     from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
     from rocksteady.dynamics.maps.fate_map import FATES
     from rocksteady.dynamics.maps.grid_map import map_of
-    from rocksteady.dynamics.maps.map_facts import describe
+    from rocksteady.dynamics.maps.map_facts import FEW, describe
     from rocksteady.sweep.cases.labelled import as_dataset
 
     with (
@@ -121,12 +120,21 @@ def maps(
 
         title = description.headline
         output.write_plot(lambda page: map_figure(as_dataset(cells), title, page, colouring))
+    chosen = [
+        "--fate" if fate else "",
+        "" if cycles is None else f"--cycles {cycles}",
+        "--model nonlinear" if model == "nonlinear" else "",
+        "" if refine is None else f"--refine {refine}",
+        "" if sweep.out is None else f"--out {shlex.quote(str(sweep.out))} --resume",
+    ]
+    further = options.follow_up("map", shaking, series, block, start, *chosen, "--plot map.png")
     output.leave(
         "map",
         replace(description, notes=[*description.notes, _speed(meter)]),
         values=values,
         decided=values["counts"].get("undecided", 0) <= FEW * values["cells"],
         wrap=True,
+        follow_up="" if output.plot or not _drawable(case) else further,
     )
 
 
@@ -151,6 +159,15 @@ def _colouring(by: str | None, output: OutputFlags, *, fates: bool) -> "Colourin
     from rocksteady.show.plots.map_quantities import checked_colouring
 
     return checked_colouring(by, fates=fates)
+
+
+def _drawable(case: MapCase) -> bool:
+    """Return whether there is a picture of a map."""
+    try:
+        _check_drawable(case)
+    except InputError:
+        return False
+    return True
 
 
 def _check_drawable(case: MapCase) -> None:

@@ -8,8 +8,9 @@ from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.model.equations import LINEAR_NOTE
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import angle, length, number, plural, quantity, share
 from rocksteady.sweep.cases.facts import cell_count, count_table, grid_facts
 
 if TYPE_CHECKING:
@@ -19,6 +20,21 @@ WORDS = {"alpha": angle, "radius": length, "width": length, "height": length}
 """How engineers write a parameter."""
 UNITS = {"p": "rad/s", "phase": "rad", "frequency_hz": "Hz", "gravity": "m/s²"}
 LABELS = {"acceleration_m_s2": "peak acceleration", "frequency_hz": "frequency"}
+SHORT = {
+    "amplitude": ("A", ""),
+    "frequency_ratio": ("W", ""),
+    "acceleration_m_s2": ("", " g"),
+    "frequency_hz": ("", " Hz"),
+    "width": ("width", " m"),
+    "height": ("height", " m"),
+    "radius": ("R", " m"),
+    "alpha": ("alpha", " rad"),
+}
+"""Symbols and units of axes."""
+ROCKING = ("rocking", "symmetric", "unsymmetric", "subharmonic", "aperiodic")
+"""Classes of cells that rock on."""
+FEW = 1e-3
+"""Share of undecided cells that is no failure."""
 START = ("start", "branch", "order", "side", "kick", "angle", "velocity")
 
 
@@ -46,7 +62,73 @@ def describe(dataset: "Labelled") -> Description:
     if _model(dataset) == "linear" and "alpha" in dataset.attrs:
         notes.append(LINEAR_NOTE)
     table = count_table(counts, cells=cells, heading=name)
-    return Description(headline(dataset), facts, [table], notes)
+    answer = _answer(dataset, counts, longer, cells)
+    return Description(headline(dataset), facts, [table], notes, answer)
+
+
+def _answer(
+    dataset: "Labelled", counts: "dict[str, int]", longer: "dict[str, int]", cells: int
+) -> Answer:
+    """Return in which share of a map the block falls, rocks and rests."""
+    given = dataset.attrs
+    falls, rests = counts["overturned"], counts.get("rest", 0) + counts.get("at-rest", 0)
+    moving = {word: counts.get(word, 0) for word in ROCKING}
+    rocks, undecided = sum(moving.values()), counts.get("undecided", 0)
+    parts = [
+        f"{verb} in {share(count, cells) if count < cells else 'all'} of the map"
+        for verb, count in (("falls", falls), ("rocks", rocks), ("rests", rests))
+        if count
+    ]
+    words = " and ".join([", ".join(parts[:-1])] * (len(parts) > 1) + parts[-1:])
+    words = words.replace(" of the map", "") + " of the map" if words else "is undecided throughout"
+    start = str(given.get("start", "")).replace("state", "") or "its starts"
+    if {"angle", "velocity"} <= given.keys():
+        start = f"{given['angle']:g},{given['velocity']:g}"
+    sentence = f"from {start} it {words}."
+    late = undecided > FEW * cells
+    sentence = f"Undecided in {share(undecided, cells)}; {sentence}" if late else sentence
+    subharmonic = f"period 2 or more {share(moving['subharmonic'], cells)}" if longer else ""
+    kinds = [
+        f"{word} {share(count, cells)}" if word != "subharmonic" else subharmonic
+        for word, count in moving.items()
+        if count and word != "rocking"
+    ]
+    linear = _model(dataset) == "linear" and "alpha" in given
+    restitution = f"{ratio_words(given['restitution'])}, " if "restitution" in given else ""
+    model = f"{_model(dataset)}; {restitution}{_cycles(dataset):,} periods at most"
+    missing = [
+        f"{plural(counts.get(word, 0), 'cell')} {text}"
+        for word, text in (
+            ("undecided", "undecided, which count as no falls"),
+            ("no-start", "without such a start"),
+            ("not-computed", "not computed"),
+        )
+        if counts.get(word)
+    ]
+    return Answer(
+        sentence[0].upper() + sentence[1:],
+        [
+            ("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
+            ("rocks", ", ".join(kinds)),
+            ("left out", "; ".join(missing)),
+            ("linear model", "in the full equations it may end otherwise" if linear else ""),
+            ("computed", model),
+        ],
+    )
+
+
+def _axes(dataset: "Labelled") -> str:
+    """Return the axes of a map and their ends."""
+    words = []
+    for name, size in dataset.sizes.items():
+        ends = [float(dataset[str(name)].values[at]) for at in (0, -1)] if size else []
+        symbol, unit = SHORT.get(str(name), (str(name).replace("_", " "), ""))
+        if name == "acceleration_m_s2":
+            gravity = dataset.attrs.get("gravity", STANDARD_GRAVITY)
+            ends, unit = [end / gravity for end in ends], " g"
+        unit = unit or (f" {UNITS[str(name)]}" if name in UNITS else "")
+        words.append(f"{symbol} {' to '.join(map(number, ends))}{unit}".strip())
+    return ", ".join(words)
 
 
 def headline(dataset: "Labelled") -> str:
