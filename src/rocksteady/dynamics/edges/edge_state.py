@@ -18,6 +18,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
@@ -157,19 +158,53 @@ class EdgeState(Result):
         if saddle is not None:
             facts.append(Fact("", label="distance", text=f"{self.distance:.1e} at the end"))
         headline = f"Edge state, {words}: {place(self.block, self.motion, self.model)}"
-        return Description(headline, facts, notes=[MEANING[self.kind]])
+        return Description(headline, facts, notes=[MEANING[self.kind]], answer=self._answer)
 
-    def _kick_text(self) -> str:
+    @property
+    def _answer(self) -> Answer:
+        """The least kick or a state of the edge, and what the block does on the edge."""
+        plain = {"rest": "rests"}
+        first, second = (
+            plain.get(each, each.replace("overturned", "falls")) for each in self.outcomes
+        )
+        start = "rest" if _pair(self.start) == [0.0, 0.0] else _text(self.start)
+        if self.kick is None:
+            words = f"the edge between both starts passes {_state(self.boundary)}"
+        else:
+            words = f"from {start} the least kick that makes it fall is {self._kick_text(3)}"
+        sentence = f"{words[0].upper()}{words[1:]}."
+        if self.saddle is None:
+            sentence = f"Undecided on the edge, which does not repeat; {words}."
+        periods = plural(self.periods, "period")
+        pair = None if self.saddle is None else multipliers_text(self.saddle.multipliers)
+        leaves = f"{number(math.exp(self.exponent))}-fold a period"
+        meaning = MEANING[self.kind].split(": ")[0].split(". ")[0].removesuffix(".")
+        meaning = meaning.removeprefix("On the edge ").replace("the block", "it")
+        return Answer(
+            sentence,
+            [
+                ("on the edge", meaning),
+                ("leaves the edge", f"{leaves} (multipliers {pair})" if pair else leaves),
+                ("between", f"{first} and {second}"),
+                ("computed", f"{self.model.name}; {self.bisections} outcomes over {periods}"),
+            ],
+        )
+
+    def _kick_text(self, digits: int = 6) -> str:
         if self.kick is None:
             return ""
-        text = f"{number(self.kick, 6)} alpha g/p"
+        text = f"{number(self.kick, digits)} alpha g/p"
         if isinstance(self.block, Block):
-            text = f"{number(self.kick_m_s, 6)} m/s ({text})"
+            text = f"{number(self.kick_m_s, digits)} m/s ({text})"
         return text
 
 
 def _pair(state: State) -> list[float]:
     return [state.angle, state.velocity]
+
+
+def _state(state: State) -> str:
+    return f"u = {number(state.angle)}, du/d(pt) = {number(state.velocity)}"
 
 
 def _text(state: State) -> str:

@@ -1,6 +1,7 @@
 """`rocksteady edge`: its contract, its files and what it refuses."""
 
 import csv
+import math
 from pathlib import Path
 
 import pytest
@@ -61,3 +62,22 @@ def test_without_manifolds_the_csv_is_the_tracked_motion(tmp_path: Path) -> None
 )
 def test_what_it_refuses(flags: str, said: str) -> None:
     assert said in refused(f"{POINT} {flags}")
+
+
+@pytest.mark.parametrize("size", ["-A 0.2 -W 2 -r 0.9", "--block tso-wong-1989 -A 0.2 -W 2"])
+def test_the_answer_is_the_least_kick_in_the_units_given(size: str) -> None:
+    lines = rocksteady(f"edge {size}").out.splitlines()
+    values = rocksteady(f"edge {size} --json").json
+    kick = f"{values['least_kick']:.3g} alpha g/p"
+    if values["least_kick_m_s"] is not None:
+        kick = f"{values['least_kick_m_s']:.3g} m/s ({kick})"
+    assert lines[0] == f"From rest the least kick that makes it fall is {kick}."
+    assert len(lines) <= 8
+    assert f"{math.exp(values['exponent']):.3g}-fold a period" in lines[2]
+
+
+def test_the_answer_between_two_starts_is_a_state_of_the_edge() -> None:
+    command = "edge -A 0.5 -W 2 -r 0.9 --other 0.2,0.3"
+    u, v = rocksteady(f"{command} --json").json["boundary_state"]
+    first = rocksteady(command).out.splitlines()[0]
+    assert first == f"The edge between both starts passes u = {u:.3g}, du/d(pt) = {v:.3g}."

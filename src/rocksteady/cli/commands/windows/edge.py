@@ -106,6 +106,13 @@ def edge(
     description = edge_state.describe()
     output.write_csv(lambda: _points(edge_state, curves))
     output.write_plot(lambda page: edge_figure(edge_state, curves, description.headline, page))
+    chosen = [
+        f"--other={other}" if other else "",
+        f"--direction {direction}" if direction else "",
+        "--model nonlinear" if model == "nonlinear" else "",
+    ]
+    further = options.follow_up("edge", shaking, block, start, *chosen)
+    further = "" if output.plot else f"{further} --manifolds --plot edge.png"
     output.leave(
         "edge",
         description,
@@ -117,6 +124,7 @@ def edge(
         },
         also=[curve.describe() for curve in curves],
         decided=edge_state.saddle is not None,
+        follow_up=further,
     )
 
 
