@@ -61,7 +61,7 @@ def test_the_fractions_count_every_state_once(block: Block | DimensionlessBlock)
 @every("seed", [None, 3])
 def test_the_summary_has_a_row_a_basin(block: Block | DimensionlessBlock, seed: int | None) -> None:
     found = basins_of(block, seed=seed)
-    text = found.summary()
+    text = found.summary(more=True)
     assert fits(text)
     assert "12 of u from" in text
     assert "linear" in repr(found)
@@ -86,14 +86,14 @@ def test_the_share_of_undecided_states_is_zero_where_there_are_none() -> None:
     left = {one.label for one in found.attractors if one.kind.value == "undecided"}
     assert found.undecided == np.isin(found.label, list(left)).mean()
     assert 0.0 < found.undecided < 1.0
-    assert "Without loss (restitution 1) motions do not settle." in found.summary()
-    assert "undecided" not in basins_of(BARE).summary()
+    assert "Without loss (restitution 1) motions do not settle." in found.summary(more=True)
+    assert "undecided" not in basins_of(BARE).summary(more=True)
 
 
 def test_what_does_not_settle_is_explained() -> None:
     chaos = Harmonic(amplitude=6.0, frequency_ratio=6.0)
     block = DimensionlessBlock(restitution=0.25)
-    text = compute_basins(block, chaos, **WINDOW, max_cycles=400).summary()
+    text = compute_basins(block, chaos, **WINDOW, max_cycles=400).summary(more=True)
     assert fits(text)
     assert "not settled within 400 periods" in text.replace("\n", " ")
 
@@ -145,7 +145,7 @@ def test_there_is_a_row_an_amplitude(block: Block | DimensionlessBlock) -> None:
     assert "accel_g" not in values
     assert values["drop"].keys() == set(MEASURES)
     assert values["still"] == {"safe_share": found.still_share, "radius": found.still_radius}
-    text = found.summary()
+    text = found.summary(more=True)
     assert fits(text)
     assert ("accel [g]" in text) == (block is LEANING)
     at = next(k for k, line in enumerate(text.splitlines()) if line.startswith("amplitude A"))
@@ -171,7 +171,7 @@ def test_the_drops_are_those_of_the_method() -> None:
     assert repr(found).startswith("<Erosion: Erosion of the safe basin at phase 0 rad")
     assert "drops" not in vars(found)
     assert found.drops == {measure: found.drop(measure) for measure in MEASURES}
-    text = found.summary()
+    text = found.summary(more=True)
     for measure, drop in found.drops.items():
         (line,) = (x for x in text.splitlines() if x.startswith(measure.replace("_", " ") + "  "))
         if drop is None:
@@ -188,4 +188,4 @@ def test_the_nonlinear_model_has_no_tangency_in_closed_form() -> None:
     assert values["model"] == "nonlinear"
     assert values["heteroclinic_amplitude"] is None
     assert values["heteroclinic_accel_g"] is None
-    assert "no closed form in the nonlinear model" in found.summary()
+    assert "no closed form in the nonlinear model" in found.summary(more=True)

@@ -218,7 +218,7 @@ def test_without_loss_a_block_rocks_on() -> None:
     )
     assert (found.fate == Status.ROCKING).all()
     assert found.safe.all()
-    assert "Still rocking" in found.summary()
+    assert "Still rocking" in found.summary(more=True)
 
 
 def test_a_store_is_resumed_to_the_same_result(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ The two classes import this module, so that their types have no name here.
 
 from typing import Any
 
+from rocksteady.dynamics.basins._answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -89,6 +90,7 @@ def basins_described(basins: Any) -> Description:
         facts,
         [Table("fractions", rows), Table("", with_between(rows) if drawn else rows, columns)],
         notes,
+        basins_answer(basins),
     )
 
 
@@ -187,7 +189,7 @@ def erosion_described(erosion: Any) -> Description:
     ]
     note = "Both are 1 on a still base: the radius of the largest safe circle and the safe area."
     table = Table("erosion", rows, shown, most=max(len(rows), 1))
-    return Description(erosion_headline(erosion), facts, [table], [note])
+    return Description(erosion_headline(erosion), facts, [table], [note], erosion_answer(erosion))
 
 
 def erosion_headline(erosion: Any) -> str:

@@ -6,6 +6,7 @@ The class imports this module, so that its type has no name here.
 import math
 from typing import Any
 
+from rocksteady.dynamics.basins._answers import fates_answer
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.model.blocks.block import Block
@@ -66,7 +67,7 @@ def fates_described(fates: Any) -> Description:
     if (fates.fate == Status.ROCKING).any():
         notes.append("Still rocking: without loss (restitution 1), or balanced to rounding.")
     tables = [Table("fractions", rows), Table("", with_between(rows), columns)]
-    return Description(fates_headline(fates), facts, tables, notes)
+    return Description(fates_headline(fates), facts, tables, notes, fates_answer(fates))
 
 
 def _moment(fates: Any) -> list[Fact]:

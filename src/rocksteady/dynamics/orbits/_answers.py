@@ -50,7 +50,7 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
     facts = [
         (full.label or "full equations", full.text),
         ("rounding", grown),
-        ("beyond alpha", BEYOND if orbit is not None and _beyond(orbit) else ""),
+        ("beyond alpha", BEYOND if orbit is not None and beyond_alpha(orbit) else ""),
         ("period", _period(orbit)),
         ("stable", shrinks),
         ("mirror image", "is an attractor too" if mirrored else ""),
@@ -86,7 +86,7 @@ def _settles(attractor: Any) -> str:
     return f"It rocks on and never repeats: a small difference grows {grows}-fold a period."
 
 
-def _beyond(orbit: Any) -> bool:
+def beyond_alpha(orbit: Any) -> bool:
     """Return whether a motion of the linear model tilts beyond alpha."""
     return orbit.model.name == "linear" and max(orbit.highest, -orbit.lowest) > 1.0
 
@@ -142,7 +142,7 @@ def orbits_answer(
     rows = [head, *(_row(orbits.index(orbit) + 1, orbit) for orbit in ranked[:MOST_ORBITS])]
     left = Counter(worth(orbit) for orbit in ranked[MOST_ORBITS:])
     kinds = ", ".join(f"{count:,} {word}" for word, count in left.items())
-    reaching = sum(orbit.admissible and _beyond(orbit) for orbit in orbits)
+    reaching = sum(orbit.admissible and beyond_alpha(orbit) for orbit in orbits)
     images = "; mirror images are one" if mirrors else ""
     seeds = limits["seeds"]
     facts = [

@@ -13,6 +13,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     refuse_of_linear,
 )
 from rocksteady.cli.flags.groups import OutputFlags
+from rocksteady.cli.flags.options import follow_up
 from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags, refuse_beside_record
 from rocksteady.cli.flags.sweep import SweepFlags
@@ -20,11 +21,10 @@ from rocksteady.cli.flags.window import WindowFlags
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 
+PLOT = "--plot basins.png"
+
 if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-
-FEW = 1e-3
-"""Share of undecided states that is no failure: a window may meet states that balance for ever."""
 
 
 def shaken_by(
@@ -58,11 +58,13 @@ def leave_fates(
     model: str | None,
     sweep: SweepFlags,
     output: OutputFlags,
+    *asked: object,
 ) -> None:
     """Compute the fates under a motion that ends, and write the output that the flags request."""
     moment, chosen = window.moment(body), window.axes
     equations = equations_for(model, body, motion)
     announce_compilation("march.march")
+    from rocksteady.dynamics.basins._answers import FEW
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.show.figures.single import fate_basins_figure
@@ -77,4 +79,7 @@ def leave_fates(
     output.write_csv(fates.to_dataframe)
     sweep.write_netcdf(fates.to_dataset)
     output.write_plot(lambda page: fate_basins_figure(fates, description.headline, page))
-    output.leave("basins", description, decided=fates.undecided <= FEW, wrap=True)
+    chosen = f"--model {model}" if model else ""
+    further = "" if output.plot else follow_up("basins", *asked, window, chosen, PLOT)
+    decided = fates.undecided <= FEW
+    output.leave("basins", description, decided=decided, wrap=True, follow_up=further)

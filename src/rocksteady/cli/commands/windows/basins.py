@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from rocksteady.cli.commands.windows._finite_window import FEW, leave_fates, shaken_by
+from rocksteady.cli.commands.windows._finite_window import leave_fates, shaken_by
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, refuse
 from rocksteady.cli.flags import options
@@ -111,8 +111,9 @@ def basins(
             "it applies to harmonic shaking alone, which does not end",
             "leave it out, or leave out --record and --pulse",
         )
-        shaken = shaken_by(shaking, pulse, recorded, reading, block, window.phase, model)
-        leave_fates(context, *shaken, window, model, sweep, output)
+        asked = (shaking, pulse, recorded, reading, block)
+        shaken = shaken_by(*asked, window.phase, model)
+        leave_fates(context, *shaken, window, model, sweep, output, *asked)
         return
     refuse(
         {"--at-pt": window.time_pt, "--at-s": window.time_s},
@@ -156,12 +157,27 @@ def basins(
         else:
             sampling = over.BasinSampling(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
+    drawn = _drawn(output, shaking, series, block, window, *_given(model, cycles, shares=shares))
     if isinstance(result, Basins):
-        _leave_basins(result, output, sweep, entropy, exponent=exponent)
+        _leave_basins(result, output, sweep, entropy, drawn, exponent=exponent)
     elif isinstance(result, Erosion):
-        _leave_erosion(result, output, sweep)
+        _leave_erosion(result, output, sweep, drawn)
     else:
-        _leave_shares(result, output, sweep, entropy)
+        _leave_shares(result, output, sweep, entropy, drawn)
+
+
+def _drawn(output: OutputFlags, *asked: object) -> str:
+    """Return the same command with a picture; none where there is one."""
+    return "" if output.plot else options.follow_up("basins", *asked, "--plot basins.png")
+
+
+def _given(model: str | None, cycles: int | None, *, shares: bool) -> list[str]:
+    """Return the flags of the command that stand in no group."""
+    return [
+        f"--model {model}" if model else "",
+        f"--cycles {cycles}" if cycles else "",
+        "--shares" if shares else "",
+    ]
 
 
 def _case(
@@ -234,14 +250,31 @@ def _refuse(
 
 
 def _leave_basins(
-    result: "Basins", output: OutputFlags, sweep: SweepFlags, entropy: int | None, *, exponent: bool
+    result: "Basins",
+    output: OutputFlags,
+    sweep: SweepFlags,
+    entropy: int | None,
+    further: str,
+    *,
+    exponent: bool,
 ) -> None:
     """Write the output of basins that the flags request."""
+    from rocksteady.dynamics.basins._answers import FEW
     from rocksteady.show.figures.single import basins_figure
 
     description = result.describe()
     entropies = [] if entropy is None else [result.entropy(entropy)]
     exponents = [result.uncertainty_exponent(by=by) for by in PROBES] if exponent else []
+    measured = [
+        f"dimension {2.0 - each.exponent:.2f} by {each.by}"
+        for each in exponents
+        if not math.isnan(each.exponent)
+    ]
+    measured += [f"basin entropy {each.entropy:.3f}" for each in entropies]
+    if measured and description.answer is not None:
+        words = ", ".join(measured)
+        facts = [(k, words if k == "boundary" else v) for k, v in description.answer.facts]
+        description = replace(description, answer=replace(description.answer, facts=facts))
     sweep.write_netcdf(result.to_dataset)
     output.write_csv(result.to_dataframe)
     output.write_plot(lambda page: basins_figure(result, description.headline, page))
@@ -255,18 +288,28 @@ def _leave_basins(
         also=[each.describe() for each in (*entropies, *exponents)],
         decided=result.undecided <= FEW,
         wrap=True,
+        follow_up=further,
     )
 
 
 def _leave_shares(
-    shares: "BasinShares", output: OutputFlags, sweep: SweepFlags, entropy: int | None
+    shares: "BasinShares",
+    output: OutputFlags,
+    sweep: SweepFlags,
+    entropy: int | None,
+    further: str,
 ) -> None:
     """Write the output of shares over a parameter that the flags request."""
+    from rocksteady.dynamics.basins._answers import FEW
     from rocksteady.show.figures.single import shares_figure
 
     description = shares.describe()
     sweep.write_netcdf(shares.to_dataset)
     entropies = [] if entropy is None else [shares.entropies(entropy).describe()]
+    if entropy is not None and description.answer is not None:
+        low, *_, high = sorted(each.entropy for each in shares.entropies(entropy).entropies)
+        facts = [("basin entropy", f"{low:.3f} to {high:.3f}"), *description.answer.facts]
+        description = replace(description, answer=replace(description.answer, facts=facts))
     output.write_csv(lambda: description.tables[0])
     output.write_plot(lambda page: shares_figure(shares, description.headline, page))
     output.leave(
@@ -276,10 +319,13 @@ def _leave_shares(
         also=entropies,
         decided=shares.undecided <= FEW,
         wrap=True,
+        follow_up=further,
     )
 
 
-def _leave_erosion(erosion: "Erosion", output: OutputFlags, sweep: SweepFlags) -> None:
+def _leave_erosion(
+    erosion: "Erosion", output: OutputFlags, sweep: SweepFlags, further: str
+) -> None:
     """Write the output of an erosion that the flags request."""
     from rocksteady.show.figures.single import erosion_figure
 
@@ -288,4 +334,4 @@ def _leave_erosion(erosion: "Erosion", output: OutputFlags, sweep: SweepFlags) -
     sweep.write_netcdf(erosion.to_dataset)
     output.write_csv(lambda: description.tables[0])
     output.write_plot(lambda page: erosion_figure(erosion, drops, description.headline, page))
-    output.leave("basins", description, wrap=True)
+    output.leave("basins", description, wrap=True, follow_up=further)

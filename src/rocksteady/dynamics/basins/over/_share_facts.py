@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.dynamics.basins._answers import over_answer
 from rocksteady.dynamics.basins.window import axis_facts, coordinates_of, window_text
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS
@@ -81,6 +82,7 @@ def shares_described(shares: Any) -> Description:
             Table("", families, columns, "shares where the attractor exists", most=40),
         ],
         _notes(shares),
+        over_answer(shares, families),
     )
 
 
