@@ -260,7 +260,7 @@ def test_the_cascade_is_the_librarys() -> None:
     assert cascade["ratios"][-1] == pytest.approx(4.6692, abs=0.05), "Feigenbaum's number"
     assert cascade["limit"] == pytest.approx(found.limit, abs=1e-9)
     assert len(cascade["distances"]) == 4
-    text = ran_once(f"{ALONG_W} --cascade --doublings 5").out
+    text = ran_once(f"{ALONG_W} --cascade --doublings 5 --more").out
     assert "cascade of 5 period doublings" in text
     assert "1.789272022957" in text
     assert "Feigenbaum" in text
@@ -269,7 +269,7 @@ def test_the_cascade_is_the_librarys() -> None:
 def test_without_a_doubling_there_is_no_cascade_and_a_line_says_so() -> None:
     command = "bifurcate -A 1 -W 2 -r 0.3:1:20 --cascade"
     assert values_of(command)["cascade"] is None
-    assert "no cascade: no branch has a period doubling" in rocksteady(command).out
+    assert "no cascade: no branch has a period doubling" in rocksteady(f"{command} --more").out
 
 
 def test_a_cascade_cut_short_has_no_ratio() -> None:
@@ -277,7 +277,7 @@ def test_a_cascade_cut_short_has_no_ratio() -> None:
     cascade = values["cascade"]
     assert len(cascade["values"]) == 1
     assert (cascade["distances"], cascade["ratios"], cascade["limit"]) == ([], [], None)
-    text = rocksteady("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps").out
+    text = rocksteady("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps --more").out
     assert "fewer than three doublings have no ratio" in text
 
 
@@ -363,7 +363,7 @@ def test_the_text_fits_80_columns(command: str) -> None:
 
 
 def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
-    out = ran_once(ALONG_W).out
+    out = ran_once(f"{ALONG_W} --more").out
     for words in (
         "A = 2, Ω from 1.6 to 2.4, restitution 0.8",
         "4 branches up to 4 periods and 12 impacts, 4 bifurcations",
@@ -378,7 +378,7 @@ def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
 
 @pytest.mark.slow
 def test_a_stable_window_too_narrow_for_its_digits_has_its_width() -> None:
-    out = ran_once(ALONG_A).out
+    out = ran_once(f"{ALONG_A} --more").out
     assert "1.081072 + 4e-07" in out
     assert "0.94952 to 0.96361" in out
 
@@ -507,3 +507,26 @@ def test_bad_input_is_one_line_and_leaves_no_file(flags: str, needle: str, tmp_p
 def test_an_end_of_the_angles_must_be_positive(tmp_path: Path) -> None:
     assert "--top = -1.0" in refused(f"{ALONG_W} --top -1 --plot", tmp_path / "a.png")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_answer_is_where_a_steady_motion_is_stable() -> None:
+    command = "bifurcate -A 2 -W 1.78:2.4:10 -r 0.8"
+    lines = rocksteady(command).out.splitlines()
+    ranges = [ends for branch in values_of(command)["branches"] for ends in branch["stable_ranges"]]
+    assert max(high for _, high in ranges) == 2.4
+    assert min(low for low, _ in ranges) == 1.78
+    assert lines[0] == "A steady motion is stable throughout, for W = 1.78 to 2.4."
+    breaking = next(p for p in values_of(command)["points"] if p["type"] == "symmetry-breaking")
+    assert f"{breaking['frequency_ratio']:.5g} (symmetry breaks) to 2.4" in lines[1]
+    assert lines[-1] == f"next: rocksteady {command} --plot diagram.png"
+
+
+def test_the_answer_of_a_block_with_a_size_is_in_hertz() -> None:
+    size = "bifurcate --block tso-wong-1989 -A 2 --freq-hz 1.78:2.4:4 --no-sweeps"
+    first = rocksteady(size).out.splitlines()[0]
+    assert first == "A steady motion is stable throughout, for 1.78 to 2.4 Hz."
+
+
+def test_the_answer_where_nothing_moves_is_that_none_is_stable() -> None:
+    first = rocksteady("bifurcate -A 0.1 -W 2:3:5 -r 0.8 --no-sweeps").out.splitlines()[0]
+    assert first == "No steady motion was found to be stable for W = 2 to 3."

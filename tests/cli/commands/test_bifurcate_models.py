@@ -34,7 +34,7 @@ def test_the_nonlinear_model_has_its_own_bifurcations() -> None:
     branch = follow_branch(origin, "frequency_ratio", (1.5, 2.4), direction=-1)
     breaking = next(point for point in branch if point.type == "symmetry-breaking")
     assert there == pytest.approx(breaking.frequency_ratio, abs=1e-10)
-    told = rocksteady(f"{command} --model nonlinear").out
+    told = rocksteady(f"{command} --model nonlinear --more").out
     assert "nonlinear model, alpha 0.3 rad" in " ".join(told.split())
 
 

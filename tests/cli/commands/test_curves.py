@@ -38,7 +38,7 @@ def test_the_json_keeps_the_contract() -> None:
 
 @pytest.mark.slow
 def test_the_text_says_what_was_found() -> None:
-    ran = ran_once(AROUND)
+    ran = ran_once(f"{AROUND} --more")
     assert ran.code == 0
     (line,) = (each for each in ran.out.splitlines() if "5.13279136" in each)
     assert line.split()[:4] == ["doubling", "graze", "5.13279136", "3.75209273"]
@@ -110,3 +110,18 @@ def test_a_budget_that_ends_the_work_is_said(tmp_path: Path) -> None:
 )
 def test_what_is_no_plane_is_refused(given: str, needle: str) -> None:
     assert needle in refused(f"curves {given}")
+
+
+def test_the_answer_counts_curves_and_lists_where_they_meet() -> None:
+    command = "curves -W 4.2:6:2 -A 2.5:4.5:2 -r 0.87 -n 3 --max-impacts 2"
+    values = ran_once(f"{command} --json").json
+    lines = ran_once(command).out.splitlines()
+    curves, points = values["curves"], values["points"]
+    assert lines[0] == (
+        f"{len(curves)} bifurcation curves cross this plane and meet in "
+        f"{len(points)} special points."
+    )
+    first = points[0]
+    place = [f"{first['frequency_ratio']:.5g}", f"{first['amplitude']:.5g}"]
+    assert lines[2].split()[2:4] == place
+    assert len(lines) <= 8 + len(points)

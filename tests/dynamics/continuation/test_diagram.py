@@ -127,7 +127,7 @@ def test_the_summary_has_a_row_a_bifurcation_in_the_units_of_the_block(
     block: Block | DimensionlessBlock, parameter: str
 ) -> None:
     diagram = diagram_of(block, parameter)
-    text = diagram.summary()
+    text = diagram.summary(more=True)
     assert width(text) <= 80
     assert "…" not in text
     assert "2 branches up to 1 period and 2 impacts, 1 bifurcation" in text
@@ -190,7 +190,7 @@ def test_the_cascade_tends_to_feigenbaums_ratio() -> None:
     assert values["distances"] == pytest.approx([second - first, third - second, fourth - third])
     assert values["ratios"][-1] == pytest.approx(4.6692, rel=0.06)
     assert values["limit"] < fourth
-    text = diagram.summary()
+    text = diagram.summary(more=True)
     assert f"{first:.12f}" in text
     assert f"limit {values['limit']:.12f}" in text
     assert len(repr(diagram.cascade)) < 160

@@ -42,6 +42,8 @@ EXAMPLES = (
 )
 
 
+CYCLES, MOST_IMPACTS, MOST_BRANCHES = 2000, 12, 100
+"""Defaults of --cycles, --max-impacts and --max-branches."""
 DOUBLINGS = 6
 """Default of --cascade."""
 
@@ -60,7 +62,7 @@ def bifurcate(
         "--cycles N",
         "Periods of the shaking at each value of a sweep, after which a motion counts as "
         "aperiodic or undecided.",
-        default=2000,
+        default=CYCLES,
     ),
     max_period: int | None = branch_flag(
         "--max-period N",
@@ -70,12 +72,12 @@ def bifurcate(
     max_impacts: int = branch_flag(
         "--max-impacts N",
         "Most impacts in a period of the motions that are branched off to.",
-        default=12,
+        default=MOST_IMPACTS,
     ),
     max_branches: int = branch_flag(
         "--max-branches N",
         "Number of branches after which no further one begins at a bifurcation.",
-        default=100,
+        default=MOST_BRANCHES,
     ),
     search: bool = branch_flag(
         "--search",
@@ -150,7 +152,25 @@ def bifurcate(
     output.write_plot(lambda page: bifurcation_figure(diagram, top=top, page=page))
     description = diagram.describe()
     values = start.as_given(description.to_dict())
-    output.leave("bifurcate", description, values=values, decided=diagram.complete)
+    asked = [
+        "--no-sweeps" if no_sweeps else "",
+        "--search" if search else "",
+        "--cascade" if cascade else "",
+        f"--doublings {doublings}" if doublings else "",
+        f"--max-period {max_period}" if max_period else "",
+        f"--max-impacts {max_impacts}" if max_impacts != MOST_IMPACTS else "",
+        f"--max-branches {max_branches}" if max_branches != MOST_BRANCHES else "",
+        f"--cycles {cycles}" if cycles != CYCLES else "",
+        "--model nonlinear" if model == "nonlinear" else "",
+    ]
+    further = options.follow_up("bifurcate", shaking, series, block, start, *asked)
+    output.leave(
+        "bifurcate",
+        description,
+        values=values,
+        decided=diagram.complete,
+        follow_up="" if output.plot else f"{further} --plot diagram.png",
+    )
 
 
 def check_top(top: float | None, output: OutputFlags) -> None:

@@ -10,6 +10,8 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
 from rocksteady.cli.flags.range import plane_of
 
 curve_flag = options.Panel("Curves")
+MOST_IMPACTS, MOST_BRANCHES, MOST_CURVES = 6, 20, 40
+"""Defaults of --max-impacts, --max-branches and --max-curves."""
 
 HELP = (
     "Follow bifurcations over two parameters.\n\n"
@@ -55,12 +57,16 @@ def curves(
     max_impacts: int = curve_flag(
         "--max-impacts N",
         "Set the most impacts in a period of the motions whose bifurcations are followed.",
-        default=6,
+        default=MOST_IMPACTS,
     ),
     max_branches: int = curve_flag(
-        "--max-branches N", "Largest number of branches on each line across the plane.", default=20
+        "--max-branches N",
+        "Largest number of branches on each line across the plane.",
+        default=MOST_BRANCHES,
     ),
-    max_curves: int = curve_flag("--max-curves N", "Largest number of curves.", default=40),
+    max_curves: int = curve_flag(
+        "--max-curves N", "Largest number of curves.", default=MOST_CURVES
+    ),
     model: str | None = options.model(default="linear"),
 ) -> None:
     """Run `rocksteady curves`; `HELP` is what its users read."""
@@ -104,4 +110,18 @@ def curves(
         )
     output.write_csv(lambda: in_columns(curves_found.columns, curves_found.rows()))
     output.write_plot(lambda page: curves_figure(curves_found, page=page))
-    output.leave("curves", curves_found.describe(), decided=curves_found.complete)
+    asked = [
+        *(f"-n {each}" for each in order or ()),
+        "" if max_period is None else f"--max-period {max_period}",
+        f"--max-impacts {max_impacts}" if max_impacts != MOST_IMPACTS else "",
+        f"--max-branches {max_branches}" if max_branches != MOST_BRANCHES else "",
+        f"--max-curves {max_curves}" if max_curves != MOST_CURVES else "",
+        "--model nonlinear" if model == "nonlinear" else "",
+    ]
+    further = options.follow_up("curves", shaking, block, *asked, "--plot curves.png")
+    output.leave(
+        "curves",
+        curves_found.describe(),
+        decided=curves_found.complete,
+        follow_up="" if output.plot else further,
+    )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation._answers import diagram_answer
 from rocksteady.dynamics.continuation._datasets import bifurcation_variables, branches_dataset
 from rocksteady.dynamics.continuation.branch_facts import (
     bifurcations_table,
@@ -255,7 +256,7 @@ class BifurcationDiagram(Result):
             f"{unit}{images}Branches that hang together with none of the "
             "starts are missed: a search everywhere starts from more."
         )
-        return Description(self._headline, facts, tables, notes)
+        return Description(self._headline, facts, tables, notes, diagram_answer(self))
 
     @property
     def _headline(self) -> str:
