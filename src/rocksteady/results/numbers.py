@@ -6,6 +6,8 @@ DIGITS = 3
 """Default number of significant digits of a number in a text."""
 LEAST_SHARE, MOST_SHARE = 1e-4, 0.99
 """Probabilities below the one and above the other have no figures of their own."""
+LEAST_PERCENT, LEAST_WHOLE_PERCENT, MOST_PERCENT = 0.1, 9.95, 99.5
+"""Per cents below which an answer has no figures and one decimal, and from which it has none."""
 LARGEST_WHOLE = 1e6
 """Numbers below it are written without an exponent."""
 
@@ -98,6 +100,46 @@ def percent(probability: float | None) -> str:
     if MOST_SHARE < probability < 1.0:
         return f"above {100.0 * MOST_SHARE:g} %"
     return f"{number(100.0 * probability, 3 if probability == 1.0 else 2)} %"
+
+
+def chance(probability: float, of: int = 0) -> str:
+    """Return a probability as an answer states it: whole per cent, one decimal below 10 %.
+
+    Parameters
+    ----------
+    probability
+        In [0, 1]; 0 % is only what statics exclude, and 100 % nothing.
+    of
+        Number of runs that it was counted in: none and all of them are counts.
+
+    Examples
+    --------
+    >>> chance(0.3992), chance(0.0623), chance(4e-4), chance(0.9996), chance(0.0, 168)
+    ('40 %', '6.2 %', '< 0.1 %', '> 99 %', '0 of 168')
+    """
+    percents = 100.0 * probability
+    if of and probability in (0.0, 1.0):
+        return f"{round(probability * of):,} of {of:,}"
+    if 0.0 < percents < LEAST_PERCENT:
+        return f"< {LEAST_PERCENT} %"
+    if percents >= MOST_PERCENT:
+        return f"> {100.0 * MOST_SHARE:g} %"
+    decimals = 1 if 0.0 < percents < LEAST_WHOLE_PERCENT else 0
+    return f"{percents:.{decimals}f} %"
+
+
+def interval(band: tuple[float, float] | None, confidence: float) -> str:
+    """Return an interval of a probability after it, its level first; empty without one.
+
+    Examples
+    --------
+    >>> interval((0.29, 0.428), 0.9), interval((0.0004, 0.07), 0.9), interval(None, 0.9)
+    (' (90 %: 29 to 43 %)', ' (90 %: < 0.1 to 7.0 %)', '')
+    """
+    if band is None:
+        return ""
+    low, high = (chance(side) for side in band)
+    return f" ({100.0 * confidence:g} %: {low.removesuffix(' %')} to {high})"
 
 
 def plural(count: int, thing: str) -> str:

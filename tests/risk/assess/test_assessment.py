@@ -226,8 +226,26 @@ def test_everything_is_plain_json_and_every_caveat_is_printed(found: Assessment)
     for words in ("rigid body", "no prediction", "stronger", "Vertical", "Restitution in tests",
                   "slide", "not averaged", "anchorage"):  # fmt: skip
         assert words in notes, words
-    assert found.summary().startswith("About ")
-    assert "fall" in found.summary()
+    assert found.summary(more=True).count("About ") == 1
+
+
+def test_the_first_line_has_the_number_that_the_verdict_follows(found: Assessment) -> None:
+    """By the curve, or by the runs at the demand where far more of these fall."""
+    value, first = found.probability, found.cases[0]
+    assert value is not None
+    for fell in range(first.trials + 1):
+        counted = fell / first.trials
+        case = dataclasses.replace(first, fell=fell, counted=counted)
+        changed = dataclasses.replace(found, cases=(case, *found.cases[1:]))
+        answer = changed.describe().answer
+        assert answer is not None
+        above = counted > value + 0.1
+        runs = f"{fell} of its {first.trials} runs"
+        assert answer.sentence.startswith(runs if above else f"{100.0 * value:.0f} % of such")
+        facts = dict(answer.facts)
+        assert ("these runs decide" in facts["counted"]) == above
+        assert (f"{100.0 * value:.0f} % by the curve" in facts["counted"]) == above
+        assert len(answer.lines) <= 5
 
 
 @pytest.mark.slow
@@ -325,7 +343,9 @@ def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
     pga = np.array([measure_scalar(each, Intensity("pga_g")) for each in SUITE])
     below = float(np.mean(pgv * 0.4 / pga < PGV))
     assert found.pgv_percentile == pytest.approx(100.0 * below)
-    assert f"percentile {100.0 * below:.0f} of the motions" in found.summary().replace("\n", " ")
+    assert f"percentile {100.0 * below:.0f} of the motions" in found.summary(more=True).replace(
+        "\n", " "
+    )
     (word,) = {each["words"] for each in answer_rows(found) if each["name"] == "Demand"}
     (note,) = {each["note"] for each in answer_rows(found) if each["name"] == "Demand"}
     assert word == found.demand
@@ -352,7 +372,7 @@ def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
         assert len(changed.doubts) == sentences + usual
         assert changed.to_dict()["doubts"] == list(changed.doubts)
         for text in changed.doubts:
-            assert text in " ".join(changed.summary().split())
+            assert text in " ".join(changed.summary(more=True).split())
             assert any(row["words"] == text for row in answer_rows(changed))
     # A demand that does not lift it is certain.
     assert dataclasses.replace(found, probability=0.0).doubts == ()
@@ -369,6 +389,13 @@ def test_a_measure_needs_its_demand() -> None:
 
 
 @pytest.mark.slow
+def test_no_run_that_falls_is_a_count(found: Assessment) -> None:
+    case = dataclasses.replace(found.cases[0], fell=0, counted=0.0)
+    changed = dataclasses.replace(found, cases=(case,), basis="count", probability=0.0)
+    assert f"None of its {case.trials} runs" in changed.summary()
+    assert "0 %" not in changed.summary().splitlines()[0]
+
+
 def test_a_demand_outside_the_levels_of_the_runs_is_named() -> None:
     strong = {"pga_g": 0.4, "pgv_m_s": 9.0}
     (note,) = (

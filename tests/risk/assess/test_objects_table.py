@@ -166,7 +166,7 @@ def test_the_whole_table_is_in_json_and_the_worst_come_first(table: ObjectsTable
         for row in sorted(table.sorted_by("judged"), key=lambda row: places[row["colour"]])
     ]
     assert sum(values["colours"].values()) == len(table.rows)
-    assert "colour" in table.summary()
+    assert "colour" in table.summary(more=True)
 
 
 def test_an_acceleration_alone_counts_and_has_no_closed_form() -> None:
@@ -222,7 +222,7 @@ def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     )
     assert None not in [row["judged"] for row in table.rows]
     worst = sorted(table.rows, key=lambda row: -row["judged"])
-    text = table.summary().splitlines()
+    text = table.summary(more=True).splitlines()
     named = [line.split()[1] for line in text if line.startswith("rack ")]
     assert named == [row["name"].split()[1] for row in worst[:24]]
     assert sum(row["colour"] == "red" for row in worst[:24]) >= 10

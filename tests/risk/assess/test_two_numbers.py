@@ -36,7 +36,7 @@ def test_the_other_probability_is_that_of_our_own_runs() -> None:
     number = BLOCK.p * 0.4 / (9.80665 * 0.32 / 1.8)
     assert found.other_probability == pytest.approx(norm.cdf(math.log(number / 0.672) / 0.462))
     assert found.probability == pytest.approx(norm.cdf(math.log(number / 0.757) / 0.592))
-    text = " ".join(found.summary().split())
+    text = " ".join(found.summary(more=True).split())
     assert "second probability 47 %" in text
     assert "28,399" in text
     assert "10.1002/eqe.70042" in text

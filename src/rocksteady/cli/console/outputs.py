@@ -1,6 +1,8 @@
 """Output of a command: JSON on standard output, and files written whole or not at all."""
 
+import shlex
 import sys
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +11,8 @@ from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import json_text, save_whole
 
 if TYPE_CHECKING:
+    import typer
+
     from rocksteady.show.film.animation import Film
 
 NEGATIVE = 1
@@ -39,6 +43,37 @@ def write_film(file: Path, film: "Film") -> None:
     with progress("drawing the film", film.frames, lines=False) as done:
         save_whole("--animate", file, lambda target: save_gif(film, target, done))
     announce_file(file)
+
+
+def again(context: "typer.Context", *flags: str, but: tuple[str, ...] = ()) -> str:
+    """Return the command as it was given, with further flags.
+
+    Parameters
+    ----------
+    context
+        Context of the command.
+    flags
+        Flags that are added, with their values.
+    but
+        Flags with a value that are left out.
+    """
+    words, kept = list(context.find_root().obj), ["rocksteady"]
+    while words:
+        word = words.pop(0)
+        name, equals, _ = word.partition("=")
+        if name in ("--csv", "--plot", *but):
+            del words[: 0 if equals else 1]
+        elif word not in ("--more", "--quiet", "--force"):
+            kept.append(shlex.quote(word))
+    return " ".join([*kept, *flags])
+
+
+def report_command(context: "typer.Context", out: Path | None) -> str:
+    """Return the command that opens the report of --out, or writes it to a new folder."""
+    if out is not None:
+        return f"python3 -m webbrowser {shlex.quote(str(out / 'report.html'))}"
+    folders = (f"answer{number or ''}" for number in count())
+    return again(context, f"--out {next(each for each in folders if not Path(each).exists())}")
 
 
 def announce_file(file: Path) -> None:

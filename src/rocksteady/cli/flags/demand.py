@@ -152,13 +152,15 @@ class RowFlags:
     """Output of a command whose result is a table."""
 
     as_json: bool = options.as_json()
+    more: bool = options.more()
+    quiet: bool = options.quiet()
     csv: Path | None = options.csv()
     force: bool = options.force()
 
     @property
     def files(self) -> OutputFlags:
         """The same as output of any command, with checks."""
-        return OutputFlags(as_json=self.as_json, csv=self.csv, force=self.force)
+        return OutputFlags(**vars(self))
 
 
 def sized_block(flags: BlockFlags) -> Block:

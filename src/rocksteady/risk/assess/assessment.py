@@ -3,6 +3,7 @@
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
 from rocksteady.results.numbers import number, number_or_none, percent, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.assess._answers import answer_of_object
 from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._counts import MULTIPLES, Basis, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, measured
@@ -140,6 +142,30 @@ class Assessment(Result):
             )
         return tuple(sentences)
 
+    @cached_property
+    def level(self) -> DemandLevel:
+        """The demand as a level of the measure of its curves."""
+        given = self.described.given
+        measure = Intensity(given.assessment.intensity_measure, given.assessment.period_s)
+        block, source = self.facts.block, self.described.source
+        return demand_level(measure, given.demand, self.motions, block, source)
+
+    @property
+    def beyond(self) -> str:
+        """A sentence where the demand lies outside the levels of the runs; empty inside them."""
+        if self.fragility is None or self.verdict == "stands":
+            return ""
+        measure = self.fragility.measure
+        level = self.level.of(measure, self.facts.block)
+        low, high = self.fragility.state(OVERTURNED).curve.sampled
+        if low <= level <= high:
+            return ""
+        return (
+            f"The demand, {measure.label} {number(level)} {measure.unit}".rstrip()
+            + f", lies outside the levels of the runs, {number(low)} to {number(high)}: the "
+            "probability there is that of the curve alone."
+        )
+
     @property
     def meets_target(self) -> bool:
         """Whether the object stands, or is below the target."""
@@ -194,6 +220,7 @@ class Assessment(Result):
             facts=[*self._answer(), *(fact for fact in facts.facts if fact.key != "name")],
             tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
             notes=[*self.facts.warnings, *self._warnings(), *CAVEATS],
+            answer=answer_of_object(self),
         )
 
     def _answer(self) -> list[Fact]:
@@ -257,7 +284,7 @@ class Assessment(Result):
             if self.fragility.measure.given_uplift and unknown:
                 lift = quantity(self.facts.uplift_pga_g, "g")
                 warnings.append(f"No PGA is given: the probability holds where it is above {lift}.")
-            warnings += self._shortened(self.fragility) + self._beyond(self.fragility)
+            warnings += [*self._shortened(self.fragility), self.beyond]
         if self.described.demand.vertical_at_peak_g:
             warnings.append(
                 "The vertical motion of the demand decides on uplift and sliding; the runs have "
@@ -276,21 +303,7 @@ class Assessment(Result):
                 "probability is of the curve through all levels."
             )
         warnings += [remark for risk in self.risks for remark in risk.remarks]
-        return list(dict.fromkeys(warnings))
-
-    def _beyond(self, fragility: Fragility) -> list[str]:
-        """Return a sentence where the demand lies outside the levels of the runs."""
-        measure, given, block = fragility.measure, self.described.given, self.facts.block
-        source = self.described.source
-        level = demand_level(measure, given.demand, self.motions, block, source).of(measure, block)
-        low, high = fragility.state(OVERTURNED).curve.sampled
-        if low <= level <= high or self.verdict == "stands":
-            return []
-        return [
-            f"The demand, {measure.label} {number(level)} {measure.unit}".rstrip()
-            + f", lies outside the levels of the runs, {number(low)} to {number(high)}: the "
-            "probability there is that of the curve alone."
-        ]
+        return list(dict.fromkeys(filter(None, warnings)))
 
     def _shortened(self, fragility: Fragility) -> list[str]:
         """Return a sentence where the vertical motion ends the levels early."""

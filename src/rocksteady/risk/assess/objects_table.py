@@ -15,6 +15,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import MOST_MISFIT
 from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.assess._answers import answer_of_table
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
 from rocksteady.risk.assess._probability import (
     NO_ANSWER,
@@ -120,6 +121,7 @@ class ObjectsTable(Result):
         colours = Counter(row["colour"] for row in self.rows)
         counts = {colour: colours[colour] for colour in ("red", "amber", "green", "grey")}
         target = 100.0 * self.target_probability
+        worst = sorted(self.sorted_by("judged"), key=lambda row: ORDER[row["colour"]])
         columns = [
             Column("name", "object", left=True),
             Column("probability", "P"),
@@ -156,13 +158,14 @@ class ObjectsTable(Result):
             tables=[
                 Table(
                     "objects",
-                    sorted(self.sorted_by("judged"), key=lambda row: ORDER[row["colour"]]),
+                    worst,
                     columns,
                     kind=lambda row: str(row["colour"]),
                     alarm="red",
                 )
             ],
             notes=[colours_mean, METHOD, *CAVEATS],
+            answer=answer_of_table(self, worst),
         )
 
 

@@ -9,8 +9,9 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, percent, quantity
+from rocksteady.results.numbers import chance, number, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.screens.demand import FRICTION, PGA, PGV, Demand
@@ -160,7 +161,36 @@ class QuickAssessment(Result):
                 friction_needed=f"{need}; {given}",
             ),
             notes=[*self.remarks, SOURCE, CAVEAT],
+            answer=self._answer(),
         )
+
+    def _answer(self) -> Answer:
+        """Return the probability beside the second one, what lifts the block, and doubts."""
+        vertical = self.demand.vertical_words
+        peaks = f"{quantity(self.pga_g, 'g')} and {quantity(self.pgv_m_s, 'm/s')}"
+        peaks += f" with {vertical}" if vertical else ""
+        lifts = quantity(self.uplift_pga_g, "g")
+        lifts += f", {number(self.uplift_pga_g / self.pga_g, 2)} of the demand"
+        second = half = ""
+        if self.probability is None:
+            sentence = f"It slides at {peaks}: no probability of falling by rocking."
+        elif self.verdict == "rest":
+            sentence = f"It stands at {peaks}: this does not lift it."
+        else:
+            sentence = f"{chance(self.probability)} of such blocks fall at {peaks}, by a formula."
+            second = f"{chance(self.other_probability or 0.0)} by runs of this package"
+            half = quantity(self.median_pgv_m_s, "m/s")
+        given = "not known, and below it the block slides"
+        if self.friction is not None:
+            given = f"{number(self.friction)} given"
+        facts = [
+            ("second formula", second),
+            ("doubt", " ".join(each for each in self.remarks if "friction" not in each)),
+            ("friction needed", f"{number(self.friction_needed)}; {given}"),
+            ("lifts at", lifts),
+            ("half fall at", half),
+        ]
+        return Answer(sentence, facts)
 
 
 @checked

@@ -30,8 +30,18 @@ def test_the_worked_case() -> None:
 
 def test_the_text_begins_with_the_sentence_and_fits() -> None:
     ran = rocksteady(WORKED)
-    assert ran.out.startswith("About 2 in 5 blocks of this shape and size would fall")
+    assert ran.out.startswith("40 % of such blocks fall at 0.35 g and 0.4 m/s, by a formula.\n")
     assert fits(ran.out)
+    assert len(ran.out.splitlines()) <= 8
+    assert "About 2 in 5 blocks of this shape and size" in rocksteady(f"{WORKED} --more").out
+
+
+def test_what_slides_or_rests_has_no_per_cent() -> None:
+    assert rocksteady(f"{WORKED} --friction 0.1 --quiet").out == (
+        "It slides at 0.35 g and 0.4 m/s: no probability of falling by rocking.\n"
+    )
+    weak = rocksteady(f"{WORKED.replace('0.35', '0.1')} --quiet").out
+    assert weak == "It stands at 0.1 g and 0.4 m/s: this does not lift it.\n"
 
 
 def test_any_block_is_taken() -> None:

@@ -78,7 +78,7 @@ def test_the_folder_is_refused_before_anything_is_computed(place: Path) -> None:
 def test_the_motions_may_be_named_in_the_file(place: Path) -> None:
     text = OBJECT + 'records = "motions"\n'
     (place / "statue.toml").write_text(text, encoding="utf-8")
-    ran = rocksteady("assess statue.toml")
+    ran = rocksteady("assess statue.toml --more")
     assert ran.code == 0, ran.err
     assert "records" in ran.out
     assert "no substitute for rules on anchorage" in " ".join(ran.out.split())

@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
+from rocksteady.cli.console.outputs import (
+    NEGATIVE,
+    announce_compilation,
+    announce_file,
+    report_command,
+)
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing, refuse
 from rocksteady.cli.flags import options
@@ -123,9 +128,23 @@ def assess(
     output.files.write_csv(lambda: description.tables[0] if table else _one_row(description))
     notes = _notes(description.notes, out, example=example)
     after = {"synthetic": example}
-    output.files.leave("assess", replace(description, notes=notes), after=after)
+    output.files.leave(
+        "assess",
+        replace(description, notes=notes),
+        after=after,
+        follow_up=_next_command(context, block, peaks, out, quick=file is None and not example),
+    )
     if check and not met:
         raise typer.Exit(NEGATIVE)
+
+
+def _next_command(
+    context: typer.Context, block: BlockFlags, peaks: PeakFlags, out: Path | None, *, quick: bool
+) -> str:
+    """Return the command that opens the report, writes it, or applies published formulas."""
+    if quick:
+        return options.follow_up("screens", block, peaks)
+    return report_command(context, out)
 
 
 def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
