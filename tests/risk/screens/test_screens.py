@@ -166,13 +166,16 @@ def test_rocking_is_refused_as_an_answer_where_friction_governs(
         assert row.passes is None
         assert "friction governs" in row.verdict
     assert found.row("uplift").passes is None
-    assert "it passes 0 of 0" in found.summary()
+    assert "it passes 0 of 0" in found.summary(more=True)
 
 
 def test_only_rows_that_bound_falling_are_counted() -> None:
     """Rocking is no pass, nor is a median that is not reached: up to half still fall."""
     shaken = screen_block(BLOCK, PEAKS, friction=0.4)
-    assert shaken.summary().startswith("Screens of a block at 0.35 g and 0.4 m/s: it passes 0 of 5")
+    assert shaken.summary().startswith("It passes none of 5 published screens at 0.35 g and 0.4")
+    shown = [row.name for row in shaken.rows if row.passes is False]
+    assert all(any(name in line for line in shaken.summary().splitlines()) for name in shown)
+    assert len(shaken.summary().splitlines()) <= 8
     calm = screen_block(BLOCK, Demand(pga_g=0.17, pgv_m_s=0.2), friction=0.4)
     assert calm.motion == "rest"
     passes = {row.name: row.passes for row in calm.rows if row.passes is not None}
@@ -185,8 +188,8 @@ def test_only_rows_that_bound_falling_are_counted() -> None:
 
 def test_nothing_shown_speaks_of_memory_or_of_a_copy() -> None:
     for found in (full(), full(0.1), screen_block(BLOCK, Demand())):
-        texts = [found.summary(), json.dumps(found.to_dict())]
-        texts += [row.summary() for row in found.rows]
+        texts = [found.summary(more=True), json.dumps(found.to_dict())]
+        texts += [row.summary(more=True) for row in found.rows]
         for text in texts:
             for words in ("memory", "confidence", "unreviewed", "transcription", "numerically"):
                 assert words not in text.lower(), words
@@ -295,13 +298,13 @@ def test_a_record_is_screened_with_its_own_spectrum() -> None:
 
 def test_the_description_fits_a_page_and_holds_every_row() -> None:
     for found in (full(), full(0.1), screen_block(BLOCK, Demand())):
-        text = found.summary()
+        text = found.summary(more=True)
         assert fits(text)
         assert all(text.count(name) >= 2 for name in NAMES)
         assert "the engineer verifies" in text
         assert "28.50" in text
         for row in found.rows:
-            assert fits(row.summary())
+            assert fits(row.summary(more=True))
     values = as_json(full().to_dict())
     assert [row["name"] for row in values["screens"]] == list(NAMES)
     keys = {"name", "equation", "edition", "status", "value", "unit", "verdict"}

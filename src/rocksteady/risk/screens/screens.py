@@ -7,6 +7,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
@@ -134,7 +135,32 @@ class Screens(Result):
                 Table("", sized, CABINET_COLUMNS, title="FEMA P-58 cabinets, median velocities"),
             ],
             notes=[DISCLAIMER, *remarks],
+            answer=self._answer(shaking, passed, len(judged)),
         )
+
+    def _answer(self, at: str, passed: int, judged: int) -> Answer:
+        """Return how many formulas it passes, and the formulas, those not passed first."""
+        sentence = f"No answer yet: none of the published screens has a verdict{at}."
+        if judged:
+            sentence = f"It passes {passed or 'none'} of {judged} published screens{at}."
+        if self.motion in SLIDES:
+            sentence = f"It slides{at}: no screen of rocking is an answer."
+        shown = [row for row in self.rows if row.value is not None and not row.needs]
+        shown = [row for row in shown if row.name != "restitution"]
+        shown.sort(key=lambda row: (row.passes is True, row.passes is None))
+        most = max(5, sum(row.passes is False for row in shown))
+        needs = [row for row in self.rows if row.needs]
+        left = [row.name for row in shown[most:]]
+        facts = [
+            ("", f"{len(left)} more with --more: {', '.join(left)}" if left else ""),
+            (
+                "no verdict",
+                "; ".join(f"{row.name} {row.verdict.partition(';')[0]}" for row in needs[:2]),
+            ),
+            ("vertical", self.demand.vertical_words),
+        ]
+        rows = [(row.name, f"{row.verdict} ({row.words})") for row in shown[:most]]
+        return Answer(sentence, facts, rows)
 
 
 @checked

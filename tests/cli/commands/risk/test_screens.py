@@ -36,7 +36,8 @@ def test_the_json_is_that_of_the_public_function() -> None:
 
 
 def test_the_text_fits_and_names_what_is_missing() -> None:
-    ran = rocksteady(BLOCK)
+    assert rocksteady(BLOCK).out.startswith("No answer yet")
+    ran = rocksteady(f"{BLOCK} --more")
     assert ran.code == 0
     assert fits(ran.out)
     assert "needs a spectrum with its damping" in ran.out

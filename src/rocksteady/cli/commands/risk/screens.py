@@ -7,7 +7,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, SpectrumFlags, sized_block
 from rocksteady.cli.flags.groups import grouped, in_columns
-from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 
 HELP = (
     "Apply published formulas to a block.\n\n"
@@ -50,6 +50,12 @@ def screens(
     screens_found = screen_block(body, demand, friction=peaks.friction)
     rows = [row.values() for row in screens_found.rows]
     files.write_csv(lambda: in_columns(list(rows[0]), rows))
-    files.leave("screens", screens_found.describe())
+    next_command = ""
+    if None not in (peaks.pga_g, peaks.pgv_m_s):
+        next_command = options.follow_up("assess", block, peaks)
+    elif spectra.record is not None:
+        recorded = RecordFlags(record=[spectra.record], pga_g=peaks.pga_g)
+        next_command = options.follow_up("simulate", block, recorded, reading)
+    files.leave("screens", screens_found.describe(), follow_up=next_command)
     if check and screens_found.negative:
         raise typer.Exit(NEGATIVE)
