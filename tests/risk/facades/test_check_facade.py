@@ -230,6 +230,21 @@ def test_the_verdict_of_few_records_does_not_pass_for_one_without_runs() -> None
     assert "needs 7" not in check_facade(WALL, runs=runs([0.1] * 7)).verdict
 
 
+def test_the_first_line_claims_no_check_that_has_no_verdict() -> None:
+    """Neither runs of few records nor runs of weak ones pass for satisfied."""
+    few = check_facade(WALL, everywhere(0.02), runs=runs([0.1] * 3))
+    none = check_facade(WALL, FacadeDemand())
+    assert "no verdict by runs" in few.summary().splitlines()[0]
+    assert none.summary().startswith("No answer yet")
+    for shaken in (0.02, 0.1, 0.4, 1.0):
+        check = check_facade(WALL, everywhere(shaken))
+        failed = [each for each in check.checks if each.satisfied is False]
+        decided = [each for each in check.checks if each.satisfied is not None]
+        sentence = check.summary().splitlines()[0]
+        assert ("satisfies all" in sentence) == (not failed)
+        assert not failed or f"by {len(failed)} of {len(decided)} checks" in sentence
+
+
 def test_limit_states_that_are_exchanged_are_refused() -> None:
     assert FacadeDemand(sld=rock(0.1), slc=rock(0.1)).given == ("SLD", "SLC")
     with pytest.raises(RocksteadyError, match=r"ag_g of slv is 0\.3, above that of slc, 0\.2"):
@@ -261,7 +276,7 @@ def test_a_parapet_is_checked_at_its_period_by_hand() -> None:
             assert check.demand == pytest.approx(0.160222, abs=2e-6)
             assert check.capacity == pytest.approx(capacity, rel=1e-12)
             assert check.satisfied is False
-        assert "decides (C8.7.1.9)" in found.summary()
+        assert "decides (C8.7.1.9)" in found.summary(more=True)
 
 
 def test_a_pinnacle_in_a_floor_spectrum_by_hand() -> None:

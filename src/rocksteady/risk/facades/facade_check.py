@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import length, quantity
+from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand, LimitState
@@ -229,7 +230,43 @@ class FacadeCheck(Result):
                 Table("capacity_curve", curve),
             ],
             notes=[*map(str, self.reasons), *self._of_checks(), *map(str, self.remarks)],
+            answer=self._answer(),
         )
+
+    def _answer(self) -> Answer:
+        """Return what is not satisfied, the checks, and runs beyond d0."""
+        decided = [check for check in self.checks if check.satisfied is not None]
+        decided.sort(key=lambda check: (check.satisfied is True, -(check.ratio or 0.0)))
+        failed = [check for check in decided if not check.satisfied]
+        names = _joined(list(dict.fromkeys(each.limit_state for each in failed)))
+        sentence = f"{self.facade.name} satisfies all {len(decided)} checks that have a demand"
+        if failed:
+            sentence = f"{self.facade.name} does not satisfy {names}, "
+            sentence += f"by {len(failed)} of {plural(len(decided), 'check')}"
+        if not decided:
+            sentence = "No answer yet: no check has a demand, capacity alone is known"
+        most, facts = max(5, len(failed)), []
+        if len(decided) > most:
+            facts.append(("", f"{len(decided) - most} more with --more: satisfied"))
+        refused = [
+            str(remark)
+            for check in self.checks
+            for remark in check.remarks
+            if check.satisfied is None and remark.key == "weak_records"
+        ]
+        if self.runs is not None and self.runs.refusal is not None:
+            refused = [self.runs.refusal]
+        sentence += "; no verdict by runs" if refused and decided else ""
+        facts.append(("runs", " ".join(refused)))
+        if self.runs is not None and self.runs.beyond:
+            records = plural(len(self.runs.records), "record")
+            facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
+        open_states = {each.limit_state: None for each in self.checks if each.satisfied is None}
+        missing = _joined([each for each in open_states if each not in self.states])
+        facts.append(("no demand", f"for {missing}" if missing else ""))
+        facts.append(("not counted", ", ".join(each.name for each in self.facade.ending)))
+        rows = [(f"{each.limit_state}, {each.method}", _ratio_words(each)) for each in decided]
+        return Answer(f"{sentence}.", facts, rows[:most])
 
     def _of_checks(self) -> Iterator[str]:
         """Yield how demands were made, as far as the table does not show it."""
@@ -260,6 +297,14 @@ def _row(check: Check) -> dict[str, object]:
         "satisfied": check.satisfied,
         "remark": check.remark,
     }
+
+
+def _ratio_words(check: Check) -> str:
+    """Return demand and capacity of a check with their ratio."""
+    demand, capacity = _words(check, check.demand), _words(check, check.capacity)
+    ratio = check.ratio or 0.0
+    ratios = "" if math.isinf(ratio) else f" ({number(ratio, 2)})"
+    return f"{demand} of {capacity}{ratios}" + ("" if check.satisfied else ": not satisfied")
 
 
 def _texts(*values: float) -> tuple[str, ...]:

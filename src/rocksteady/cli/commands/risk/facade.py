@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
 import typer
 
-from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
+from rocksteady.cli.console.outputs import (
+    NEGATIVE,
+    announce_compilation,
+    announce_file,
+    report_command,
+)
 from rocksteady.cli.console.refusals import FlagError, needs, refuse
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
@@ -181,7 +186,7 @@ def facade(
         "left_out": [{"file": str(each), "reason": reason} for each, reason in suite.left_out],
     }
     text, values = _in_text(facade_check, example=example), facade_check.to_dict()
-    output.leave("facade", text, values=values, after=after)
+    output.leave("facade", text, values=values, after=after, follow_up=report_command(context, out))
     if check and any(each.satisfied is False for each in facade_check.checks):
         raise typer.Exit(NEGATIVE)
 
