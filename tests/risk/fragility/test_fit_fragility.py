@@ -397,7 +397,7 @@ def test_the_description_has_a_row_for_every_curve() -> None:
     assert values["records"] == 12
     assert values["runs"] == 12 * 6 * 2 * (1 + 2)
     assert len(values["points"]) == 5 * 6
-    text = fragility().summary()
+    text = fragility().summary(more=True)
     assert "overturned" in text
     assert sum("12 records" in warning for warning in fragility().warnings) == 1
 

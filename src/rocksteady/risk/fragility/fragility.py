@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, Final
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.doubts import with_misfit
+from rocksteady.results.doubts import FEW_RECORDS, MOST_MISFIT, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
@@ -28,6 +29,10 @@ _RANKING: Final = (
     Column("log_likelihood_per_run", "log-likelihood per run", "{:.3f}".format),
 )
 
+GOOD_ENOUGH: Final = 0.15
+"""Misfit beyond which a curve is no answer."""
+MOST_SCALED: Final = 10.0
+"""Factor of a record beyond which an answer states the largest."""
 _LEGEND: Final = (
     "Median and beta (standard deviation of the logarithm) with their bands; beta is given uplift "
     "where the curve has two stages, and over PGV all is. Misfit: largest difference between the "
@@ -144,7 +149,55 @@ class Fragility(Result):
                 ),
             ],
             notes=[_LEGEND, *self.warnings],
+            answer=self._answer(),
         )
+
+    def _answer(self) -> Answer:
+        """Return where half of the blocks reach the last damage state, and other states."""
+        *others, last = self.states
+        curve, shape = last.curve, _shape(last)
+        half = f"Half of them {_verb(last.state)} at {self._median_words(last)}"
+        if not math.isnan(shape.beta):
+            half += f", beta {number(shape.beta)}" + (" given uplift" * (shape is not curve))
+        if shape.step is not None:
+            half += ", a step: levels between them are not run"
+        sentence, provisional = f"{half}.", ""
+        if math.isnan(curve.median):
+            headline = shape.describe().headline
+            sentence = f"No answer yet where half of them {_verb(last.state)}: {headline}."
+        elif curve.misfit > GOOD_ENOUGH:
+            sentence = "No answer yet: the curve misses the counted shares."
+            provisional = half
+        points = f"within {number(100.0 * curve.misfit, 2)} points of the counted shares; "
+        if curve.misfit > MOST_MISFIT:
+            points = (
+                f"poor: up to {number(100.0 * curve.misfit, 2)} points off the counted shares; "
+            )
+        few = f" (curves need {FEW_RECORDS})" if self.records < FEW_RECORDS else ""
+        runs = f"{self.runs:,} runs, {plural(self.records, 'record')}{few}"
+        large = f"records by up to {number(self.scale_factor_max)} x: check these"
+        facts = [
+            ("provisional", provisional),
+            ("fit", runs if math.isnan(curve.misfit) else points + runs),
+            ("scaled", large if self.scale_factor_max > MOST_SCALED else ""),
+            ("holds", f"for blocks that lift, {GIVEN}" if last.given_uplift else ""),
+        ]
+        rows = [
+            (_verb(each.state).removeprefix("tilt "), f"half at {self._median_words(each)}")
+            for each in others
+            if not math.isnan(each.curve.median)
+        ]
+        return Answer(sentence, facts, rows[:3])
+
+    def _median_words(self, each: StateFragility) -> str:
+        """Return the median of a damage state with its interval, in the measure."""
+        curve, unit = each.curve, self.measure.unit
+        name = self.measure.label
+        words = f"{number(curve.median)} {unit} of {name}" if unit else f"{name} {curve.median:.3g}"
+        band, bands = getattr(curve, "median_band", None), self.fitting.bands
+        if band is None or bands is None:
+            return words
+        return f"{words} ({100.0 * bands.confidence:g} %: {number(band[0])} to {number(band[1])})"
 
     def _headline(self) -> str:
         """Return the answer in a line."""
@@ -152,7 +205,7 @@ class Fragility(Result):
         median = last.curve.median
         unit = f" {self.measure.unit}" if self.measure.unit else ""
         answer = "no median" if math.isnan(median) else f"median {number(median)}{unit}"
-        shape = last.curve if isinstance(last.curve, FragilityCurve) else last.curve.given_uplift
+        shape = _shape(last)
         if not math.isnan(shape.beta):
             given = "" if shape is last.curve else " given uplift"
             given = f", {GIVEN}" if last.given_uplift else given
@@ -208,8 +261,7 @@ class Fragility(Result):
 
 def _shown_row(each: StateFragility) -> dict[str, Any]:
     """Return what people read of a damage state."""
-    curve = each.curve
-    shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
+    curve, shape = each.curve, _shape(each)
     return {
         "state": _short(each.state),
         "median": _with_band(curve.median, getattr(curve, "median_band", None)),
@@ -220,6 +272,20 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         "misfit": number_or_none(curve.misfit),
         "gain": number_or_none(curve.gain) if isinstance(curve, TwoStageCurve) else None,
     }
+
+
+def _shape(each: StateFragility) -> FragilityCurve:
+    """Return the curve that has the beta of a damage state."""
+    curve = each.curve
+    return curve if isinstance(curve, FragilityCurve) else curve.given_uplift
+
+
+def _verb(state: DamageState) -> str:
+    """Return what a block does in a damage state, in a word or two."""
+    default = {"uplift": "lift", "overturned": "fall"}
+    if state.peak is not None:
+        return f"tilt > {state.peak:g} alpha"
+    return default.get(state.name, f"reach {state.name}")
 
 
 def _short(state: DamageState) -> str:

@@ -76,7 +76,7 @@ def test_a_broken_record_is_named_and_the_rest_is_run(folder: Path, tmp_path: Pa
     for name in broken:
         assert f"{place / name} is left out: " in ran.err
     assert ".hidden" not in ran.err
-    text = rocksteady(f"{FEW} --records", place)
+    text = rocksteady(f"{FEW} --more --records", place)
     assert "3 files were left out" in text.out
 
 
@@ -171,7 +171,16 @@ def test_a_band_of_restitutions_and_a_measure_with_a_period(folder: Path) -> Non
 
 
 def test_the_example_says_that_its_motions_are_synthetic() -> None:
-    ran = rocksteady("fragility --example -r housner --levels 0.4,0.8,1.6 --replicates 0")
+    command = "fragility --example -r housner --levels 0.4,0.8,1.6 --replicates 0"
+    (used,) = [
+        row
+        for row in rocksteady(f"{command} --json").json["fits"]
+        if row["damage_state"] == "overturned" and row["used"]
+    ]
+    short = rocksteady(command).out
+    assert short.startswith(f"Half of them fall at {used['median']:.3g} m/s of PGV, beta ")
+    assert len(short.splitlines()) <= 9
+    ran = rocksteady(f"{command} --more")
     assert ran.code == 0
     assert "synthetic motions" in ran.out
     assert "overturned" in ran.out

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation
+from rocksteady.cli.console.outputs import again, announce_compilation
 from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags, ensemble_flag
@@ -133,7 +133,12 @@ def fragility(
     ]
     if suite.left_out:
         notes.insert(0, f"{len(suite.left_out)} files were left out, see standard error")
-    output.leave("fragility", replace(description, headline=headline, notes=notes), after=after)
+    output.leave(
+        "fragility",
+        replace(description, headline=headline, notes=notes),
+        after=after,
+        follow_up="" if output.plot else again(context, "--plot fragility.png", but=("--out",)),
+    )
 
 
 def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
