@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import number, percent, plural
+from rocksteady.results.numbers import chance, interval, number, percent, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration._identified import MEANINGS
+from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
 from rocksteady.risk.calibration.held_out.folds import Evidence
 from rocksteady.risk.calibration.held_out.learning import Trial
@@ -218,7 +219,55 @@ class Calibration(Result):
             facts=facts,
             tables=tables,
             notes=notes,
+            answer=self._answer(few),
         )
+
+    def _answer(self, few: Posterior) -> Answer:
+        """Return how well held-out tests are predicted, and what outcomes show of each parameter.
+
+        Parameters
+        ----------
+        few
+            The posterior of the fewest effective draws.
+        """
+        best, base = (self.validation.rows.get(name) for name in ("calibrated", "base rate"))
+        held = "no score: tests of several groups are needed"
+        sentence = f"No answer yet: {held}."
+        if best is not None and base is not None:
+            accuracy, low, high = best.accuracy
+            band = interval(None if np.isnan(low) else (low, high), 0.9)
+            rate = chance(base.accuracy[0])
+            held = f"{chance(accuracy)} of tests predicted; by the base rate {rate}"
+            sentence = f"{chance(accuracy)} of held-out tests are predicted{band}."
+        if not few.identified:
+            sentence = (
+                f"No answer yet: it rests on {few.effective_draws:.0f} effective draws of "
+                f"{len(few.values):,} (at least {FEWEST_DRAWS:g} needed)."
+            )
+            held += ", provisional"
+        facts = [("held out", held)]
+        several, rows = len(self.posteriors) > 1, []
+        for row in self.parameters:
+            name = str(row["parameter"])
+            if name != "alpha_rad" and (several or name != "restitution"):
+                continue
+            label = f"{row['object']}, alpha" if several else name.removesuffix("_rad")
+            words = (
+                f"not identified by so few draws; prior {_range(row, 'prior_low', 'prior_high')}"
+            )
+            if row["median"] is not None:
+                words = f"{number(row['median'])} (90 %: {_range(row, 'low', 'high')}); "
+                words += str(row["verdict"])
+            rows.append((label, words))
+        limits = [str(row["parameter"]) for row in self.parameters if row["verdict"] == LIMIT]
+        if limits:
+            facts.append(
+                ("prior's limit", f"reached by {', '.join(dict.fromkeys(limits))}: doubt it")
+            )
+        if several and len(rows) > 5:
+            facts.append(("", f"{len(rows) - 5} more with --more"))
+        facts.append(("doubt", _first_of(self.warnings)))
+        return Answer(sentence, facts, rows[:5])
 
     def _table(self) -> Table:
         before = (
@@ -249,6 +298,17 @@ class Calibration(Result):
         if len(self.posteriors) > 1:
             remarks.append("Each object has its own posterior and its own errors.")
         return remarks
+
+
+def _range(row: Mapping[str, Any], low: str, high: str) -> str:
+    """Return two ends of a row in words."""
+    return f"{number(row[low])} to {number(row[high])}"
+
+
+def _first_of(warnings: Sequence[str]) -> str:
+    """Return the first warning, and how many more there are."""
+    more = f" ({len(warnings) - 1} more with --more)" if len(warnings) > 1 else ""
+    return f"{warnings[0]}{more}" if warnings else ""
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:

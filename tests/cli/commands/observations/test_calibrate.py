@@ -78,8 +78,10 @@ def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
 
 
 def test_the_example_needs_no_file() -> None:
-    ran = rocksteady(f"calibrate --example {FEW}")
+    ran = rocksteady(f"calibrate --example {FEW} --more")
     assert ran.code == 0
+    assert ran.out.startswith("No answer yet: it rests on ")
+    assert "\nnext: rocksteady calibrate --example " in ran.out
     assert "The tests are synthetic" in ran.out
     assert "alpha_rad" in ran.out
 

@@ -8,7 +8,12 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console.outputs import announce_compilation, announce_file
+from rocksteady.cli.console.outputs import (
+    again,
+    announce_compilation,
+    announce_file,
+    report_command,
+)
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import flags_of, refuse
 from rocksteady.cli.flags import options
@@ -51,6 +56,8 @@ ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
 """Flags of arguments of `rocksteady.calibrate`."""
 EXAMPLE_DRAWS = 240
 """Draws of --example, which takes some ten seconds."""
+USUAL_DRAWS = 3000
+"""Draws to go on with where there are too few effective ones."""
 EXAMPLE_MOTIONS = 8
 EXAMPLE_SIZE = (0.15, 0.6)
 """Width and height of the block of --example [m]."""
@@ -123,7 +130,21 @@ def calibrate(
         notes.insert(0, "The tests are synthetic: no object was shaken.")
     if out is not None:
         notes.append(f"Pictures, method, guarantees and inputs stand in {out / 'report.html'}.")
-    output.leave("calibrate", replace(description, notes=notes), after={"synthetic": example})
+    output.leave(
+        "calibrate",
+        replace(description, notes=notes),
+        after={"synthetic": example},
+        follow_up=_next_command(context, calibration, out),
+    )
+
+
+def _next_command(context: typer.Context, calibration: "Calibration", out: Path | None) -> str:
+    """Return the command of more draws where there are too few, else that of the report."""
+    few = min(calibration.posteriors.values(), key=lambda each: each.effective_draws)
+    if few.identified:
+        return report_command(context, out)
+    flags = [f"--draws {max(USUAL_DRAWS, 2 * len(few.values))}", *(["--force"] if out else [])]
+    return again(context, *flags, but=("--draws",))
 
 
 def _check_folder(out: Path | None, output: OutputFlags, read: Sequence[Path] = ()) -> None:
