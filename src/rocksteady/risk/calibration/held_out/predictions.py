@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.answer import MOST_ROWS, Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.doubts import FEWEST_DRAWS
+from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -110,7 +112,39 @@ class Predictions(Result):
                 )
             ],
             notes=self.warnings,
+            answer=self._answer(likely),
         )
+
+    def _answer(self, likely: int) -> Answer:
+        """Return the probabilities, the highest first; provisional of too few draws."""
+        rows = sorted(self.rows, key=lambda row: row["p"], reverse=True)
+        words = [
+            chance(row["p"])
+            + interval(None if row["low"] is None else (row["low"], row["high"]), 0.9)
+            for row in rows
+        ]
+        least, doubt = min(row["effective_draws"] for row in rows), ""
+        sentence = f"{likely or 'None'} of {plural(len(rows), 'test')} more likely fall than not."
+        if len(rows) == 1:
+            sentence = f"It falls in {rows[0]['test']} with {words[0]}."
+        if least < FEWEST_DRAWS:
+            sentence = (
+                f"No answer yet: it rests on {least:.0f} effective draws "
+                f"(at least {FEWEST_DRAWS:g} needed)."
+            )
+            doubt = "provisional"
+        most = min(max(5, likely), MOST_ROWS)
+        left = rows[most:]
+        falling = sum(row["p"] >= 0.5 for row in left)
+        kinds = f"{falling} likely to fall, {len(left) - falling} to stand"
+        facts = [
+            ("", f"{len(left)} more with --more: {kinds}" if left else ""),
+            ("these numbers", doubt),
+            ("doubt", " ".join(self.warnings)),
+        ]
+        names = [_shortened(row["test"]) for row in rows]
+        shown = list(zip(names, words, strict=True))[:most]
+        return Answer(sentence, facts, shown if len(rows) > 1 or doubt else [])
 
 
 def predictions_of(
