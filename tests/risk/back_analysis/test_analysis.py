@@ -103,9 +103,9 @@ def test_where_nothing_fell_there_is_no_lower_bound() -> None:
     x = math.log(found.highs[0])
     chance = 0.96 * ndtr((x - np.log(THRESHOLDS[:, 0])) / 0.25) + 0.02
     assert float(np.prod(1.0 - chance)) == pytest.approx(0.1, rel=0.1)
-    assert "PGA likely below" in found.summary()
+    assert "PGA likely below" in found.summary(more=True)
     assert any("no lower bound" in text for text in found.warnings)
-    assert "bounds no PGA from above" in found.summary()
+    assert "bounds no PGA from above" in found.summary(more=True)
 
 
 def test_records_that_leave_a_standing_object_at_any_scale_give_no_upper_bound() -> None:

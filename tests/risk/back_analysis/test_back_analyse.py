@@ -86,7 +86,7 @@ def test_an_exact_object_falls_where_simulate_says_so() -> None:
     )
     assert 0 < fell.sum() < fell.size
     assert np.array_equal(result.weights[:, ::3] > 1e-9, fell)
-    assert "not checked by records that are left out" in result.summary()
+    assert "not checked by records that are left out" in result.summary(more=True)
 
 
 def test_records_filed_with_another_factor_or_sign_change_nothing() -> None:
@@ -171,7 +171,7 @@ def test_what_is_not_valid_is_refused_in_one_line() -> None:
 
 
 def test_what_people_read_has_numbers_and_caveats(found: BackAnalysis) -> None:
-    text = found.summary()
+    text = found.summary(more=True)
     assert "3 of 5 objects fell: PGA" in text
     assert "bounds no PGA from above" in text
     assert "that is no Bayesian" in " ".join(text.split())

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import number, number_or_none, plural
+from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
@@ -272,7 +273,30 @@ class BackAnalysis(Result):
                 Table("record_weights", self.record_rows(), _record_columns(self.measures)),
             ],
             notes=[*self.warnings, *CAVEATS],
+            answer=self._answer(coverage),
         )
+
+    def _answer(self, coverage: str) -> Answer:
+        """Return the intervals of the first two measures, their middles, and doubts."""
+        fell, level = sum(self.survey.fell), f"({100.0 * self.confidence:g} %)"
+        medians = [
+            quantity(float(median), measure.unit).rstrip()
+            for measure, median in zip(self.measures[:2], self.medians, strict=False)
+            if not np.isnan(median)
+        ]
+        best = self.record_rows()[0]
+        covered = coverage
+        if self.held_out_surveys:
+            covered = f"{100.0 * self.confidence:g} % of {self.held_out_surveys} simulated surveys"
+        facts = [
+            ("doubt", " ".join(self.warnings)),
+            ("median", " and ".join(medians)),
+            ("coverage", covered if self.bound == "interval" else ""),
+            ("records", f"{len(self.records)}, of {number(self.effective_records)} effective"),
+            ("best record", f"{best['record']}, scaled by {number(best['scale'])}"),
+        ]
+        sentence = f"{fell or 'None'} of {len(self.survey)} fell: {self._sentence()} {level}."
+        return Answer(sentence, facts)
 
     def _sentence(self) -> str:
         """Return the interval of the first two measures in words."""

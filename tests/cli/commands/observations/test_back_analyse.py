@@ -51,7 +51,7 @@ def test_files_are_written_and_kept(place: Path, tmp_path: Path) -> None:
     )
     ran = rocksteady(command)
     assert ran.code == 0, ran.err
-    assert "1 of 2 objects fell: PGV" in ran.out
+    assert "1 of 2 fell: PGV" in ran.out
     with table.open() as file:
         rows = list(csv.DictReader(file))
     assert list(rows[0]) == ["pgv_m_s", "sa_g_0.5s", "density", "in_region"]

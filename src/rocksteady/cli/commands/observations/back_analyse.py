@@ -4,7 +4,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.cli.console.outputs import announce_compilation
+import typer
+
+from rocksteady.cli.console.outputs import again, announce_compilation
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, flags_of, missing, refuse
 from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
@@ -48,6 +50,7 @@ FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 
 @grouped
 def back_analyse(
+    context: typer.Context,
     recorded: SuiteFlags,
     reading: ReadingFlags,
     output: OutputFlags,
@@ -147,7 +150,10 @@ def back_analyse(
         "synthetic": example,
         "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
     }
-    output.leave("back-analyse", replace(description, notes=notes), after=after)
+    next_command = "" if output.plot else again(context, "--plot region.png")
+    output.leave(
+        "back-analyse", replace(description, notes=notes), after=after, follow_up=next_command
+    )
 
 
 def _survey(path: Path | None) -> "Survey":
