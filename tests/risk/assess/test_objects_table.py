@@ -222,6 +222,12 @@ def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     )
     assert None not in [row["judged"] for row in table.rows]
     worst = sorted(table.rows, key=lambda row: -row["judged"])
+    first, *lines = table.summary().splitlines()
+    reds = [row["name"] for row in worst if row["colour"] == "red"]
+    assert first.startswith(f"{len(reds)} of 30 objects are above the target of 10 % at 0.4 g")
+    shown = [line.split("  ")[1] for line in lines if line.startswith("  rack ")]
+    assert shown == [row["name"] for row in worst][: min(max(5, len(reds)), 12)]
+    assert f"{30 - len(shown)} more with --more: " in table.summary()
     text = table.summary(more=True).splitlines()
     named = [line.split()[1] for line in text if line.startswith("rack ")]
     assert named == [row["name"].split()[1] for row in worst[:24]]

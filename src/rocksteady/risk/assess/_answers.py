@@ -79,7 +79,7 @@ def answer_of_object(result: Any) -> Answer:
         sentence, counted = by_count, f"these runs decide; {by_curve}"
     elif result.beyond:
         sentence = f"No answer yet: {at} lies outside the levels of the runs."
-        counted, verdict = f"{by_curve}; {counted}", f"{verdict}, but provisional"
+        counted, verdict = f"{by_curve}; {counted}", f"provisional: {verdict}"
     matters = [
         f"{parameter_words(bar['parameter'])}: {chance(bar['low'])[:-2]} to {chance(bar['high'])}"
         for bar in tornado(result.cases)[:1]
