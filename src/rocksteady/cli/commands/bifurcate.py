@@ -152,7 +152,7 @@ def bifurcate(
     output.write_plot(lambda page: bifurcation_figure(diagram, top=top, page=page))
     description = diagram.describe()
     values = start.as_given(description.to_dict())
-    asked = [
+    flags = [
         "--no-sweeps" if no_sweeps else "",
         "--search" if search else "",
         "--cascade" if cascade else "",
@@ -163,7 +163,7 @@ def bifurcate(
         f"--cycles {cycles}" if cycles != CYCLES else "",
         "--model nonlinear" if model == "nonlinear" else "",
     ]
-    further = options.follow_up("bifurcate", shaking, series, block, start, *asked)
+    further = options.follow_up("bifurcate", shaking, series, block, start, *flags)
     output.leave(
         "bifurcate",
         description,

@@ -5,8 +5,8 @@ The two classes import this module, so that their types have no name here.
 
 from typing import Any
 
-from rocksteady.dynamics.basins._answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
+from rocksteady.dynamics.basins.basin_answers import basins_answer, erosion_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.steady.verdicts import multipliers_value

@@ -6,8 +6,8 @@ The class imports this module, so that its type has no name here.
 import math
 from typing import Any
 
-from rocksteady.dynamics.basins._answers import fates_answer
 from rocksteady.dynamics.basins._fractions import BETWEEN, with_between
+from rocksteady.dynamics.basins.basin_answers import fates_answer
 from rocksteady.dynamics.basins.window import axis_facts, window_text
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.confidence import CONFIDENCE

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._answers import diagram_answer
 from rocksteady.dynamics.continuation._datasets import bifurcation_variables, branches_dataset
+from rocksteady.dynamics.continuation.branch_answers import diagram_answer
 from rocksteady.dynamics.continuation.branch_facts import (
     bifurcations_table,
     branch_values,

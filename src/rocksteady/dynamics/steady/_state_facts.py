@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.dynamics.steady._answer import grid_answer, point_answer, span
 from rocksteady.dynamics.steady.regions import REGIONS
+from rocksteady.dynamics.steady.steady_answers import grid_answer, point_answer, span
 from rocksteady.dynamics.steady.verdicts import (
     MULTIPLIERS,
     multipliers_text,

@@ -64,7 +64,7 @@ def leave_fates(
     moment, chosen = window.moment(body), window.axes
     equations = equations_for(model, body, motion)
     announce_compilation("march.march")
-    from rocksteady.dynamics.basins._answers import FEW
+    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.dynamics.basins.fate_basins import compute_fate_basins
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.show.figures.single import fate_basins_figure
@@ -79,7 +79,7 @@ def leave_fates(
     output.write_csv(fates.to_dataframe)
     sweep.write_netcdf(fates.to_dataset)
     output.write_plot(lambda page: fate_basins_figure(fates, description.headline, page))
-    chosen = f"--model {model}" if model else ""
-    further = "" if output.plot else follow_up("basins", *asked, window, chosen, PLOT)
+    named = f"--model {model}" if model else ""
+    further = "" if output.plot else follow_up("basins", *asked, window, named, PLOT)
     decided = fates.undecided <= FEW
     output.leave("basins", description, decided=decided, wrap=True, follow_up=further)

@@ -259,7 +259,7 @@ def _leave_basins(
     exponent: bool,
 ) -> None:
     """Write the output of basins that the flags request."""
-    from rocksteady.dynamics.basins._answers import FEW
+    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.show.figures.single import basins_figure
 
     description = result.describe()
@@ -300,7 +300,7 @@ def _leave_shares(
     further: str,
 ) -> None:
     """Write the output of shares over a parameter that the flags request."""
-    from rocksteady.dynamics.basins._answers import FEW
+    from rocksteady.dynamics.basins.basin_answers import FEW
     from rocksteady.show.figures.single import shares_figure
 
     description = shares.describe()

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rocksteady.dynamics.basins._answers import over_answer
+from rocksteady.dynamics.basins.basin_answers import over_answer
 from rocksteady.dynamics.basins.window import axis_facts, coordinates_of, window_text
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of
 from rocksteady.dynamics.parameters import AXES, SYMBOLS

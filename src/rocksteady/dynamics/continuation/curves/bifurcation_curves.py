@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._answers import curves_answer
+from rocksteady.dynamics.continuation.branch_answers import curves_answer
 from rocksteady.dynamics.continuation.branch_facts import (
     block_fact,
     kept_text,

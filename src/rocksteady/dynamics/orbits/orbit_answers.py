@@ -8,7 +8,7 @@ from typing import Any
 from rocksteady.dynamics.history.start import Rest
 from rocksteady.dynamics.orbits._orbit_facts import start_text, worth
 from rocksteady.dynamics.orbits.return_map import has_mirror_images
-from rocksteady.dynamics.steady._answer import BEYOND
+from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.dynamics.steady.verdicts import multipliers_text
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, case_text, tilt_text

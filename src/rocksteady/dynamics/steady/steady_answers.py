@@ -33,7 +33,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
         sentence = f"It cannot rock steadily{name}: that needs {limits['existence']} or more."
         return Answer(sentence, [("computed", "linear (exact)")])
     ordered = sorted(
-        values["solutions"], key=lambda one: (not one["stable"], not one["admissible"])
+        values["solutions"], key=lambda each: (not each["stable"], not each["admissible"])
     )
     best, other = ordered
     kind = best["kind"].replace("-", " ")
@@ -84,10 +84,10 @@ def grid_answer(states: Any, points: Sequence[dict[str, Any]]) -> Answer:
         Values of its points.
     """
     block, count = states.block, len(points)
-    solutions = [one for point in points for one in point["solutions"]]
-    motions = sum(bool(one["admissible"]) for one in solutions)
-    peaks = [one["peak"] for one in solutions if one["stable"]]
-    stable = sum(any(one["stable"] for one in point["solutions"]) for point in points)
+    solutions = [one for point in points for each in point["solutions"]]
+    motions = sum(bool(each["admissible"]) for each in solutions)
+    peaks = [each["peak"] for each in solutions if each["stable"]]
+    stable = sum(any(each["stable"] for each in point["solutions"]) for point in points)
     nowhere = sum(not point["solutions"] for point in points)
     tilts = ""
     if peaks:

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from rocksteady.dynamics.orbits._answers import beyond_alpha
+from rocksteady.dynamics.orbits.orbit_answers import beyond_alpha
 from rocksteady.dynamics.parameters import SYMBOLS
-from rocksteady.dynamics.steady._answer import BEYOND
+from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.model.facts import case_text, peak_unit, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
 from rocksteady.results.answer import Answer

@@ -142,7 +142,7 @@ def _stable(branch: Any) -> list[tuple[float, float]]:
 
 
 def _joined(ranges: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return ranges without overlap, in their order; those that touch are one."""
+    """Return ranges without overlap, in their order; ranges that touch are joined."""
     merged: list[tuple[float, float]] = []
     for low, high in sorted(ranges):
         if merged and low <= merged[-1][1] * (1.0 + 1e-9):
