@@ -172,8 +172,13 @@ class OutputFlags:
                 command, {**(answer.to_dict() if values is None else values), **(after or {})}
             )
         else:
-            if answer.answer is not None and follow_up:
-                answer = replace(answer, answer=replace(answer.answer, follow_up=follow_up))
+            if answer.answer is not None:
+                facts = answer.answer.facts
+                if (after or {}).get("synthetic"):
+                    facts = [("example", "made-up objects and motions, no earthquake's"), *facts]
+                follow_up = follow_up or answer.answer.follow_up
+                screen = replace(answer.answer, facts=facts, follow_up=follow_up)
+                answer = replace(answer, answer=screen)
             self._print(answer, *also, wrap=wrap)
         if not decided:
             raise typer.Exit(INCOMPLETE)

@@ -84,7 +84,7 @@ def grid_answer(states: Any, points: Sequence[dict[str, Any]]) -> Answer:
         Values of its points.
     """
     block, count = states.block, len(points)
-    solutions = [one for point in points for each in point["solutions"]]
+    solutions = [each for point in points for each in point["solutions"]]
     motions = sum(bool(each["admissible"]) for each in solutions)
     peaks = [each["peak"] for each in solutions if each["stable"]]
     stable = sum(any(each["stable"] for each in point["solutions"]) for point in points)
