@@ -35,7 +35,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
     ordered = sorted(
         values["solutions"], key=lambda each: (not each["stable"], not each["admissible"])
     )
-    best, other = ordered
+    best, second = ordered
     kind = best["kind"].replace("-", " ")
     words = verdict(**{key: best[key] for key in ("admissible", "neutral", "stable")})
     sentence = f"It cannot rock steadily{name}: both solutions pass through the base."
@@ -57,7 +57,7 @@ def point_answer(values: dict[str, Any], block: AnyBlock) -> Answer:
         [
             ("beyond alpha", beyond),
             ("impacts", f"{impacts}, {speed}" if best["admissible"] else ""),
-            ("other branch", _other(other, block)),
+            ("other branch", _other(second, block)),
             ("exists", "" if beyond else exists),
             ("computed", f"linear (exact); multipliers {multipliers_text(best['multipliers'])}"),
         ],
