@@ -75,10 +75,10 @@ def diagram_answer(diagram: Any) -> Answer:
         if len(cascade.points) > 2:
             doublings += f"; last ratio {cascade.ratios[-1]:.2f} ({FEIGENBAUM})"
     count, left = len(diagram.branches) + len(diagram.resting), len(stable) - len(rows)
-    found = f"{plural(count, 'branch').replace('branchs', 'branches')}, "
-    found += plural(len(diagram.points), "bifurcation")
+    summary = f"{plural(count, 'branch').replace('branchs', 'branches')}, "
+    summary += plural(len(diagram.points), "bifurcation")
     if left:
-        found += f"; {plural(left, 'narrower stable range')} with --more"
+        summary += f"; {plural(left, 'narrower stable range')} with --more"
     computed = diagram.model.name
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
@@ -86,7 +86,7 @@ def diagram_answer(diagram: Any) -> Answer:
         ("unfinished", "" if diagram.complete else "stopped at --max-branches: more may begin"),
         ("cascade", doublings),
         *((f"sweep {sweep.direction}", _met(sweep, place)) for sweep in diagram.sweeps),
-        ("found", found),
+        ("found", summary),
         ("computed", computed),
     ]
     sentence = _stability(_joined(ranges), diagram.within, place)
