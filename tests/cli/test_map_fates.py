@@ -39,10 +39,11 @@ def test_without_the_flag_it_says_so() -> None:
 
 
 def test_the_text_says_what_there_is() -> None:
-    ran = rocksteady(MAP)
+    ran = rocksteady(f"{MAP} --more")
     assert ran.code == 0
     lines = ran.out.splitlines()
-    assert lines[0].startswith("The block after 200 periods: restitution 0.8, from 0,0.3")
+    assert lines[0].startswith("From 0,0.3 it falls in ")
+    assert "The block after 200 periods: restitution 0.8, from 0,0.3" in ran.out
     assert re.search(r"^fate +cells +share$", ran.out, re.MULTILINE)
     assert re.search(r"^rocking +\d+ +\d+\.\d\d %$", ran.out, re.MULTILINE)
     assert max(map(len, lines)) <= 80

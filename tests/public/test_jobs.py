@@ -111,7 +111,7 @@ def test_e_a_map_with_a_store_resumed(tmp_path: Path) -> None:
     assert again[0] > 0  # cells that were there already
     assert sum(again) == 3600
     assert fates.equals(rs.map_fates(block, axes=axes).load())
-    assert "overturned" in fates.rocksteady.summary()
+    assert "overturned" in fates.rocksteady.summary(more=True)
     assert isinstance(fates.rocksteady.plot(), Axes)
 
 

@@ -131,7 +131,7 @@ def test_names_in_messages_exist() -> None:
     """Whatever a text names as a function, a keyword, a member or a flag is there to be used."""
     known = known_names()
     parameters = set().union(*known.values())
-    flags = {"--help"} | flags_of(get_command(app))
+    flags = {"--help", "--help-all"} | flags_of(get_command(app))
     unknown = set()
     for file in SOURCE.rglob("*.py"):
         if "machine_code" in file.parts or file.name in NO_MESSAGES:  # C in texts

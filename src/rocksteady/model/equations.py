@@ -69,7 +69,8 @@ class Nonlinear:
 
 Model = Linear | Nonlinear
 
-LINEAR_NOTE = "Computed in the linear model: in the full equations it may end otherwise."
+UNLIKE = "in the full equations it may end otherwise"
+LINEAR_NOTE = f"Computed in the linear model: {UNLIKE}."
 """Of a block of known size whose outcome in the full equations was not computed."""
 
 

@@ -467,7 +467,7 @@ def test_the_answer_names_the_full_equations() -> None:
     assert "but falls" not in text  # after the half period that was followed
 
 
-@every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It rests p t = ")])
+@every(("start", "words"), [("1.5,0", "It falls at once"), ("0.5,0", "It rests at pt ")])
 def test_the_answer_of_a_block_let_go_is_followed_by_a_kick(start: str, words: str) -> None:
     lines = rocksteady(f"simulate -r 0.9 --start {start}").out.splitlines()
     assert lines[0].startswith(words)

@@ -99,7 +99,7 @@ def test_orbits_take_the_model(tmp_path: Path) -> None:
     ]
     assert len(table.read_text(encoding="utf-8").splitlines()) == 1 + len(found)
     assert plot.is_file()
-    text = rocksteady(case).out
+    text = rocksteady(f"{case} --more").out
     assert "nonlinear model" in text
     assert max(len(line) for line in text.splitlines()) <= 80
     assert "slenderness" in refused("orbits -A 2 -W 4 -r 0.8 --model nonlinear")
@@ -144,7 +144,7 @@ def test_erosion_leaves_out_what_the_model_has_no_closed_form_of(tmp_path: Path)
     assert values["heteroclinic_amplitude"] is None
     assert values["heteroclinic_accel_g"] is None
     assert plot.is_file()
-    text = rocksteady(case).out
+    text = rocksteady(f"{case} --more").out
     assert "no closed form in the nonlinear model" in text
     assert max(len(line) for line in text.splitlines()) <= 80
 

@@ -93,11 +93,11 @@ def test_attractors_and_orbits_are_those_of_the_library(tmp_path: Path) -> None:
     found = find_attractor(BLOCK, shaking)
     assert (values["kind"], values["period"]) == (found.kind.value, found.period)
     assert values["negative_restitution"] == BLOCK.negative.restitution
-    words = rocksteady(f"attractor {FLAGS} -A 3.5 -W 8", "--plot", tmp_path / "a.png").out
+    words = rocksteady(f"attractor {FLAGS} -A 3.5 -W 8 --more", "--plot", tmp_path / "a.png").out
     assert "none is symmetric" in words
     listed = rocksteady(f"orbits {FLAGS} -A 1.5 -W 6 --max-period 1 --seeds 16 --json").json
     assert len(listed["orbits"]) == len(find_orbits(BLOCK, shaking, max_period=1, seeds=16))
-    text = rocksteady(f"orbits {FLAGS} -A 1.5 -W 6 --max-period 1 --seeds 16").out
+    text = rocksteady(f"orbits {FLAGS} -A 1.5 -W 6 --max-period 1 --seeds 16 --more").out
     assert "mirror" not in text
 
 

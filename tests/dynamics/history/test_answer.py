@@ -66,7 +66,7 @@ def test_no_neighbour_falls_where_it_is_said_to_stand_and_one_falls_just_above(
         case = shaken(factor * accel_g)
         fall = check_neighbours(case).fall + (case.status == "overturned")
         assert (fall == 0) == stands
-    assert f"{scale:.2f} x the pulse ({scale * accel_g:.3g} g)" in found.summary()
+    assert f"{scale:.2f} x this motion ({scale * accel_g:.3g} g)" in found.summary()
 
 
 def test_the_sentence_counts_the_neighbours_that_end_otherwise() -> None:

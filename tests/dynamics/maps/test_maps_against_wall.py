@@ -223,7 +223,7 @@ def test_a_wall_keeps_between_nothing_and_all(values: list[float]) -> None:
 
 def test_a_map_says_that_there_is_a_wall() -> None:
     data = map_fates(FACADE, SHAKING, axes={"amplitude": [1.0, 2.0]}, cycles=10)
-    text = str(data.rocksteady.summary())
+    text = str(data.rocksteady.summary(more=True))
     assert "against a wall" in text
     assert f"{FACADE.restitution:.4f}"[:5] in text
     assert "negative" not in text

@@ -198,7 +198,14 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         if answer is not None and isinstance(
             trajectory.block, Block
         ):  # which names what the linear model leaves out
-            answer = replace(answer, facts=[(full.label, full.text), *answer.facts])
+            answer = replace(
+                answer,
+                facts=[
+                    (full.label, full.text),
+                    *answer.facts[:-1],
+                    ("computed", trajectory.model.name),
+                ],
+            )
             falls = trajectory.status is Status.OVERTURNED
             time, end = full.value["overturn_time_s"], trajectory.end_time_pt / trajectory.block.p
             if falls if time is None else not falls and time <= end:

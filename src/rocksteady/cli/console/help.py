@@ -79,7 +79,7 @@ class Program(TyperGroup):
             for name in names:
                 purpose = (self.commands[name].help or "").partition("\n\n")[0]
                 lines.append(f"  {name:<12}  {purpose}")
-        lines.append(f"Every command: --json, --more, --plot FILE, --csv FILE, {EVERYTHING}.")
+        lines.append(f"Most commands: --json, --more, --plot FILE, --csv FILE; all: {EVERYTHING}.")
         return lines
 
 

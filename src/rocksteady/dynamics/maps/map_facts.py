@@ -7,7 +7,7 @@ from rocksteady.dynamics.maps.cell_classes import map_counts
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import ratio_words
-from rocksteady.model.equations import LINEAR_NOTE
+from rocksteady.model.equations import LINEAR_NOTE, UNLIKE
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, plural, quantity, share
@@ -111,7 +111,7 @@ def _answer(
             ("falls", f"{falls:,} of {plural(cells, 'cell')} ({_axes(dataset)})"),
             ("rocks", ", ".join(kinds)),
             ("left out", "; ".join(missing)),
-            ("linear model", "in the full equations it may end otherwise" if linear else ""),
+            ("linear model", UNLIKE if linear else ""),
             ("computed", model),
         ],
     )

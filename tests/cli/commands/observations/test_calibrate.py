@@ -42,7 +42,7 @@ def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) ->
     with without_pictures():
         ran = rocksteady(f"calibrate {FEW} --temper 1 --tests", table, "--out", out, "--csv", rows)
     assert ran.code == 0
-    assert fits(ran.out)
+    assert fits("\n".join(line for line in ran.out.splitlines() if str(tmp_path) not in line))
     assert "report.html" in ran.err
     assert json.loads((out / "fit.json").read_text(encoding="utf-8"))["temper"] == 1.0
     assert rows.read_bytes() == (out / "predictions.csv").read_bytes()

@@ -188,7 +188,7 @@ def test_a_small_basin_is_found_from_its_neighbours() -> None:
     (third,) = (one for one in found.families if one.name == "symmetric-3")
     assert third.present.all()
     assert (found.share[third.label] == 0.0).any()
-    assert "Share 0" in found.summary()
+    assert "Share 0" in found.summary(more=True)
     for value, orbit in zip(values, third.orbits, strict=True):
         assert orbit is not None
         assert orbit.stable
@@ -257,7 +257,7 @@ def test_a_result_keeps_and_shows_what_it_holds() -> None:
     block = Block.from_radius(alpha=0.3, radius=1.0, restitution=0.9)
     motion = Harmonic(amplitude=1.0, frequency_ratio=4.0)
     along = compute_basin_shares(block, motion, "restitution", [0.8, 0.9], sampling=sampling())
-    assert "restitution 0.9" not in along.summary()
+    assert "restitution 0.9" not in along.describe().headline
     assert along.to_dict()["block"]["alpha_rad"] == 0.3
 
 
