@@ -32,7 +32,15 @@ All commands: rocksteady --help"""
 """What the program alone shows: questions that it answers, each with a line that runs."""
 
 
-class HelpfulCommand(TyperCommand):
+class _Named:
+    """The names of help in one order, of which typer makes a set."""
+
+    def get_help_option_names(self, ctx: Any) -> list[str]:
+        """Return the names that the context has."""
+        return [name for name in NAMES if name in ctx.help_option_names]
+
+
+class HelpfulCommand(_Named, TyperCommand):
     """A command whose help shows the flags that most runs need."""
 
     shown: ClassVar[Sequence[str]] = ()
@@ -54,7 +62,11 @@ class HelpfulCommand(TyperCommand):
         console().print("\n".join(lines))
 
 
-class Program(TyperGroup):
+class HelpfulGroup(_Named, TyperGroup):
+    """A group of commands whose help typer makes."""
+
+
+class Program(HelpfulGroup):
     """The program, whose commands stand in groups."""
 
     groups: ClassVar[dict[str, Sequence[str]]] = {}

@@ -7,6 +7,7 @@ from typing import Any
 import typer
 
 from rocksteady.cli.console import terminal
+from rocksteady.cli.console.help import HelpfulGroup
 from rocksteady.cli.console.outputs import announce_compilation, print_json
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
@@ -46,7 +47,7 @@ FACADE_EXAMPLES = (
     "rocksteady study facade-checks --records suite --pga-g 0.2,0.3 --height-m 3:9:4 --out checks"
 )
 
-app = typer.Typer(no_args_is_help=True, rich_markup_mode="rich")
+app = typer.Typer(cls=HelpfulGroup, no_args_is_help=True, rich_markup_mode="rich")
 
 plane_flag = options.Panel("Plane")
 wall_flag = options.Panel("Walls and records")
