@@ -103,4 +103,5 @@ def test_few_records_are_refused_with_their_flag(place: Path) -> None:
 def test_the_example_needs_no_file() -> None:
     ran = rocksteady("back-analyse --example --levels 8 --draws 2 --trials 1")
     assert ran.code == 0
-    assert "synthetic: nothing was surveyed" in " ".join(ran.out.split())
+    assert "made-up objects and motions" in ran.out
+    assert "next: rocksteady back-analyse --example" in ran.out

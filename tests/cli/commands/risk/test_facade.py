@@ -133,9 +133,10 @@ def test_flags_reach_the_runs(folder: Path) -> None:
 
 @pytest.mark.slow
 def test_the_example_runs_without_a_file_and_fits(tmp_path: Path) -> None:
-    ran = rocksteady("facade --example")
+    ran = rocksteady("facade --example --more")
     assert ran.code == 0
     assert fits(ran.out)
+    assert "made-up objects and motions" in ran.out.partition("next: ")[0]
     assert "the wall is invented and the motions are synthetic" in ran.out
     assert "synthetic 10" in ran.out
     out = tmp_path / "answer"

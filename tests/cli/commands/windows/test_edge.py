@@ -30,7 +30,7 @@ def test_the_json_is_that_of_the_function_with_the_start() -> None:
 @pytest.mark.slow
 def test_manifolds_go_to_the_csv_and_into_the_picture(tmp_path: Path) -> None:
     plot, table = tmp_path / "edge.png", tmp_path / "edge.csv"
-    ran = rocksteady(f"{POINT} --manifolds --length 2 --plot {plot} --csv {table}")
+    ran = rocksteady(f"{POINT} --manifolds --length 2 --more --plot {plot} --csv {table}")
     assert ran.code == 0
     assert "Stable manifold of a hilltop saddle" in ran.out
     assert plot.stat().st_size > 5000
