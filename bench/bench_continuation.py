@@ -6,16 +6,8 @@ from typing import Any
 
 import pytest
 
-from rocksteady import (
-    Branch,
-    BranchPoint,
-    DimensionlessBlock,
-    Harmonic,
-    PointType,
-    find_cascade,
-    find_orbits,
-    follow_branch,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+from rocksteady.branches import Branch, BranchPoint, PointType, find_cascade, follow_branch
 
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=2.0)
 RANGE = (0.5, 8.0)

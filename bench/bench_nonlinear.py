@@ -14,7 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 from bench.bench_march import CYCLES, RESTITUTION, THINNED, UNITS, Cells, cells, note
-from rocksteady import Block, Record, Run, State, Status, map_fates
+from rocksteady import Block, Execution, Record, State, Status, map_fates
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core import tuples
@@ -119,7 +119,7 @@ def test_map_fates_b1(benchmark: Any) -> None:
             "start": State(angle=0.0, velocity=UNITS["B1"]),
             "cycles": CYCLES,
             "model": Nonlinear(),
-            "run": Run(executor="serial"),
+            "run": Execution(executor="serial"),
         },
         rounds=5,
         warmup_rounds=1,

@@ -6,17 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Linear,
-    Nonlinear,
-    Record,
-    Run,
-    Scatter,
-    ShakingTest,
-    fates_on_records,
-    make_synthetic_suite,
-)
+from rocksteady import Block, Execution, Linear, Nonlinear, Record
+from rocksteady.calibration import Scatter, ShakingTest, compute_test_fates
+from rocksteady.motions import make_synthetic_suite
 
 TESTS, BLOCKS = 49, 1500
 GAINS = np.exp(0.15 * np.linspace(-1.4, 1.4, 5))
@@ -52,10 +44,10 @@ def test_fates(
         "scatter": Scatter(0.05),
         "outputs": outputs,
         "model": model,
-        "run": Run(workers=2),
+        "run": Execution(workers=2),
     }
     found = benchmark.pedantic(
-        fates_on_records, args=(blocks, tests_of(TESTS)), kwargs=options, rounds=1
+        compute_test_fates, args=(blocks, tests_of(TESTS)), kwargs=options, rounds=1
     )
     benchmark.extra_info["what"] = f"{model.name}, {' and '.join(outputs)} of cells of tests"
     benchmark.extra_info["count"] = found.status.size

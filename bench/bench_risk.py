@@ -7,18 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Bands,
-    Block,
-    ObjectFile,
-    RestitutionBand,
-    Status,
-    Stripes,
-    assess_objects,
-    fit_curve,
-    make_synthetic_suite,
-    run_ensemble,
-)
+from rocksteady import Block, Status, assess_objects, run_ensemble
+from rocksteady.motions import make_synthetic_suite
+from rocksteady.risk import BandOptions, DescribedObject, Levels, RestitutionBand, fit_curve
 
 RECORDS = 56
 risk_benchmark = pytest.mark.benchmark(group="risk", timer=time.perf_counter)
@@ -30,7 +21,7 @@ def ensemble() -> Any:
     return run_ensemble(
         Block.rectangle(width=0.32, height=1.8),
         make_synthetic_suite(RECORDS),
-        stripes=Stripes(beside=()),
+        stripes=Levels(beside=()),
         restitution=RestitutionBand(draws=10),
     )
 
@@ -51,7 +42,7 @@ def test_bands(benchmark: Any) -> None:
     groups = np.repeat(np.arange(RECORDS), runs.sizes["level"])
     trials = np.full(fell.size, 20)
     arguments = (levels.ravel(), fell.values.ravel(), trials)
-    options = {"groups": groups, "bands": Bands()}
+    options = {"groups": groups, "bands": BandOptions()}
     benchmark.pedantic(fit_curve, args=arguments, kwargs=options, rounds=3, warmup_rounds=1)
     benchmark.extra_info["what"] = "curve with bands, 1,000 suites redrawn"
     benchmark.extra_info["count"] = 1000
@@ -64,7 +55,7 @@ def test_table(benchmark: Any) -> None:
     heights = rng.uniform(0.4, 2.4, 1000)
     sizes = zip((heights * rng.uniform(0.1, 0.4, 1000)).tolist(), heights.tolist(), strict=True)
     objects = [
-        ObjectFile(values={"name": f"{k}", "geometry": {"width_m": width, "height_m": height}})
+        DescribedObject(values={"name": f"{k}", "geometry": {"width_m": width, "height_m": height}})
         for k, (width, height) in enumerate(sizes)
     ]
     suite = make_synthetic_suite(RECORDS)

@@ -14,27 +14,17 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Axis,
-    DimensionlessBlock,
-    Grid,
-    Output,
-    Run,
-    State,
-    Store,
-    evaluate,
-    map_attractors,
-    map_fates,
-)
+from rocksteady import DimensionlessBlock, Execution, State, Store, map_attractors, map_fates
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
 Floats = NDArray[np.float64]
 
 AXES = {"amplitude": np.linspace(1.2, 6.0, 400), "frequency_ratio": np.linspace(0.5, 8.0, 400)}
 WAYS = {
-    "one thread": Run(workers=1),
-    "all cores": Run(),
-    "all cores, store": Run(),
-    "dask, store": Run(),
+    "one thread": Execution(workers=1),
+    "all cores": Execution(),
+    "all cores, store": Execution(),
+    "dask, store": Execution(),
 }
 
 
@@ -73,7 +63,11 @@ def test_fates(benchmark: Any, where: str, tmp_path: Path) -> None:
     found = benchmark.pedantic(
         map_fates,
         args=(DimensionlessBlock(restitution=0.8),),
-        kwargs={"axes": axes, "start": State(angle=0.0, velocity=0.3), "run": Run(store=store)},
+        kwargs={
+            "axes": axes,
+            "start": State(angle=0.0, velocity=0.3),
+            "run": Execution(store=store),
+        },
         rounds=3,
         warmup_rounds=1,
     )
@@ -94,7 +88,7 @@ def test_cheap(benchmark: Any, where: str, tmp_path: Path) -> None:
     found = benchmark.pedantic(
         evaluate,
         args=(cheap, Grid(axes=axes), outputs),
-        kwargs={"batch": 2**16, "run": Run(store=store)},
+        kwargs={"batch": 2**16, "run": Execution(store=store)},
         rounds=5,
         warmup_rounds=1,
     )

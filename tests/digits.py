@@ -45,13 +45,13 @@ def sizes() -> Numbers:
     for block in blocks():
         for side in (block.positive, block.negative):
             yield from (side.alpha, side.radius, side.p, side.restitution, side.distance)
-        yield rs.overturning_impulse(block)
+        yield rs.formulas.overturning_impulse(block)
 
 
 def segments() -> Numbers:
     waves = [
         rs.Piecewise(
-            pieces=(rs.Segment(duration=1.0 + b, amplitude=h, frequency=9.0 * c, phase=b),)
+            pieces=(rs.motions.Segment(duration=1.0 + b, amplitude=h, frequency=9.0 * c, phase=b),)
         )
         for b, h, c in SIZES
     ]
@@ -60,10 +60,10 @@ def segments() -> Numbers:
         for shape in ("type-c1", "ricker", "ricker-antisymmetric", "mavroeidis-papageorgiou")
     ]
     sums = [
-        rs.add_motions(one, other, tolerance=1e-3)
+        rs.motions.add(one, other, tolerance=1e-3)
         for one, other in zip(waves[::2], waves[1::2], strict=True)
     ]
-    again = [rs.add_motions(one, rs.delay_motion(one, 0.3)) for one in waves]
+    again = [rs.motions.add(one, rs.motions.delay(one, 0.3)) for one in waves]
     motions: list[rs.Pulse | rs.Piecewise] = [*pulses, *sums, *again]
     for motion in motions:
         for piece in motion.segments():
@@ -72,22 +72,22 @@ def segments() -> Numbers:
 
 def closed_forms() -> Numbers:
     for shape in THRESHOLDS:
-        yield from rs.overturning_threshold(shape, RATIOS)
+        yield from rs.formulas.overturning_amplitude(shape, RATIOS)
     heights = np.linspace(0.0, 0.999, 500)
-    yield from rs.free_rocking_period(heights)
-    yield from rs.free_rocking_period(heights, alpha=0.3)
-    yield from rs.free_rocking_peaks(0.9, 0.95, 100)
-    yield from rs.free_rocking_peaks(0.9, 0.95, 100, alpha=0.3)
-    yield from rs.equivalent_damping(np.linspace(0.1, 1.0, 100))
+    yield from rs.formulas.free_rocking_period(heights)
+    yield from rs.formulas.free_rocking_period(heights, alpha=0.3)
+    yield from rs.formulas.free_rocking_peaks(0.9, 0.95, 100)
+    yield from rs.formulas.free_rocking_peaks(0.9, 0.95, 100, alpha=0.3)
+    yield from rs.formulas.equivalent_damping(np.linspace(0.1, 1.0, 100))
     yield from RATIOS
 
 
 def measures() -> Numbers:
-    found = rs.compute_response_spectrum(record(), in_equal_ratios(0.02, 8.0, 40))
+    found = rs.measures.compute_response_spectrum(record(), in_equal_ratios(0.02, 8.0, 40))
     yield from found.displacement_m
     yield from found.pseudo_acceleration_m_s2
-    yield rs.average_spectral_acceleration(record(), 0.5)
-    for name, value in vars(rs.measure_intensity(record(), blocks()[0])).items():
+    yield rs.measures.compute_average_acceleration(record(), 0.5)
+    for name, value in vars(rs.compute_measures(record(), blocks()[0])).items():
         if isinstance(value, float) and name != "mean_period_s":
             yield value
 
@@ -95,8 +95,8 @@ def measures() -> Numbers:
 def recordings() -> Numbers:
     given = Recording(record=record(), format="table", path=Path("none"), units_in_file="m/s^2")
     for baseline in ("mean", "linear", "polynomial:5"):
-        yield from rs.correct_baseline(given, baseline).record.acceleration_m_s2
-    yield from rs.resample(given, 0.0037).record.acceleration_m_s2
+        yield from rs.records.correct_baseline(given, baseline).record.acceleration_m_s2
+    yield from rs.records.resample(given, 0.0037).record.acceleration_m_s2
 
 
 def courses() -> Numbers:

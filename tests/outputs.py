@@ -12,7 +12,7 @@ import xarray
 from matplotlib.figure import Figure
 
 from rocksteady.show.export.csv_files import save_cells
-from rocksteady.show.export.dataset import export
+from rocksteady.show.export.dataset import write_dataset
 from rocksteady.show.export.files import save_csv, save_figure, save_text, save_whole
 
 Writer = Callable[[Path, float], object]
@@ -48,6 +48,6 @@ WRITERS: dict[str, Writer] = {
     "a.png": lambda file, value: save_figure("--plot", file, _figure(value)),
     "a.svg": lambda file, value: save_figure("--plot", file, _figure(value)),
     "a.pdf": lambda file, value: save_figure("--plot", file, _figure(value)),
-    "a.nc": lambda file, value: export(_cells(value), file),
+    "a.nc": lambda file, value: write_dataset(_cells(value), file),
     "a.gif": _gif,
 }

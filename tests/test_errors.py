@@ -23,6 +23,7 @@ from rocksteady.errors import (
     with_call_errors,
 )
 from tests.every import every
+from tools.namespace import THINGS
 
 KINDS = (InputError, ModelError, OutputError, MissingKernelsError)
 
@@ -154,8 +155,7 @@ MADE_INSIDE = {"Installation", "KernelCheck", "OverturningWindow", "Scores"}
 
 def callables() -> Iterator[tuple[str, Callable[..., Any], tuple[object, ...]]]:
     """Public functions, constructors and methods, with what stands for ``self``."""
-    for name in rocksteady.__all__:
-        value = getattr(rocksteady, name)
+    for name, value in THINGS.items():
         odd = not inspect.isclass(value) or issubclass(value, BaseException | enum.Enum)
         if odd or name in MADE_INSIDE:
             if inspect.isfunction(value):
@@ -203,10 +203,10 @@ def test_calls_that_do_not_fit_a_signature_are_refused_in_one_line() -> None:
 def test_the_line_names_what_is_meant() -> None:
     block: Any = rocksteady.DimensionlessBlock
     calls: tuple[tuple[Callable[..., Any], str], ...] = (
-        (rocksteady.cut_motion, "motion, at are not given: cut_motion needs motion, at"),
+        (rocksteady.motions.cut, "motion, at are not given: cut needs motion, at"),
         (lambda: block(restituton=0.8), "restituton = 0.8 .*; did you mean restitution"),
         (lambda: block(0.8), "argument 1 = 0.8 .* DimensionlessBlock takes no arguments without"),
-        (lambda: rocksteady.cut_motion(rocksteady.Still(), 1.0, at=2.0), "at is given twice"),  # type: ignore[misc]
+        (lambda: rocksteady.motions.cut(rocksteady.Still(), 1.0, at=2.0), "at is given twice"),  # type: ignore[misc]
     )
     for call, line in calls:
         with pytest.raises(InputError, match=line):

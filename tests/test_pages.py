@@ -23,6 +23,7 @@ from tests.cli.program import rocksteady
 from tests.every import every
 from tests.show.calibrated import without_pictures
 from tools.manual import gallery
+from tools.namespace import MODULES, PLACES
 
 ROOT = Path(__file__).parents[1]
 PAGES = {
@@ -265,16 +266,18 @@ def _fit(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def write_fit(folder: Path) -> None:
     """Write the folder of a calibration."""
     column = rs.Block.rectangle(width=0.15, height=0.6)
-    made = rs.make_synthetic_tests(column, rs.make_synthetic_suite(2), model=rs.Linear())
+    made = rs.calibration.make_synthetic_tests(
+        column, rs.motions.make_synthetic_suite(2), model=rs.Linear()
+    )
     given = {"column": replace(next(iter(made.objects.values())), name="column")}
     tests = [replace(test, object="column") for test in made.tests]
     found = rs.calibrate(
         replace(made, tests=tests, objects=given),
-        sampling=rs.Sampling(draws=30, gains=2, rounds=1),
+        sampling=rs.calibration.DrawOptions(draws=30, gains=2, rounds=1),
         model=rs.Linear(),
     )
     with without_pictures():
-        rs.write_calibration(found, folder)
+        rs.export.write_calibration(found, folder)
 
 
 def run_line(line: str) -> None:
@@ -318,7 +321,7 @@ def test_a_command_line_runs_on_a_gpu_or_says_that_there_is_none_and_on_a_cluste
 @every("line", [line for line in EVERY if line not in TYPED])
 def test_a_command_that_is_named_has_the_flags_that_are_named(line: str) -> None:
     flags = re.findall(r"--[\w-]+", line)
-    ran = rocksteady("", *line.partition(" --")[0].split(), "--help")
+    ran = rocksteady("", *line.partition(" --")[0].split(), "--help-all")
     assert ran.code == 0, ran.err
     assert set(flags) <= set(re.findall(r"--[\w-]+", ran.out))
 
@@ -331,7 +334,8 @@ def test_pages_name_public_things_extras_and_targets_that_there_are() -> None:
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     targets = set(re.findall(r"^\.PHONY: ([\w.-]+)$", makefile, re.MULTILINE))
     for name, text in PAGES.items():
-        assert set(re.findall(r"\brs\.(\w+)", text)) <= set(rs.__all__), name
+        named = re.findall(r"\brs\.((?:(?:" + "|".join(MODULES) + r")\.)?\w+)", text)
+        assert set(named) <= {*PLACES.values(), *MODULES}, name
         assert set(re.findall(r"rocksteady\[(\w+)\]", text)) <= {*project["optional-dependencies"]}
         assert set(re.findall(r"(?:^|`)make ([a-z-]+)", text, re.MULTILINE)) <= targets, name
 

@@ -97,7 +97,7 @@ def place_of(module: str) -> str:
     ('dynamics/orbits', 'dynamics')
     """
     layer, room, *_ = [*module.split(".")[1:], "", ""]
-    if not layer:
+    if not layer or (SOURCE / f"{layer}.pyi").is_file():  # a public module passes names on
         return NAMESPACE
     is_room = room and (SOURCE / layer / room / "__init__.py").is_file()
     return f"{layer}/{room}" if is_room else layer

@@ -41,7 +41,7 @@ def axes(cells: int) -> dict[str, NDArray[np.float64]]:
 
 def computed(cells: int, store: Path, executor: str, progress: Any = None) -> Any:
     """Compute the cells, or those that a store does not hold yet, and return the map."""
-    run = rs.Run(
+    run = rs.Execution(
         executor=executor,
         store=rs.Store(store, resume=True, chunk=CHUNK if cells > 64 * CHUNK else None),
         progress=progress,

@@ -62,7 +62,7 @@ def _run(
             start=rs.State(angle=0.0, velocity=0.3),
             cycles=200,
             model=model,
-            run=rs.Run(executor=executor, store=store),
+            run=rs.Execution(executor=executor, store=store),
         )
     seconds = time.perf_counter() - began
     cells = fates.fate.to_numpy()

@@ -27,7 +27,7 @@ from bench.peers.work import (
     Peer,
     cells,
 )
-from rocksteady import Block, Harmonic, Nonlinear, Run, State, map_fates, simulate
+from rocksteady import Block, Execution, Harmonic, Nonlinear, State, map_fates, simulate
 
 SOLVERS = {"taylor": "heyoka", "initial_value": "scipy", "runge_kutta": "numba"}
 THINNED = 4  # all run every so many-th cell of either axis, or fewer
@@ -46,7 +46,7 @@ def run(own: Cells, model: Nonlinear) -> Outcome:
     }
     began = time.process_time()
     found = map_fates(
-        BLOCK, axes=axes, start=START, cycles=CYCLES, model=model, run=Run(executor="serial")
+        BLOCK, axes=axes, start=START, cycles=CYCLES, model=model, run=Execution(executor="serial")
     )
     seconds = time.process_time() - began
     status = found["fate"].to_numpy().ravel()

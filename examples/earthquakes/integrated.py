@@ -11,9 +11,9 @@ import matplotlib.pyplot as plt
 
 import rocksteady as rs
 
-record = rs.make_synthetic_suite(4)[2]
-course = rs.integrate_record(record)
+record = rs.motions.make_synthetic_suite(4)[2]
+course = rs.measures.integrate_record(record)
 fig, axes = plt.subplots(4, sharex=True, figsize=(7.36, 6.4), layout="constrained")
 for ax, quantity in zip(axes, ("acceleration", "velocity", "displacement"), strict=False):
-    rs.plot_integrated_record(course, ax, quantity=quantity).set_xlabel("")
-rs.plot_husid(course, axes[3])
+    rs.plots.integrated_record(course, ax, quantity=quantity).set_xlabel("")
+rs.plots.husid(course, axes[3])

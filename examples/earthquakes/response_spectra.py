@@ -12,6 +12,8 @@ import numpy as np
 import rocksteady as rs
 
 periods = np.geomspace(0.05, 5.0, 150)
-suite = rs.make_synthetic_suite(12)
-ax = rs.plot_response_spectra([rs.compute_response_spectrum(each, periods) for each in suite])
+suite = rs.motions.make_synthetic_suite(12)
+ax = rs.plots.response_spectra(
+    [rs.measures.compute_response_spectrum(each, periods) for each in suite]
+)
 ax.set_title("Response spectra of 12 synthetic records, damping 5 %")

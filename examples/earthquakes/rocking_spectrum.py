@@ -12,11 +12,11 @@ import numpy as np
 
 import rocksteady as rs
 
-record = rs.make_synthetic_suite(12)[4].scaled(2.0)
+record = rs.motions.make_synthetic_suite(12)[4].scaled(2.0)
 periods = np.linspace(0.5, 8.0, 240)
 three, slendernesses = np.radians([10.0, 15.0, 20.0]), np.linspace(0.08, 0.45, 90)
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.8), layout="constrained")
 curves = rs.compute_rocking_spectrum(record, alpha=three, periods_s=periods)
-rs.plot_rocking_spectrum(curves, left, legend="below")
+rs.plots.rocking_spectrum(curves, left, legend="below")
 plane = rs.compute_rocking_spectrum(record, alpha=slendernesses, periods_s=periods[::2])
-rs.plot_spectrum_map(plane, right)
+rs.plots.spectrum_map(plane, right)

@@ -10,6 +10,6 @@ says little. See :doc:`/guides/spectra`.
 import rocksteady as rs
 
 cabinet = rs.Block.rectangle(width=0.5, height=1.8)
-suite = rs.make_synthetic_suite(5)
+suite = rs.motions.make_synthetic_suite(5)
 scales = rs.find_overturning_scales(cabinet, suite, within=(1.0, 3.0), model=rs.Linear())
-ax = rs.plot_overturning_scales(scales)
+ax = rs.plots.overturning_scales(scales)

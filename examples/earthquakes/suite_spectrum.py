@@ -12,16 +12,16 @@ import numpy as np
 
 import rocksteady as rs
 
-suite = [each.scaled(1.5) for each in rs.make_synthetic_suite(24)]
+suite = [each.scaled(1.5) for each in rs.motions.make_synthetic_suite(24)]
 degrees, periods = (10.0, 15.0, 20.0), np.linspace(0.5, 8.0, 60)
 spectra = rs.compute_rocking_spectrum(suite, alpha=np.radians(degrees), periods_s=periods)
-summary = rs.summarise_spectra(spectra)
+summary = rs.measures.compute_suite_spectrum(spectra)
 grid = {"figsize": (7.36, 5.0), "height_ratios": (2, 1), "layout": "constrained"}
 fig, axes = plt.subplots(2, 3, sharex=True, sharey="row", **grid)
 for column, alpha in enumerate(degrees):
     quantiles, (top, bottom) = summary.isel(alpha=column), axes[:, column]
-    rs.plot_suite_spectrum(quantiles, top, legend="none").set(xlabel="", title=f"α = {alpha:.0f}°")
-    rs.plot_overturned_share(quantiles, bottom).set_ylabel("overturn [%]")
+    rs.plots.suite_spectrum(quantiles, top, legend="none").set(xlabel="", title=f"α = {alpha:.0f}°")
+    rs.plots.share_that_falls(quantiles, bottom).set_ylabel("overturn [%]")
     if column:
         top.set_ylabel("")
         bottom.set_ylabel("")

@@ -18,7 +18,7 @@ fig, axes = plt.subplots(2, 2, figsize=(7.36, 5.0), width_ratios=(3, 2), layout=
 orbits = [each for each in rs.find_orbits(block, shaking) if each.stable and each.admissible]
 for (left, right), orbit in zip(axes, orbits, strict=True):
     run = rs.simulate(block, shaking, start=orbit.states[0], cycles=9)
-    rs.plot_trajectory(run, left, key=False)
+    rs.plots.trajectory(run, left, key=False)
     left.set_title(f"motion of period {orbit.period}, peak {orbit.highest:.2f} α")
-    rs.plot_phase_portrait(run, right, mark="impacts", legend="none")
+    rs.plots.phase_portrait(run, right, mark="impacts", legend="none")
     right.set(xlim=(-0.6, 0.6), ylim=(-1.3, 1.3))

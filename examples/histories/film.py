@@ -11,4 +11,4 @@ import rocksteady as rs
 
 statue = rs.Block.rectangle(width=0.5, height=2.0)
 pulse = rs.Pulse(shape="one-sine", amplitude=3.5, frequency_ratio=4.0)
-film = rs.animate(rs.simulate(statue, pulse), fps=20, speed=0.5)
+film = rs.plots.animate(rs.simulate(statue, pulse), fps=20, speed=0.5)

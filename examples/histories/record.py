@@ -12,10 +12,10 @@ import matplotlib.pyplot as plt
 import rocksteady as rs
 
 bookcase = rs.Block.rectangle(width=0.35, height=1.9)
-record = rs.make_synthetic_suite(8)[4].scaled(1.5)
+record = rs.motions.make_synthetic_suite(8)[4].scaled(1.5)
 run = rs.simulate(bookcase, record)
 fig, (top, bottom) = plt.subplots(2, sharex=True, height_ratios=(2, 1), layout="constrained")
-rs.plot_trajectory(run, top)
-rs.plot_base(run, bottom)
+rs.plots.trajectory(run, top)
+rs.plots.base(run, bottom)
 top.set_title(f"Bookcase of 0.35 m x 1.9 m: {run.status.label}, peak {run.peak:.2f} α")
 top.set_xlabel("")

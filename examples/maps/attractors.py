@@ -15,5 +15,5 @@ block = rs.DimensionlessBlock(restitution=0.8)
 axes = {"amplitude": np.linspace(0.05, 6.0, 220), "frequency_ratio": np.linspace(0.5, 8.0, 280)}
 start = rs.State(angle=0.0, velocity=0.3)
 cells = rs.map_attractors(block, axes=axes, start=start, max_cycles=200)
-ax = rs.plot_map(cells)
+ax = rs.plots.outcomes(cells)
 ax.set_title("Restitution 0.8, velocity 0.3 αp at the start")

@@ -15,10 +15,10 @@ import rocksteady as rs
 block = rs.DimensionlessBlock(restitution=0.9)
 shaking = rs.Harmonic(amplitude=0.5, frequency_ratio=2.0)
 u, v = np.linspace(-1.5, 1.5, 200), np.linspace(-1.3, 1.1, 200)
-ax = rs.plot_basins(rs.compute_basins(block, shaking, angles=u, velocities=v, max_cycles=200))
+ax = rs.plots.basins(rs.compute_basins(block, shaking, angles=u, velocities=v, max_cycles=200))
 manifolds = [
-    rs.compute_manifold(saddle, kind, length=8.0)
-    for saddle in rs.find_hilltop_saddles(block, shaking)
+    rs.basins.compute_manifold(saddle, kind, length=8.0)
+    for saddle in rs.basins.find_hilltop_saddles(block, shaking)
     for kind in ("stable", "unstable")
 ]
-rs.plot_manifolds(manifolds, ax).set_title("A = 0.5, Ω = 2, restitution 0.9")
+rs.plots.manifolds(manifolds, ax).set_title("A = 0.5, Ω = 2, restitution 0.9")

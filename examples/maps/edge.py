@@ -15,6 +15,6 @@ import rocksteady as rs
 block = rs.DimensionlessBlock(restitution=0.9)
 shaking = rs.Harmonic(amplitude=0.25, frequency_ratio=2.0)
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.2), layout="constrained")
-rs.plot_edge_state(rs.find_edge_state(block, shaking), left)
+rs.plots.edge_state(rs.find_edge_state(block, shaking), left)
 rocking = rs.State(angle=0.0, velocity=0.6)
-rs.plot_edge_state(rs.find_edge_state(block, shaking, other=rocking), right)
+rs.plots.edge_state(rs.find_edge_state(block, shaking, other=rocking), right)

@@ -19,6 +19,6 @@ erosion = rs.compute_erosion(
     block, shaking, np.linspace(0.0, 1.6, 33), angles=window, velocities=window, cycles=50
 )
 fig, axes = plt.subplot_mosaic("aaa;bcd", figsize=(7.36, 5.6), layout="constrained")
-rs.plot_erosion(erosion, axes["a"])
+rs.plots.erosion(erosion, axes["a"])
 for name, index in zip("bcd", (4, 12, 20), strict=True):
-    rs.plot_safe_basin(erosion, index, axes[name])
+    rs.plots.safe_basin(erosion, index, axes[name])

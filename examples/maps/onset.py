@@ -15,5 +15,5 @@ block = rs.DimensionlessBlock(restitution=0.9)
 axes = {"amplitude": np.linspace(0.5, 5.0, 240), "phase": np.linspace(0.0, 2.0 * np.pi, 300)}
 shaking = rs.Harmonic(amplitude=1.0, frequency_ratio=3.0)
 cells = rs.map_fates(block, shaking, axes=axes, cycles=30)
-ax = rs.plot_map(cells)
+ax = rs.plots.outcomes(cells)
 ax.set_title("Ω = 3, restitution 0.9, from rest")

@@ -17,5 +17,5 @@ start = rs.State(angle=0.4, velocity=0.0)
 cells = rs.map_attractors(
     rs.DimensionlessBlock(restitution=0.8), shaking, axes=axes, start=start, max_cycles=200
 )
-ax = rs.plot_map(cells, by="peak")
+ax = rs.plots.outcomes(cells, by="peak")
 ax.set_title("A = 1.5, started from θ = 0.4 α")

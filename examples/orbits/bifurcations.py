@@ -12,7 +12,7 @@ import rocksteady as rs
 
 block = rs.DimensionlessBlock(restitution=0.8)
 shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=2.0)
-search = rs.BranchSearch(max_period=4, doublings=3)
+search = rs.branches.BranchOptions(max_period=4, doublings=3)
 diagram = rs.find_bifurcations(
     block, shaking, "frequency_ratio", within=(1.75, 2.1), values=120, search=search
 )

@@ -11,6 +11,6 @@ import rocksteady as rs
 block = rs.DimensionlessBlock(restitution=0.8)
 shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=2.0)
 origin = rs.find_orbits(block, shaking, max_period=1)[0]
-cascade = rs.find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=6)
-ax = rs.plot_cascade(cascade)
+cascade = rs.branches.find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=6)
+ax = rs.plots.cascade(cascade)
 ax.set_title("A = 2, restitution 0.8")

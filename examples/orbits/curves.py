@@ -11,6 +11,6 @@ import rocksteady as rs
 
 block = rs.DimensionlessBlock(restitution=0.87)
 shaking = rs.Harmonic(amplitude=3.0, frequency_ratio=4.2)
-search = rs.CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
+search = rs.branches.CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
 curves = rs.find_bifurcation_curves(block, shaking, within=((4.4, 5.4), (2.5, 4.0)), search=search)
-ax = rs.plot_bifurcation_curves(curves)
+ax = rs.plots.bifurcation_curves(curves)

@@ -15,5 +15,5 @@ block = rs.DimensionlessBlock(restitution=0.9)
 shaking = rs.Harmonic(amplitude=3.0, frequency_ratio=6.0)
 orbits = [each for each in rs.find_orbits(block, shaking, max_period=3) if each.admissible]
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.4), layout="constrained")
-rs.plot_multipliers(orbits, left, legend="below")
-rs.plot_section(orbits, right)
+rs.plots.multipliers(orbits, left, legend="below")
+rs.plots.poincare_section(orbits, right)

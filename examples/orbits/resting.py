@@ -11,6 +11,8 @@ import rocksteady as rs
 
 block = rs.DimensionlessBlock(restitution=0.5)
 shaking = rs.Harmonic(amplitude=1.0, frequency_ratio=1.0)
-branches = rs.find_resting_branches(block, shaking, "amplitude", (0.98, 1.126), resolution=0.01)
-ax = rs.plot_bifurcations(branches)
+branches = rs.branches.find_resting_branches(
+    block, shaking, "amplitude", (0.98, 1.126), resolution=0.01
+)
+ax = rs.plots.bifurcations(branches)
 ax.set_title("Ω = 1, restitution 0.5")

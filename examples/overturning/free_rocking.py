@@ -9,5 +9,5 @@ that are let go run down the curve, faster with every impact: the marks are thei
 
 import rocksteady as rs
 
-ax = rs.plot_free_rocking([0.95, 0.8])
+ax = rs.plots.free_rocking([0.95, 0.8])
 ax.set_title("Free rocking of two blocks, restitution 0.95 and 0.8")

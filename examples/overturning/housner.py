@@ -16,14 +16,14 @@ import rocksteady as rs
 slender = np.arange(4, 16)  # height over width
 means = [0.9401, 0.9397, 0.9319, 0.9616, 0.9539, 0.9729]
 means += [0.9827, 0.9677, 0.9960, 0.9964, 0.9466, 0.9712]
-housner = [rs.housner_restitution(alpha) for alpha in np.arctan(1.0 / slender)]
+housner = [rs.formulas.housner_restitution(alpha) for alpha in np.arctan(1.0 / slender)]
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 3.8), layout="constrained")
 left.plot(slender, housner, "k", label="Housner")
 left.errorbar(slender, means, 0.034, fmt="o", elinewidth=0.8, label="mean of tests, ± 1 sd")
 left.set(xlabel="height over width", ylabel="restitution of the first impact")
 for row, colour in ((10, "C0"), (11, "C1")):
     for e, dash, name in ((means[row], "-", "measured"), (housner[row], "--", "Housner")):
-        peaks = rs.free_rocking_peaks(0.5, e, 210)
+        peaks = rs.formulas.free_rocking_peaks(0.5, e, 210)
         right.plot(peaks, colour + dash, label=f"H/B = {slender[row]}, {name}")
 right.set(xlabel="impacts", ylabel="peak  θ/α", ylim=(0.0, 0.52))
 left.legend(loc="lower right")

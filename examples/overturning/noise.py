@@ -13,8 +13,8 @@ import rocksteady as rs
 
 block = rs.DimensionlessBlock(restitution=0.9)
 pulse = rs.Pulse(shape="one-sine", amplitude=5.0, frequency_ratio=4.0)
-noise = rs.BandNoise(rms=1.0, band=(0.5, 10.0), duration=10.0, seed=1)
+noise = rs.motions.BandNoise(rms=1.0, band=(0.5, 10.0), duration=10.0, seed=1)
 axes = {"level": [0.0, 0.1, 0.3], "scale": np.linspace(0.3, 1.5, 49)}
 fates = rs.compute_noise_fates(block, pulse, noise, axes=axes, draws=40)
-ax = rs.plot_noise_fates(fates)
+ax = rs.plots.noise_fates(fates)
 ax.set_title("one-sine pulse, A = 5, Ω = 4, restitution 0.9")

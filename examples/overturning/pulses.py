@@ -16,14 +16,14 @@ names += ["one-cosine", "type-c1", "type-c2", "type-c3", "ricker", "ricker-antis
 names += ["mavroeidis-papageorgiou"]
 like = {"amplitude": 1.5, "frequency_ratio": 4.0}
 motions = {name: rs.Pulse(shape=name, tolerance=1e-4, **like) for name in names}
-later = rs.delay_motion(rs.Pulse(shape="one-sine", amplitude=0.5, frequency_ratio=12.0), 0.6)
-motions["one-sine and a faster one"] = rs.add_motions(motions["one-sine"], later, tolerance=1e-4)
-motions["impulses"] = rs.Impulses(velocities=(0.5, -0.8, 0.3), times=(0.0, 0.8, 1.6))
+later = rs.motions.delay(rs.Pulse(shape="one-sine", amplitude=0.5, frequency_ratio=12.0), 0.6)
+motions["one-sine and a faster one"] = rs.motions.add(motions["one-sine"], later, tolerance=1e-4)
+motions["impulses"] = rs.motions.Impulses(velocities=(0.5, -0.8, 0.3), times=(0.0, 0.8, 1.6))
 motions["synthetic"] = rs.SyntheticMotion(rms=0.6, frequency_ratio=8.0, duration=4.0, seed=2)
 block = rs.DimensionlessBlock(restitution=0.9)
 fig, axes = plt.subplots(4, 4, figsize=(7.36, 6.6), layout="constrained")
 for ax, (name, motion) in zip(axes.flat, motions.items(), strict=True):
-    rs.plot_base(rs.simulate(block, motion), ax, legend="none").set_title(name, fontsize=7.5)
+    rs.plots.base(rs.simulate(block, motion), ax, legend="none").set_title(name, fontsize=7.5)
     ax.set(xlabel="", ylabel="", xlim=(-0.3, 5.5))
 fig.supxlabel("pivot time  pt", fontsize=9)
 fig.supylabel("base acceleration  a/(αg)", fontsize=9)

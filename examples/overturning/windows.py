@@ -17,7 +17,7 @@ ratios = np.geomspace(0.5, 8.0, 110)
 fig, axes = plt.subplots(1, 2, sharey=True, figsize=(7.36, 4.0), layout="constrained")
 for ax, shape in zip(axes, ("one-sine", "one-cosine"), strict=True):
     windows = rs.find_overturning_windows(block, shape, ratios, within=(1.0, 12.0))
-    rs.plot_overturning(windows, ax)
+    rs.plots.overturning(windows, ax)
     ax.set_title(f"{shape} pulse, restitution 0.9")
     handles = ax.get_legend().legend_handles
     ax.get_legend().remove()

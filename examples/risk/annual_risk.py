@@ -13,10 +13,10 @@ import rocksteady as rs
 
 levels = np.array([0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6])
 rates = np.array([0.16, 0.045, 0.014, 0.0038, 0.00081, 0.00012, 0.000012])
-hazard = rs.HazardCurve(measure="pgv_m_s", levels=levels, rates=rates, name="made up")
+hazard = rs.risk.HazardCurve(measure="pgv_m_s", levels=levels, rates=rates, name="made up")
 cabinet = rs.Block.rectangle(width=0.32, height=1.8)
 median, beta = 0.757, 0.592
 risk = rs.compute_risk(
     (median, beta), hazard, measure="p_pgv_per_uplift", block=cabinet, beta_u=0.3
 )
-ax = rs.plot_risk(risk)
+ax = rs.plots.risk(risk)

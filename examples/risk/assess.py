@@ -15,7 +15,8 @@ import rocksteady as rs
 widths, heights = np.linspace(0.2, 0.8, 21), np.linspace(0.9, 3.0, 21)
 percent = [
     [
-        100.0 * rs.assess_two_numbers(rs.Block.rectangle(width=w, height=h), 0.35, 0.4).probability
+        100.0
+        * rs.risk.assess_by_formula(rs.Block.rectangle(width=w, height=h), 0.35, 0.4).probability
         for w in widths
     ]
     for h in heights

@@ -10,11 +10,13 @@ agree with that. Each thin line is one record at all its scales. The survey is m
 import rocksteady as rs
 
 stones = [
-    rs.ObjectPrior(name=f"grave {k}", width_m=0.12 + 0.025 * k, height_m=0.9, base="0.9:1.0")
+    rs.calibration.ObjectPrior(
+        name=f"grave {k}", width_m=0.12 + 0.025 * k, height_m=0.9, base="0.9:1.0"
+    )
     for k in range(10)
 ]
 fell = [True, True, True, False, True, False, False, False, False, False]
-survey = rs.Survey(objects=stones, fell=fell)
-scan = rs.Scan(levels=16, draws=4)
-region = rs.back_analyse(survey, rs.make_synthetic_suite(16), scan=scan)
-ax = rs.plot_back_analysis(region)
+survey = rs.calibration.Survey(objects=stones, fell=fell)
+scan = rs.calibration.ScanOptions(levels=16, draws=4)
+region = rs.back_analyse(survey, rs.motions.make_synthetic_suite(16), scan=scan)
+ax = rs.plots.back_analysis(region)

@@ -12,9 +12,11 @@ import matplotlib.pyplot as plt
 import rocksteady as rs
 
 column = rs.Block.rectangle(width=0.15, height=0.6)
-tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(8), model=rs.Linear())
-sampling = rs.Sampling(draws=1500, gains=3, rounds=2)
+tests = rs.calibration.make_synthetic_tests(
+    column, rs.motions.make_synthetic_suite(8), model=rs.Linear()
+)
+sampling = rs.calibration.DrawOptions(draws=1500, gains=3, rounds=2)
 calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.4), layout="constrained")
-rs.plot_ladders(calibration, left)
-rs.plot_posterior(calibration, right)
+rs.plots.test_ladders(calibration, left)
+rs.plots.posterior(calibration, right)

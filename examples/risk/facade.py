@@ -11,11 +11,11 @@ import matplotlib.pyplot as plt
 
 import rocksteady as rs
 
-roof = rs.Load(name="roof", weight_kn=6.0, x_m=0.3, z_m=5.0)
-tie = rs.Tie(name="tie rods", force_kn=3.0, z_m=4.6)
-wall = rs.Facade(name="front", thickness_m=0.45, height_m=5.0, loads=(roof,), ties=(tie,))
-site = rs.ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.35, soil="B")
-check = rs.check_facade(wall, rs.FacadeDemand(slv=site))
+roof = rs.codes.Load(name="roof", weight_kn=6.0, x_m=0.3, z_m=5.0)
+tie = rs.codes.Tie(name="tie rods", force_kn=3.0, z_m=4.6)
+wall = rs.codes.Facade(name="front", thickness_m=0.45, height_m=5.0, loads=(roof,), ties=(tie,))
+site = rs.codes.ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.35, soil="B")
+check = rs.check_facade(wall, rs.codes.FacadeDemand(slv=site))
 fig, (left, right) = plt.subplots(1, 2, figsize=(7.36, 4.6), layout="constrained")
-rs.plot_facade(wall, left)
-rs.plot_capacity(check, right)
+rs.plots.facade_section(wall, left)
+rs.plots.facade_capacity(check, right)

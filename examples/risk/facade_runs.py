@@ -9,7 +9,7 @@ lines to the left are the limits of the code for the mean. See :doc:`/guides/fac
 
 import rocksteady as rs
 
-wall = rs.Facade(name="front", thickness_m=0.4, height_m=4.0)
-runs = rs.run_facade(wall, rs.make_synthetic_suite(9), pga_g=0.4)
-ax = rs.plot_facade_runs(runs)
+wall = rs.codes.Facade(name="front", thickness_m=0.4, height_m=4.0)
+runs = rs.codes.run_facade(wall, rs.motions.make_synthetic_suite(9), pga_g=0.4)
+ax = rs.plots.facade_runs(runs)
 ax.set_title("Wall of 0.4 m x 4 m, records scaled to 0.4 g", pad=18)

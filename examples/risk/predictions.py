@@ -12,8 +12,10 @@ import matplotlib.pyplot as plt
 import rocksteady as rs
 
 column = rs.Block.rectangle(width=0.15, height=0.6)
-tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(6), model=rs.Linear())
-sampling = rs.Sampling(draws=1500, gains=3, rounds=2)
+tests = rs.calibration.make_synthetic_tests(
+    column, rs.motions.make_synthetic_suite(6), model=rs.Linear()
+)
+sampling = rs.calibration.DrawOptions(draws=1500, gains=3, rounds=2)
 calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
 fig, ax = plt.subplots(figsize=(7.36, 5.0), layout="constrained")
-rs.plot_predictions(calibration.validation.predictions, ax)
+rs.plots.predictions(calibration.validation.predictions, ax)

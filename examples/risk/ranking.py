@@ -15,9 +15,11 @@ import rocksteady as rs
 cabinet = rs.Block.rectangle(width=0.45, height=1.8)
 fragility = rs.compute_fragility(
     cabinet,
-    rs.make_synthetic_suite(16),
-    restitution=rs.RestitutionBand(draws=2),
-    fitting=rs.Fitting(states=["overturned"], bands=None),
+    rs.motions.make_synthetic_suite(16),
+    restitution=rs.risk.RestitutionBand(draws=2),
+    fitting=rs.risk.FitOptions(states=["overturned"], bands=None),
 )
 fig, ax = plt.subplots(layout="constrained")
-rs.plot_ranking(fragility, ax).set_title("Cabinet of 0.45 m x 1.8 m, 16 synthetic records")
+rs.plots.measure_efficiency(fragility, ax).set_title(
+    "Cabinet of 0.45 m x 1.8 m, 16 synthetic records"
+)

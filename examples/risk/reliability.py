@@ -13,11 +13,13 @@ import matplotlib.pyplot as plt
 import rocksteady as rs
 
 column = rs.Block.rectangle(width=0.15, height=0.6)
-tests = rs.make_synthetic_tests(column, rs.make_synthetic_suite(10), model=rs.Linear())
-sampling = rs.Sampling(draws=200, gains=3, rounds=2)
+tests = rs.calibration.make_synthetic_tests(
+    column, rs.motions.make_synthetic_suite(10), model=rs.Linear()
+)
+sampling = rs.calibration.DrawOptions(draws=200, gains=3, rounds=2)
 calibration = rs.calibrate(tests, sampling=sampling, model=rs.Linear())
 fig, axes = plt.subplots(2, 2, figsize=(7.36, 7.0), layout="constrained")
-rs.plot_reliability(calibration, axes[0, 0])
-rs.plot_residuals(calibration, axes[0, 1])
-rs.plot_temper(calibration, axes[1, 0])
-rs.plot_learning(calibration, axes[1, 1])
+rs.plots.reliability(calibration, axes[0, 0])
+rs.plots.residuals(calibration, axes[0, 1])
+rs.plots.temper(calibration, axes[1, 0])
+rs.plots.learning(calibration, axes[1, 1])

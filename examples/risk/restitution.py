@@ -18,10 +18,10 @@ releases = []
 for name, start in (("first", 0.7), ("second", 0.5), ("third", 0.6)):
     peaks = [start]
     for ratio in 0.952 + 0.02 * rng.standard_normal(18):
-        peaks.append(rs.free_rocking_peaks(peaks[-1], ratio, 1, alpha=block.alpha)[1])
+        peaks.append(rs.formulas.free_rocking_peaks(peaks[-1], ratio, 1, alpha=block.alpha)[1])
     measured = block.alpha * np.array(peaks) + 3e-4 * rng.standard_normal(19)
-    releases.append(rs.Release(peaks_rad=measured, sigma_rad=3e-4, name=name))
+    releases.append(rs.histories.Release(peaks_rad=measured, sigma_rad=3e-4, name=name))
 fit = rs.fit_restitution(releases, block)
 fig, axes = plt.subplots(1, 2, figsize=(7.36, 4.0), layout="constrained")
 for ax, panel in zip(axes, ("peaks", "impacts"), strict=True):
-    rs.plot_restitution(fit, ax, panel=panel)
+    rs.plots.restitution(fit, ax, panel=panel)

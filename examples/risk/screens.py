@@ -16,7 +16,7 @@ widths = np.linspace(0.2, 0.8, 31)
 blocks = [rs.Block.rectangle(width=width, height=1.8) for width in widths]
 demand = rs.Demand(pga_g=0.6, pgv_m_s=0.6)
 bound = [rs.screen_block(each, demand).row("Ishiyama bound").value for each in blocks]
-runs = [rs.assess_two_numbers(each, 0.6, 0.6) for each in blocks]
+runs = [rs.risk.assess_by_formula(each, 0.6, 0.6) for each in blocks]
 fig, ax = plt.subplots(layout="constrained")
 ax.plot(widths, [each.median_pgv_m_s for each in runs], label="published runs")
 ax.plot(widths, [each.other_median_pgv_m_s for each in runs], "--", label="runs of this package")

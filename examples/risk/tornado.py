@@ -15,7 +15,7 @@ import rocksteady as rs
 def rate(width=0.32, height=1.8, median=0.757, beta=0.592, hazard=1.0):
     levels = np.array([0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.6])
     rates = hazard * np.array([0.16, 0.045, 0.014, 0.0038, 0.00081, 0.00012, 0.000012])
-    curve = rs.HazardCurve(measure="pgv_m_s", levels=levels, rates=rates)
+    curve = rs.risk.HazardCurve(measure="pgv_m_s", levels=levels, rates=rates)
     block = rs.Block.rectangle(width=width, height=height)
     return rs.compute_risk((median, beta), curve, measure="p_pgv_per_uplift", block=block)
 
@@ -25,4 +25,4 @@ rows = [
     (f"{name} {low:g} to {high:g}", *(rate(**{name: end}).annual_rate for end in (low, high)))
     for name, (low, high) in ranges.items()
 ]
-ax = rs.plot_tornado(rows, rate().annual_rate, label="falls a year")
+ax = rs.plots.tornado(rows, rate().annual_rate, label="falls a year")

@@ -13,5 +13,5 @@ import numpy as np
 import rocksteady as rs
 
 ratios = np.linspace(0.1, 12.0, 600)
-ax = rs.plot_regions(rs.compute_region_map(ratios, 0.5), top=6.0, key="beside")
+ax = rs.plots.steady_regions(rs.orbits.compute_region_map(ratios, 0.5), top=6.0, key="beside")
 ax.set_title("Symmetric steady rocking, restitution 0.5")

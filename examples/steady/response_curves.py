@@ -14,5 +14,5 @@ import rocksteady as rs
 block = rs.DimensionlessBlock(restitution=0.8)
 ratios = np.linspace(0.8, 8.0, 700)
 curves = [rs.compute_response_curve(block, a, frequency_ratio=ratios) for a in (0.7, 1.5, 3.0)]
-ax = rs.plot_response(curves, top=1.6)
+ax = rs.plots.response(curves, top=1.6)
 ax.set_title("Peak of steady rocking, restitution 0.8")

@@ -14,7 +14,7 @@ import rocksteady as rs
 
 fig, ax = plt.subplots()
 for series, (order, branch) in enumerate(((1, 1), (1, 2), (3, 1))):
-    orbit = rs.compute_steady_orbit(0.8, 5.0, 0.9, branch=branch, order=order)
-    rs.plot_orbit(orbit, ax, label=f"order {order}, branch {branch}", series=series)
+    orbit = rs.orbits.compute_steady_orbit(0.8, 5.0, 0.9, branch=branch, order=order)
+    rs.plots.steady_orbit(orbit, ax, label=f"order {order}, branch {branch}", series=series)
 ax.legend(loc="upper right")
 ax.set_title("A = 0.8, Ω = 5, restitution 0.9")

@@ -22,6 +22,16 @@ from numbers import Number
 from os import PathLike, fspath
 from typing import ParamSpec, TypeVar
 
+__all__ = [
+    "InputError",
+    "MissingKernelsError",
+    "ModelError",
+    "OutputError",
+    "RecordFileError",
+    "UnfinishedError",
+]
+"""The public errors, beside `RocksteadyError` on top of the package."""
+
 P = ParamSpec("P")
 T = TypeVar("T")
 

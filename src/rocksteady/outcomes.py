@@ -15,6 +15,9 @@ from typing import Self
 
 from rocksteady.errors import InputError
 
+__all__ = ["AttractorKind", "Event"]
+"""The public names, beside `Status` on top of the package."""
+
 
 class _Outcome(Enum):
     """An outcome with a word and a code, which equals both."""

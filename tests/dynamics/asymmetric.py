@@ -4,11 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic
 
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 BARE = BLOCK.dimensionless()

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from rocksteady import Block, Harmonic, Pulse, Record, State, Status, Trajectory, simulate
+from rocksteady import Block, Harmonic, Pulse, Record, State, Status, simulate
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Motion

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from rocksteady import Side
+from rocksteady.formulas import Side
 
 Floats = NDArray[np.float64]
 

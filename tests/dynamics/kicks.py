@@ -5,7 +5,8 @@ from itertools import islice
 
 import numpy as np
 
-from rocksteady import ImpactState, Orbit, ReturnMap
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import Orbit, ReturnMap
 
 KICK = 1e-4
 DIRECTIONS = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (0.7, 0.7), (-0.7, 0.7)]

@@ -4,7 +4,8 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from rocksteady import SteadyStates, find_steady_states
+from rocksteady import find_steady_states
+from rocksteady.orbits import SteadyStates
 from tests.strategies import logarithmic
 
 orders = st.sampled_from([1, 3, 5, 7])

@@ -3,16 +3,9 @@
 import math
 from typing import Any
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    Piecewise,
-    Segment,
-    State,
-    Trajectory,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Piecewise, State, simulate
+from rocksteady.histories import Trajectory
+from rocksteady.motions import Segment
 
 BARE = DimensionlessBlock(restitution=0.8)
 HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)  # R = 1 m, as in results.md

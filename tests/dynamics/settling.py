@@ -5,7 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from rocksteady import Attractor, DimensionlessBlock, Harmonic, Rest, State, Steady, find_attractor
+from rocksteady import DimensionlessBlock, Harmonic, Rest, State, Steady, find_attractor
+from rocksteady.orbits import Attractor
 from tests.dynamics.kicks import apart, around
 
 Start = Rest | State | Steady

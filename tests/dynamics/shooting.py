@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
-from rocksteady import Block, BranchPoint
+from rocksteady import Block
+from rocksteady.branches import BranchPoint
 
 Floats = NDArray[np.float64]
 

@@ -15,10 +15,7 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    ImpactState,
-    Impulses,
     Linear,
-    ModelError,
     Nonlinear,
     Pulse,
     Record,
@@ -27,11 +24,13 @@ from rocksteady import (
     Status,
     Steady,
     Still,
-    Trajectory,
     check_neighbours,
     simulate,
 )
+from rocksteady.errors import ModelError
+from rocksteady.histories import ImpactState, Trajectory
 from rocksteady.model.equations import Model
+from rocksteady.motions import Impulses
 from tests.every import every
 from tests.records import synthetic
 

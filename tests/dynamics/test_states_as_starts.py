@@ -14,17 +14,16 @@ from rocksteady import (
     Status,
     compute_basins,
     compute_erosion,
-    compute_steady_orbit,
     find_attractor,
-    find_fatal_kick,
-    find_hilltop_saddles,
+    find_fatal_kicks,
     find_orbits,
     find_steady_states,
-    follow_branch,
-    follow_resting_orbit,
     map_fates,
     simulate,
 )
+from rocksteady.basins import find_hilltop_saddles
+from rocksteady.branches import follow_branch, follow_resting_branch
+from rocksteady.orbits import compute_steady_orbit
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 A, W = 2.0, 4.0
@@ -122,7 +121,7 @@ def test_a_result_stands_for_its_start() -> None:
     rocking = next(cell for cell in cells if cell.orbit is not None)
     with_rest = find_attractor(BLOCK, Harmonic(amplitude=1.05, frequency_ratio=2.0)).orbit
     assert with_rest is not None
-    resting = follow_resting_orbit(with_rest, "amplitude", within=(1.04, 1.06))
+    resting = follow_resting_branch(with_rest, "amplitude", within=(1.04, 1.06))
     results: list[Any] = [
         *(orbit, find_attractor(BLOCK, shaking, start=orbit), points[0], points[-1]),
         *(resting.points[0], simulate(BLOCK, shaking, start=orbit, cycles=1), rocking),
@@ -136,8 +135,8 @@ def test_a_result_stands_for_its_start() -> None:
     for nothing in (fallen, "rest", slice(1, 2)):
         with pytest.raises(RocksteadyError, match="start"):
             simulate(BLOCK, shaking, start=nothing)  # type: ignore[arg-type]
-    still = find_fatal_kick(BLOCK, start=State(angle=0.5, velocity=0.0))
-    assert (find_fatal_kick(BLOCK, start=still).signed == still.signed).all()
+    still = find_fatal_kicks(BLOCK, start=State(angle=0.5, velocity=0.0))
+    assert (find_fatal_kicks(BLOCK, start=still).signed == still.signed).all()
     saddle = find_hilltop_saddles(BLOCK, shaking)[0]
     one, other = (
         map_fates(BLOCK, shaking, axes={"angle": [0.0]}, start=begin)

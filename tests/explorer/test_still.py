@@ -5,7 +5,6 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from rocksteady import compute_region_map
 from rocksteady.explorer._still import (
     AMPLITUDES,
     FREQUENCIES,
@@ -15,6 +14,7 @@ from rocksteady.explorer._still import (
     WIDTH,
     still_picture,
 )
+from rocksteady.orbits import compute_region_map
 
 CURVES = ("existence", "kind", "sign", "symmetry_breaking")
 

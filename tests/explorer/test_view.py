@@ -11,20 +11,18 @@ from hypothesis import strategies as st
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    ExplorerView,
     Harmonic,
-    ImpactState,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
     Pulse,
     Rest,
     State,
     Steady,
-    named_block,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.explorer.view import DEFAULT_MOTION, LIMITS, TABS, WINDOW, state_of
+from rocksteady.export import ExplorerView
+from rocksteady.histories import ImpactState
 from tests.every import every
 from tests.explorer.in_node import InNode
 
@@ -178,7 +176,7 @@ def test_numbers_that_the_page_does_not_take_are_refused(
         ({"block": Block.asymmetric(left=0.2, right=0.3, height=2.0)}, "block"),
         ({"block": Block.rectangle(width=0.5, height=2.0).against_wall()}, "block"),
         ({"block": DimensionlessBlock(restitution=0.8, alpha_ratio=1.1)}, "block"),
-        ({"block": named_block("gas-cylinder")}, "block"),
+        ({"block": Block.named("gas-cylinder")}, "block"),
         ({"block": Block.rectangle(width=0.5, height=2.0, gravity=1.62)}, "gravity"),
         ({"block": DimensionlessBlock(restitution=0.8), "model": Nonlinear()}, "block"),
         ({"model": Nonlinear(tolerance=1e-8)}, "tolerance"),

@@ -8,19 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import (
-    ExplorerView,
-    Harmonic,
-    InputError,
-    MissingKernelsError,
-    OutputError,
-    Record,
-    Recording,
-    write_explorer,
-)
+from rocksteady import Harmonic, Record, write_explorer
+from rocksteady.errors import InputError, MissingKernelsError, OutputError
 from rocksteady.explorer import _motions, write
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer.module import page_module
+from rocksteady.export import ExplorerView
+from rocksteady.records import Recording
 from tests.every import every
 from tests.explorer.in_node import InNode
 from tests.explorer.test_page import NASTY, Reader

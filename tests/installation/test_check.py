@@ -47,7 +47,7 @@ def test_some_300_calls_of_all_kernels_are_shipped() -> None:
 
 @pytest.mark.skipif(PLAIN, reason="takes half a minute uncompiled: see the test below")
 def test_the_shipped_calls_are_those_of_the_kernels_as_they_are() -> None:
-    found = rs.check_installation()
+    found = rs.installation.check_installation()
     wrong = {check.name: check.first_difference for check in found.checks if not check.equal}
     assert wrong == {}, RENEW
     assert (found.equal, found.differing) == (True, 0)
@@ -120,18 +120,19 @@ def test_one_wrong_bit_is_found_and_named(entry: str, where: str) -> None:
 
 @pytest.mark.skipif(PLAIN or runner() != LIBRARY, reason="numba compiles the kernels here")
 def test_with_a_library_numba_is_not_imported() -> None:
-    code = "import rocksteady, sys; rocksteady.check_installation(); print('numba' in sys.modules)"
+    check = "import sys; import rocksteady as rs; rs.installation.check_installation()"
+    code = f"{check}; print('numba' in sys.modules)"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout == "False\n"
 
 
 def test_a_gpu_that_can_run_is_named(tmp_path: Path) -> None:
     with gpu_in_memory(tmp_path):
-        found = rs.check_installation(repeat_calls=False)
+        found = rs.installation.check_installation(repeat_calls=False)
     assert (found.gpu, found.no_gpu) == ("NVIDIA Imaginary, compute capability 9.0", None)
     old = DriverInMemory(name="Tesla T4", capability=(7, 5))
     with gpu_in_memory(tmp_path, old):
-        found = rs.check_installation(repeat_calls=False)
+        found = rs.installation.check_installation(repeat_calls=False)
     assert found.gpu is None
     assert found.no_gpu is not None
     assert found.no_gpu.startswith("Tesla T4 has compute capability 7.5, and ")
@@ -141,6 +142,6 @@ def test_without_programs_of_the_kernels_a_gpu_cannot_run(tmp_path: Path) -> Non
     with gpu_in_memory(tmp_path):
         for file in tmp_path.glob("*queued_record_fates.ptx"):
             file.unlink()
-        found = rs.check_installation(repeat_calls=False)
+        found = rs.installation.check_installation(repeat_calls=False)
     assert found.no_gpu is not None
     assert found.no_gpu.startswith("the GPU program of queued_")

@@ -196,7 +196,7 @@ def motions(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     yield partial(follow, rs.Harmonic(amplitude=9.0, frequency_ratio=4.0), cycles=30)
     yield partial(follow, shaking, cycles=3, start=rs.State(angle=0.1, velocity=0.2))
     yield partial(follow, rs.Still(), start=rs.State(angle=-0.1, velocity=0.2))
-    yield partial(follow, rs.Impulses(velocities=(0.5, -0.1), times=(0.0, 1.0)))
+    yield partial(follow, rs.motions.Impulses(velocities=(0.5, -0.1), times=(0.0, 1.0)))
     yield partial(follow, rs.Pulse(shape="ricker", amplitude=2.0, frequency_ratio=4.0))
     yield partial(follow, record)
     if isinstance(model, rs.Nonlinear):
@@ -220,10 +220,12 @@ def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
             rs.find_orbits, block, shaking, max_period=1, max_impacts=2, seeds=3, model=model
         )
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    state = rs.ImpactState(side=1, phase=0.5, speed=0.3)
-    yield partial(rs.ReturnMap(block, shaking, model=model), state)
+    state = rs.histories.ImpactState(side=1, phase=0.5, speed=0.3)
+    yield partial(rs.orbits.ReturnMap(block, shaking, model=model), state)
     if isinstance(model, rs.Linear):
-        yield partial(rs.sweep_attractor, block, shaking, "amplitude", [1.9, 2.0], max_cycles=20)
+        yield partial(
+            rs.orbits.sweep_attractor, block, shaking, "amplitude", [1.9, 2.0], max_cycles=20
+        )
 
 
 def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
@@ -251,7 +253,7 @@ def layouts(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
         yield partial(run, given)
         yield partial(rs.find_steady_states, given, 4.0, 0.8)
         yield partial(rs.find_steady_states, 2.0, given, 0.5 * given)
-        yield partial(rs.region_boundaries, given, 0.8, order=3)
+        yield partial(rs.orbits.compute_region_boundaries, given, 0.8, order=3)
         yield partial(
             rs.map_fates, block, shaking, axes={"amplitude": given.ravel()}, cycles=5, model=model
         )

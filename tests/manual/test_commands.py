@@ -19,11 +19,11 @@ from rich.markup import escape
 from rich.style import Style
 from rich.text import Text
 
-import rocksteady as rs
 from tests.cli.program import rocksteady
 from tests.every import every
 from tools.manual import commands as tool
 from tools.manual import commands_facts as facts
+from tools.namespace import THINGS
 
 DOCS = Path(__file__).parents[2] / "docs"
 COMMANDS = tool.commands_of()
@@ -161,7 +161,7 @@ def test_what_stands_beside_a_command_is_there() -> None:
     for table in (facts.GUIDES, facts.FILES, facts.HOW_TO, facts.PYTHON):
         assert set(table) <= slugs
     assert set(facts.GUIDES) >= {command.slug for command in LEAVES} - {"doctor"}
-    assert {name for names in facts.PYTHON.values() for name in names} <= set(rs.__all__)
+    assert {name for names in facts.PYTHON.values() for name in names} <= set(THINGS)
     assert all((DOCS / page).exists() for pages in facts.GUIDES.values() for page in pages)
     files = DOCS / "reference" / "files"
     assert all((files / f"{page}.md").exists() for pages in facts.FILES.values() for page in pages)

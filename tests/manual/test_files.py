@@ -112,7 +112,7 @@ def _written(tmp_path: Path) -> Callable[[str], Path]:
 
 def read_motions(file: Path) -> Any:
     alone = {"units": "m/s^2", "dt_s": 0.01} if file.name == "column.txt" else {}
-    found = rs.read_recordings(file, **alone)  # type: ignore[arg-type]
+    found = rs.records.read_recordings(file, **alone)  # type: ignore[arg-type]
     assert all(each.warnings == () and each.processing == () for each in found)
     peaks = [round(each.record.peak_acceleration_m_s2, 9) for each in found]
     assert peaks[0] == 3.92266  # one motion in four formats
@@ -123,14 +123,14 @@ READERS: dict[str, dict[str, Callable[[Path], Any]]] = {
     "object": {r".*\.toml": rs.read_object, r".*\.csv": rs.read_objects},
     "facade": {
         r".*\.toml": rs.read_facade,
-        r"floor\.csv": lambda file: rs.read_spectrum_table(file, spectrum_damping=0.05),
-        r"two-dampings\.csv": rs.read_spectrum_table,
+        r"floor\.csv": lambda file: rs.codes.read_spectrum_table(file, spectrum_damping=0.05),
+        r"two-dampings\.csv": rs.codes.read_spectrum_table,
     },
     "observations": {
         r".*/tests\.csv": rs.read_tests,
-        r".*\.toml": rs.read_prior,
+        r".*\.toml": rs.calibration.read_prior,
         r".*-survey\.csv": rs.read_survey,
-        r".*-peaks\.csv": rs.read_peaks,
+        r".*-peaks\.csv": rs.calibration.read_peaks,
     },
     "hazard": {r".*\.csv": rs.read_hazard_curves},
     "motions": {r".*": read_motions},
@@ -272,7 +272,7 @@ def inline(value: Any) -> str:
 READ_TOML: dict[str, Callable[[Path], Any]] = {
     "object": rs.read_object,
     "facade": rs.read_facade,
-    "observations": rs.read_prior,
+    "observations": rs.calibration.read_prior,
 }
 
 
@@ -388,9 +388,12 @@ def test_numbers_of_objects_and_priors_are_those_of_the_readers() -> None:
         low, high, _ = object_prior.BOUNDS[row["key"]]
         assert found == ("[", low, high, "]"), row["key"]
         if row["key"] in defaults:
-            assert str(rs.Spread.parse(row["default"].strip("`"))) == defaults[row["key"]]
+            assert (
+                str(rs.calibration.PriorRange.parse(row["default"].strip("`")))
+                == defaults[row["key"]]
+            )
     noise = rows_of(parts["`[noise]`"])
-    given = prior.Noise()
+    given = prior.OutcomeErrors()
     assert {row["key"]: row["default"].strip("`") for row in noise} == {
         "sigma_ln": str(given.sigma_ln),
         "outliers": str(given.outliers),
@@ -433,10 +436,10 @@ def test_what_becomes_of_a_store_is_as_the_table_has_it(tmp_path: Path) -> None:
 
     def outcome(restitution: float = 0.8, **how: bool) -> str:
         axes = {"amplitude": [0.5, 1.0], "frequency_ratio": [1.0, 2.0]}
-        run = rs.Run(store=rs.Store(path, **how))
+        run = rs.Execution(store=rs.Store(path, **how))
         try:
             rs.map_attractors(rs.DimensionlessBlock(restitution=restitution), axes=axes, run=run)
-        except rs.OutputError:
+        except rs.errors.OutputError:
             return "refused"
         return "done"
 

@@ -3,6 +3,7 @@
 import ast
 import inspect
 import re
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -15,24 +16,21 @@ import rocksteady as rs
 from rocksteady.show.style import palette
 from tests.every import every
 from tools.manual import gallery
+from tools.namespace import MODULES, PLACES
 
 DOCS = gallery.EXAMPLES.parent / "docs"
 SCRIPTS = {str(path.relative_to(gallery.EXAMPLES)): path for path in gallery.EXAMPLES.rglob("*.py")}
 TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in SCRIPTS.items()}
-PLOTS = {"animate", *(name for name in rs.__all__ if name.startswith("plot_"))}
+PLOTS = {f"plots.{name}" for name in rs.plots.__all__}
 LINES = 30
 IN_A_FOLDER = 13
 
 
 def public_names(tree: ast.Module) -> set[str]:
-    """Return the attributes of `rs` that a script uses."""
-    return {
-        node.attr
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Attribute)
-        and isinstance(node.value, ast.Name)
-        and node.value.id == "rs"
-    }
+    """Return the public names that a script uses, as ``plots.trajectory``."""
+    texts = [ast.unparse(node) for node in ast.walk(tree) if isinstance(node, ast.Attribute)]
+    used = [re.split(r"\W", text)[1:3] for text in texts if text.startswith("rs.")]
+    return {".".join(parts[: 1 + (parts[0] in MODULES)]) for parts in used} - {*MODULES}
 
 
 def caption(name: str) -> list[str]:
@@ -86,13 +84,13 @@ def test_a_script_uses_public_names_numpy_and_matplotlib_alone(name: str) -> Non
     modules = {(alias.name, alias.asname) for node in imports for alias in node.names}
     assert ("rocksteady", "rs") in modules
     assert modules <= {("rocksteady", "rs"), ("numpy", "np"), ("matplotlib.pyplot", "plt")}
-    assert public_names(TREES[name]) <= set(rs.__all__)
+    assert public_names(TREES[name]) <= set(PLACES.values())
 
 
 def test_every_plot_of_the_package_is_shown() -> None:
     shown = set().union(*(public_names(tree) for tree in TREES.values()))
     assert shown >= PLOTS
-    assert all(inspect.isfunction(getattr(rs, name)) for name in PLOTS)
+    assert all(inspect.isfunction(attrgetter(name)(rs)) for name in PLOTS)
 
 
 def test_the_style_is_that_of_the_package_whatever_a_script_before_has_set() -> None:
@@ -118,7 +116,7 @@ def test_guides_show_pictures_of_scripts_that_there_are() -> None:
 def test_a_film_becomes_a_small_gif_that_plays(tmp_path: Path) -> None:
     block = rs.Block.rectangle(width=0.5, height=2.0)
     run = rs.simulate(block, rs.Still(), start=rs.State(angle=0.8, velocity=0.0))
-    film = rs.animate(run, span=(0.0, 0.5), fps=10)
+    film = rs.plots.animate(run, span=(0.0, 0.5), fps=10)
     paths = iter([str(tmp_path / "sphx_glr_film_001.png")])
     conf = {**DEFAULT_GALLERY_CONF, "src_dir": str(tmp_path), "image_srcset": []}
     conf["matplotlib_animations"] = (False, None)

@@ -4,7 +4,8 @@ import re
 from itertools import pairwise
 from pathlib import Path
 
-from rocksteady import DimensionlessBlock, Harmonic, PointType, find_orbits, outcomes
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits, outcomes
+from rocksteady.branches import PointType
 from rocksteady.cli.app import app
 from rocksteady.dynamics.continuation.chains.point_types import BIFURCATIONS
 from tests.every import every

@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 from sphinx.application import Sphinx
 
-import rocksteady
 from tests.every import every
 from tools.manual import docstrings, reference
 from tools.manual.types_in_words import in_words, types_of
+from tools.namespace import PLACES, THINGS
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -35,7 +35,7 @@ SINGLE = re.compile(r"(?<!`)`([A-Za-z_][\w.]*)(?:\(\))?`(?!`)")
 def test_every_public_name_is_on_exactly_one_page() -> None:
     count = Counter(name for page in PAGES.values() for name in reference.names_of(page))
     assert {name for name, times in count.items() if times > 1} == set()
-    assert set(count) == set(rocksteady.__all__)
+    assert set(count) == set(PLACES.values())
 
 
 @every("name", PAGES)
@@ -74,9 +74,9 @@ def test_a_page_names_public_things(page: Path) -> None:
 
 def test_a_page_becomes_tables_and_directives() -> None:
     page = "# T\n\n```{api-table}\n```\n\n## A\n\n```{api}\nsimulate\nState\n```\n\n## B\n\n"
-    page += "```{api}\nNO_START\nInputError\n```\n"
+    page += "```{api}\nsweeps.NO_START\nerrors.InputError\n```\n"
     expanded = reference.expand(page)
-    assert reference.names_of(page) == ["simulate", "State", "NO_START", "InputError"]
+    assert reference.names_of(page) == ["simulate", "State", "sweeps.NO_START", "errors.InputError"]
     assert expanded.count("```{eval-rst}\n") == 3
     assert ".. list-table:: A\n" in expanded
     assert ".. list-table:: B\n" in expanded
@@ -84,8 +84,11 @@ def test_a_page_becomes_tables_and_directives() -> None:
     assert "* - :py:obj:`State <rocksteady.State>`" in expanded
     assert ".. autofunction:: rocksteady.simulate\n" in expanded
     assert ".. autoclass:: rocksteady.State\n" in expanded
-    assert ".. autoexception:: rocksteady.InputError\n" in expanded
-    assert ".. py:data:: NO_START\n   :value: -1\n\n   Code of a cell" in expanded
+    assert ".. autoexception:: rocksteady.errors.InputError\n" in expanded
+    assert (
+        ".. py:data:: NO_START\n   :module: rocksteady.sweeps\n   :value: -1\n\n   Code of a cell"
+        in expanded
+    )
 
 
 def test_pictures_of_the_gallery_that_use_a_name_are_linked(
@@ -109,8 +112,8 @@ def test_pictures_of_the_gallery_that_use_a_name_are_linked(
 
 def documented(name: str) -> Iterator[tuple[str, Any]]:
     """Yield a public thing and its public members that are written in the package."""
-    thing = getattr(rocksteady, name)
-    if name in reference.NUMBERS:
+    thing = THINGS[name]
+    if PLACES[name] in reference.NUMBERS:
         return
     yield name, thing
     for base in thing.__mro__ if isinstance(thing, type) else ():
@@ -129,14 +132,12 @@ def stale(text: str, inside: str, module: str) -> list[str]:
         first, *rest = name.removeprefix("rocksteady.").split(".")
         if docstrings.resolve(name, inside) or (first in names and not rest):
             continue
-        if (rest and first in rocksteady.__all__) or (
-            first[0].isupper() and "_" not in first and not rest
-        ):
+        if (rest and first in THINGS) or (first[0].isupper() and "_" not in first and not rest):
             found.append(name)
     return found
 
 
-@every("name", rocksteady.__all__)
+@every("name", THINGS)
 def test_public_names_in_docstrings_are_there(name: str) -> None:
     for place, thing in documented(name):
         text = inspect.getdoc(thing) or ""
@@ -144,7 +145,7 @@ def test_public_names_in_docstrings_are_there(name: str) -> None:
 
 
 @pytest.mark.slow
-@every("name", rocksteady.__all__)
+@every("name", THINGS)
 def test_what_a_docstring_lists_is_a_parameter_or_field_with_a_type(name: str) -> None:
     for place, thing in documented(name):
         lines = (inspect.getdoc(thing) or "").splitlines()
@@ -168,10 +169,14 @@ def test_a_name_that_is_gone_would_be_noticed() -> None:
     [
         ("State", None, "rocksteady.State"),
         ("simulate()", None, "rocksteady.simulate"),
-        ("rocksteady.Trajectory.peak", None, "rocksteady.Trajectory.peak"),
-        ("Trajectory.status", None, "rocksteady.Trajectory.status"),  # a field without default
+        ("rocksteady.histories.Trajectory.peak", None, "rocksteady.histories.Trajectory.peak"),
+        (
+            "Trajectory.status",
+            None,
+            "rocksteady.histories.Trajectory.status",
+        ),  # a field without default
         ("rocksteady.outcomes.Status", None, "rocksteady.Status"),
-        ("at_time", "Trajectory", "rocksteady.Trajectory.at_time"),
+        ("at_time", "Trajectory", "rocksteady.histories.Trajectory.at_time"),
         ("at_time", "Block", None),
         ("status", "Trajectory", None),  # a field stands in the list of the class itself
         ("Trajectory._energy", None, None),
@@ -263,8 +268,9 @@ def settings() -> dict[str, Any]:
 def test_a_page_is_built_without_warnings_and_its_members_are_targets(tmp_path: Path) -> None:
     source = tmp_path / "reference" / "api"
     source.mkdir(parents=True)
-    names = ["simulate", "Status", "NO_START", "State", "Rest", "Trajectory", "plot_trajectory"]
-    names += ["Flights", "Impacts", "Samples", "InputError", "ModelError", "Steady", "ImpactState"]
+    known = ["simulate", "Status", "NO_START", "State", "Rest", "Trajectory", "plot_trajectory"]
+    known += ["Flights", "Impacts", "Samples", "InputError", "ModelError", "Steady", "ImpactState"]
+    names = [PLACES[name] for name in known]
     body = "```{api-table}\n```\n\n```{api}\n" + "\n".join(names) + "\n```\n"
     text = f"(every-result)=\n# Page\n\n{body}"
     (source / "page.md").write_text(text, encoding="utf-8")
@@ -283,19 +289,25 @@ def test_a_page_is_built_without_warnings_and_its_members_are_targets(tmp_path: 
         warning=warnings,
     )
     app.build()
-    elsewhere = re.compile(r"reference target not found: rocksteady\.(\w+)")
+    elsewhere = re.compile(r"reference target not found: rocksteady\.((?:[a-z]+\.)?\w+)")
     for line in warnings.getvalue().splitlines():
         if "already registered" in line:
             continue  # of Sphinx itself, where another test of this process has built a site
         missing = elsewhere.search(line)
         assert missing, line
-        assert missing[1] in set(rocksteady.__all__) - set(names)
+        assert missing[1] in set(PLACES.values()) - set(names)
     page = (tmp_path / "out" / "reference" / "api" / "page.html").read_text(encoding="utf-8")
-    for target in ("simulate", "NO_START", "Status.ROCKING", "State.angle", "Trajectory.status"):
+    for target in (
+        "simulate",
+        "sweeps.NO_START",
+        "Status.ROCKING",
+        "State.angle",
+        "histories.Trajectory.status",
+    ):
         assert f'id="rocksteady.{target}"' in page
-    assert 'href="#rocksteady.Trajectory.at_time"' in page
+    assert 'href="#rocksteady.histories.Trajectory.at_time"' in page
     objects = app.env.domains.python_domain.objects
-    assert objects["rocksteady.Trajectory.summary"].aliased
+    assert objects["rocksteady.histories.Trajectory.summary"].aliased
     contents = app.env.tocs["reference/api/page"].astext()
     assert "Trajectory" in contents
     assert "at_time" not in contents

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from sphinx.application import Sphinx
 
-from rocksteady import MissingKernelsError
+from rocksteady.errors import MissingKernelsError
 from tests.every import every
 from tests.strategies import PLAIN
 from tools.manual import mathematics, pages

@@ -7,26 +7,24 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    Impulses,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
     Piecewise,
     Pulse,
     Record,
-    ReturnMap,
-    Segment,
     State,
     Still,
     compute_rocking_spectrum,
     find_attractor,
     find_orbits,
     find_overturning_windows,
-    overturning_impulse,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import overturning_impulse
 from rocksteady.model.equations import chosen_model
+from rocksteady.motions import Impulses, Segment
+from rocksteady.orbits import ReturnMap
 from tests.every import every
 
 BLOCK = Block.from_p(alpha=0.3, p=2.0, restitution=0.8)

@@ -15,6 +15,7 @@ from tests.public.facade_calls import facade_calls
 from tests.public.observation_calls import observation_calls
 from tests.public.risk_calls import risk_calls
 from tests.public.things import MANY, fields, square, things
+from tools.namespace import THINGS
 
 
 class Call(NamedTuple):
@@ -47,9 +48,9 @@ def calls() -> dict[str, Call]:
     )
     few = [-0.5, 0.0, 0.5]
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
-    segment = rs.Segment(duration=1.0, constant=2.0)
+    segment = rs.motions.Segment(duration=1.0, constant=2.0)
     table: dict[Any, dict[str, Any]] = {
-        rs.Axis: {"name": "amplitude", "values": [1.0, 2.0]},
+        rs.sweeps.Axis: {"name": "amplitude", "values": [1.0, 2.0]},
         rs.Block: {"positive": block.positive, "negative": block.negative},
         rs.Block.asymmetric: {"left": 0.15, "right": 0.25, "height": 1.2},
         rs.Block.from_alphas: {"positive": 0.2, "negative": 0.3, "radius": 1.0},
@@ -62,9 +63,9 @@ def calls() -> dict[str, Call]:
         rs.DimensionlessBlock: {"restitution": 0.8},
         bare.with_restitution: {"restitution": 0.7},
         bare.dimensionless: {},
-        rs.ExplorerView: {"block": block, "motion": shaking, "tab": "basins"},
+        rs.export.ExplorerView: {"block": block, "motion": shaking, "tab": "basins"},
         rs.write_explorer: {"path": "page.html", "view": t["view"], "records": [record]},
-        rs.Grid: {"axes": t["grid"].axes},
+        rs.sweeps.Grid: {"axes": t["grid"].axes},
         t["grid"].at: {"numbers": np.array([0, 1])},
         t["grid"].cells: {"first": 0, "stop": 2},
         t["grid"].axes[0].at: {"indices": [0, 1]},
@@ -73,11 +74,11 @@ def calls() -> dict[str, Call]:
         shaking.acceleration_m_s2: {"block": block},
         shaking.frequency_hz: {"block": block},
         shaking.segments: {},
-        rs.ImpactState: {"side": 1, "phase": 0.5, "speed": 0.3},
-        rs.Impulses: {"velocities": (0.5,)},
-        rs.Impulses.from_si: {"block": block, "velocities_m_s": (0.5,)},
-        rs.Impulses(velocities=(0.5,)).segments: {},
-        rs.Output: {"name": "value"},
+        rs.histories.ImpactState: {"side": 1, "phase": 0.5, "speed": 0.3},
+        rs.motions.Impulses: {"velocities": (0.5,)},
+        rs.motions.Impulses.from_si: {"block": block, "velocities_m_s": (0.5,)},
+        rs.motions.Impulses(velocities=(0.5,)).segments: {},
+        rs.sweeps.Output: {"name": "value"},
         rs.Piecewise: {"pieces": (segment,)},
         rs.Piecewise(pieces=(segment,)).segments: {},
         rs.Pulse: {"shape": "half-sine", "amplitude": 2.0, "frequency_ratio": 4.0},
@@ -94,9 +95,9 @@ def calls() -> dict[str, Call]:
         rs.Record: {"acceleration_m_s2": [0.0, 1.0, -1.0], "dt_s": 0.01},
         record.scaled: {"factor": 2.0},
         record.reversed: {},
-        rs.RecordSet: {"name": "made"},
+        rs.records.RecordSet: {"name": "made"},
         t["set"].aligned: {"method": "trim"},
-        rs.Recording: {
+        rs.records.Recording: {
             "record": record,
             "format": "peer",
             "path": Path("made.AT2"),
@@ -106,7 +107,7 @@ def calls() -> dict[str, Call]:
         rs.Rest: {},
         rs.Still: {},
         rs.Still().segments: {},
-        rs.ReturnMap: {"block": bare, "motion": shaking},
+        rs.orbits.ReturnMap: {"block": bare, "motion": shaking},
         t["map_of_return"].__call__: {"state": t["state"]},
         t["map_of_return"].passages: {"state": t["state"]},
         rs.Linear: {},
@@ -114,17 +115,17 @@ def calls() -> dict[str, Call]:
         rs.BaseMotion: {"horizontal": record, "vertical": record},
         rs.BaseMotion(record).scaled: {"factor": 2.0},
         rs.BaseMotion(record).reversed: {},
-        rs.Run: {"executor": "serial", "workers": 1},
-        rs.Segment: {"duration": 1.0, "constant": 2.0},
-        rs.Side: {"alpha": 0.2, "radius": 1.0, "p": 2.0, "restitution": 0.8},
+        rs.Execution: {"executor": "serial", "workers": 1},
+        rs.motions.Segment: {"duration": 1.0, "constant": 2.0},
+        rs.formulas.Side: {"alpha": 0.2, "radius": 1.0, "p": 2.0, "restitution": 0.8},
         rs.State: {"angle": 0.1, "velocity": 0.2},
         rs.State.per_tau: {"angle": 0.1, "velocity_tau": 0.2, "frequency_ratio": 4.0},
         rs.Steady: {},
         rs.Store: {"path": "kept.zarr"},
         t["store"].check: {},
         rs.SyntheticMotion: {"rms": 1.0, "frequency_ratio": 3.0, "duration": 5.0, "seed": 1},
-        rs.BandNoise: {"rms": 0.2, "band": (1.0, 5.0), "duration": 8.0, "seed": 1},
-        rs.BandNoise.from_si: {
+        rs.motions.BandNoise: {"rms": 0.2, "band": (1.0, 5.0), "duration": 8.0, "seed": 1},
+        rs.motions.BandNoise.from_si: {
             "block": block,
             "rms_m_s2": 0.3,
             "band_hz": (0.5, 4.0),
@@ -133,8 +134,8 @@ def calls() -> dict[str, Call]:
         },
         t["noise"].realisation: {"number": 3},
         t["noise"].segments: {},
-        rs.add_noise: {"motion": t["pulse"], "noise": t["noise"]},
-        rs.cut_motion: {"motion": shaking, "at": 0.5},
+        rs.motions.add_noise: {"motion": t["pulse"], "noise": t["noise"]},
+        rs.motions.cut: {"motion": shaking, "at": 0.5},
         rs.SyntheticMotion.from_si: {
             "block": block,
             "rms_m_s2": 1.0,
@@ -157,7 +158,7 @@ def calls() -> dict[str, Call]:
         block.positive.to_dict: {},
         rs.check_neighbours: {"trajectory": t["pushed"]},
         t["neighbours"].describe: {},
-        rs.Neighbour: fields(t["neighbours"].cases[0]),
+        rs.histories.Neighbour: fields(t["neighbours"].cases[0]),
         run.base_acceleration: {"pt": [0.1, 0.2]},
         run.base_displacement: {"pt": [0.1, 0.2]},
         run.phase_path: {"per_unit": 10},
@@ -170,20 +171,20 @@ def calls() -> dict[str, Call]:
         t["recording"].describe: {},
         t["set"].describe: {},
         t["set"].motions: {},
-        t["many"].are: {"kind": rs.AttractorKind.SYMMETRIC},
+        t["many"].are: {"kind": rs.outcomes.AttractorKind.SYMMETRIC},
         t["many"].start: {"index": 1},
-        rs.Attractors: {name: getattr(t["many"], name) for name in MANY},
-        rs.find_attractors: {
+        rs.orbits.Attractors: {name: getattr(t["many"], name) for name in MANY},
+        rs.orbits.find_attractors: {
             "amplitude": [0.5, 2.0],
             "frequency_ratio": 4.0,
             "restitution": 0.8,
             "velocity": 0.2,
             "max_cycles": 50,
         },
-        rs.Axis.logarithmic: {"name": "amplitude", "start": 1.0, "stop": 8.0, "count": 4},
-        rs.Run().in_memory: {"reason": "it is kept in memory"},
+        rs.sweeps.Axis.logarithmic: {"name": "amplitude", "start": 1.0, "stop": 8.0, "count": 4},
+        rs.Execution().in_memory: {"reason": "it is kept in memory"},
         t["store"].foreign_files: {},
-        rs.Installation(
+        rs.installation.Installation(
             system="Linux",
             cpu_level=None,
             kernels="python",
@@ -213,19 +214,19 @@ def calls() -> dict[str, Call]:
         t["states"].to_dataset: {},
         t["trail"].runs: {},
         t["orbit"].trajectory: {},
-        rs.add_motions: {"motions": [t["pulse"], rs.Still()]},
-        rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
+        rs.motions.add: {"motions": [t["pulse"], rs.Still()]},
+        rs.plots.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
         rs.find_attractor: {"block": bare, "motion": shaking, "max_cycles": 20},
         rs.map_attractors: {"block": bare, "axes": axes, "max_cycles": 20},
-        rs.sweep_attractor: {
+        rs.orbits.sweep_attractor: {
             "block": bare,
             "motion": shaking,
             "parameter": "amplitude",
             "values": [1.9, 2.0],
             "max_cycles": 20,
         },
-        rs.average_spectral_acceleration: {"record": record, "period_s": 0.5},
-        rs.correct_baseline: {"recording": t["recording"], "baseline": "mean"},
+        rs.measures.compute_average_acceleration: {"record": record, "period_s": 0.5},
+        rs.records.correct_baseline: {"recording": t["recording"], "baseline": "mean"},
         rs.compute_basins: {
             "block": bare,
             "motion": shaking,
@@ -233,15 +234,15 @@ def calls() -> dict[str, Call]:
             "velocities": few,
             "max_cycles": 10,
         },
-        rs.region_boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
-        rs.delay_motion: {"motion": t["pulse"], "by": 0.5},
-        rs.equivalent_damping: {"restitution": [0.7, 0.8]},
-        rs.compute_basin_shares: {
+        rs.orbits.compute_region_boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.motions.delay: {"motion": t["pulse"], "by": 0.5},
+        rs.formulas.equivalent_damping: {"restitution": [0.7, 0.8]},
+        rs.basins.compute_basin_shares: {
             "block": bare,
             "motion": shaking,
             "parameter": "amplitude",
             "values": [1.9, 2.0],
-            "sampling": rs.BasinSampling(angles=few, velocities=few, max_cycles=10),
+            "sampling": rs.basins.SamplingOptions(angles=few, velocities=few, max_cycles=10),
         },
         rs.compute_erosion: {
             "block": bare,
@@ -251,19 +252,19 @@ def calls() -> dict[str, Call]:
             "velocities": few,
             "cycles": 5,
         },
-        rs.evaluate: {"cases": square, "grid": t["grid"], "outputs": (t["output"],)},
-        rs.named_block: {"name": "fema-p58-cabinet"},
-        rs.export: {"dataset": t["map"], "file": "map.nc"},
+        rs.sweeps.evaluate: {"cases": square, "grid": t["grid"], "outputs": (t["output"],)},
+        rs.Block.named: {"name": "fema-p58-cabinet"},
+        rs.export.write_dataset: {"dataset": t["map"], "file": "map.nc"},
         rs.map_fates: {"block": bare, "axes": axes, "cycles": 10},
-        rs.free_rocking_peaks: {"amplitude_ratio": 0.5, "restitution": 0.8, "impacts": 3},
-        rs.free_rocking_period: {"amplitude_ratio": [0.2, 0.5]},
-        rs.integrate_record: {"record": record},
-        rs.heteroclinic_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
-        rs.housner_restitution: {"alpha": 0.2},
-        rs.impact_restitution: {"alphas": (0.2, 0.3), "radii": (1.0, 1.1), "gyration": 0.5},
-        rs.measure_intensity: {"record": record},
-        rs.join_motions: {"motions": [t["pulse"], shaking]},
-        rs.melnikov_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.formulas.free_rocking_peaks: {"amplitude_ratio": 0.5, "restitution": 0.8, "impacts": 3},
+        rs.formulas.free_rocking_period: {"amplitude_ratio": [0.2, 0.5]},
+        rs.measures.integrate_record: {"record": record},
+        rs.formulas.heteroclinic_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.formulas.housner_restitution: {"alpha": 0.2},
+        rs.formulas.impact_restitution: {"alphas": (0.2, 0.3), "radii": (1.0, 1.1), "gyration":
+        0.5}, rs.compute_measures: {"record": record},
+        rs.motions.join: {"motions": [t["pulse"], shaking]},
+        rs.formulas.melnikov_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.open_store: {"path": "kept.zarr"},
         rs.find_orbits: {
             "block": bare,
@@ -272,8 +273,8 @@ def calls() -> dict[str, Call]:
             "max_impacts": 2,
             "seeds": 2,
         },
-        rs.overturning_impulse: {"block": block},
-        rs.overturning_threshold: {"shape": "half-sine", "frequency_ratio": 4.0},
+        rs.formulas.overturning_impulse: {"block": block},
+        rs.formulas.overturning_amplitude: {"shape": "half-sine", "frequency_ratio": 4.0},
         rs.find_overturning_windows: {
             "block": bare,
             "pulse": "half-sine",
@@ -287,14 +288,14 @@ def calls() -> dict[str, Call]:
             "within": (1.0, 1.2),
             "resolution": 0.1,
         },
-        rs.compute_manifold: {
+        rs.basins.compute_manifold: {
             "saddle": t["hilltop"], "kind": "unstable", "length": 0.5, "spacing": 0.1,
         },
         rs.find_edge_state: {
             "block": bare, "motion": rs.Harmonic(amplitude=0.1, frequency_ratio=4.0),
         },
-        rs.find_hilltop_saddles: {"block": bare, "motion": shaking},
-        rs.find_fatal_kick: {"block": block, "times_pt": [0.0, 1.0]},
+        rs.basins.find_hilltop_saddles: {"block": bare, "motion": shaking},
+        rs.find_fatal_kicks: {"block": block, "times_pt": [0.0, 1.0]},
         rs.compute_fate_basins: {
             "block": block,
             "motion": t["pulse"],
@@ -307,7 +308,7 @@ def calls() -> dict[str, Call]:
         t["fates"].to_dataframe: {},
         t["fates"].describe: {},
         t["fates"].fractions()[0].describe: {},
-        rs.FateFraction: fields(t["fates"].fractions()[0]),
+        rs.basins.FateShare: fields(t["fates"].fractions()[0]),
         rs.compute_noise_fates: {
             "block": block,
             "motion": t["pulse"],
@@ -318,76 +319,77 @@ def calls() -> dict[str, Call]:
         t["noise fates"].interval: {"confidence": 0.9},
         t["noise fates"].to_dataset: {},
         t["noise fates"].describe: {},
-        rs.plot_fate_basins: {"fates": t["fates"]},
-        rs.plot_noise_fates: {"fates": t["noise fates"]},
-        rs.pair_records: {"paths": []},
-        rs.plot_base: {"trajectory": run},
-        rs.plot_basins: {"basins": t["basins"]},
-        rs.plot_basin_shares: {"shares": t["shares"], "top": 0.5},
-        rs.plot_bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
-        rs.plot_bifurcations: {"diagram": [t["branch"]], "sweeps": [t["trail"]]},
-        rs.plot_block: {"trajectory": run, "pt": 0.1},
-        rs.plot_edge_state: {"edge": t["edge"]},
-        rs.plot_manifolds: {"manifolds": t["manifold"]},
-        rs.plot_cascade: {"cascade": t["cascade"]},
-        rs.plot_erosion: {"erosion": t["erosion"]},
-        rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
-        rs.plot_integrated_record: {"course": t["course"]},
-        rs.plot_husid: {"course": t["course"]},
-        rs.plot_map: {"dataset": t["map"]},
-        rs.plot_multipliers: {"orbits": [t["orbit"]]},
-        rs.plot_orbit: {"orbit": t["steady"]},
-        rs.plot_overturned_share: {"summary": t["summary"]},
-        rs.plot_overturning: {"windows": t["windows"]},
-        rs.plot_fatal_kicks: {"kicks": t["kicks"]},
-        rs.plot_overturning_scales: {"scales": t["scales"]},
-        rs.plot_phase_portrait: {"trajectory": run},
-        rs.plot_regions: {"curves": t["regions"]},
-        rs.plot_response: {"curves": [t["curve"]]},
-        rs.plot_response_spectra: {"spectra": [t["response"]]},
-        rs.plot_rocking_spectrum: {"dataset": t["spectrum"]},
-        rs.plot_safe_basin: {"erosion": t["erosion"], "index": 0},
-        rs.plot_section: {"motions": [t["orbit"]]},
-        rs.plot_spectrum_map: {"dataset": t["spectrum"]},
-        rs.plot_suite_spectrum: {"summary": t["summary"]},
-        rs.plot_trajectory: {"trajectory": run},
+        rs.plots.fate_basins: {"fates": t["fates"]},
+        rs.plots.noise_fates: {"fates": t["noise fates"]},
+        rs.records.pair_records: {"paths": []},
+        rs.plots.base: {"trajectory": run},
+        rs.plots.basins: {"basins": t["basins"]},
+        rs.plots.basin_shares: {"shares": t["shares"], "top": 0.5},
+        rs.plots.bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
+        rs.plots.bifurcations: {"diagram": [t["branch"]], "sweeps": [t["trail"]]},
+        rs.plots.block: {"trajectory": run, "pt": 0.1},
+        rs.plots.edge_state: {"edge": t["edge"]},
+        rs.plots.manifolds: {"manifolds": t["manifold"]},
+        rs.plots.cascade: {"cascade": t["cascade"]},
+        rs.plots.erosion: {"erosion": t["erosion"]},
+        rs.plots.free_rocking: {"restitutions": [0.8], "impacts": 3},
+        rs.plots.integrated_record: {"course": t["course"]},
+        rs.plots.husid: {"course": t["course"]},
+        rs.plots.outcomes: {"dataset": t["map"]},
+        rs.plots.multipliers: {"orbits": [t["orbit"]]},
+        rs.plots.steady_orbit: {"orbit": t["steady"]},
+        rs.plots.share_that_falls: {"summary": t["summary"]},
+        rs.plots.overturning: {"windows": t["windows"]},
+        rs.plots.fatal_kicks: {"kicks": t["kicks"]},
+        rs.plots.overturning_scales: {"scales": t["scales"]},
+        rs.plots.phase_portrait: {"trajectory": run},
+        rs.plots.steady_regions: {"curves": t["regions"]},
+        rs.plots.response: {"curves": [t["curve"]]},
+        rs.plots.response_spectra: {"spectra": [t["response"]]},
+        rs.plots.rocking_spectrum: {"dataset": t["spectrum"]},
+        rs.plots.safe_basin: {"erosion": t["erosion"], "index": 0},
+        rs.plots.poincare_section: {"motions": [t["orbit"]]},
+        rs.plots.spectrum_map: {"dataset": t["spectrum"]},
+        rs.plots.suite_spectrum: {"summary": t["summary"]},
+        rs.plots.trajectory: {"trajectory": run},
         rs.read_record: {"path": "made.csv"},
-        rs.read_recordings: {"path": "made.csv"},
-        rs.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
-        rs.resample: {"recording": t["recording"], "dt_s": 0.025},
+        rs.records.read_recordings: {"path": "made.csv"},
+        rs.orbits.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.records.resample: {"recording": t["recording"], "dt_s": 0.025},
         rs.compute_response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
-        rs.compute_response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
+        rs.measures.compute_response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
         rs.compute_rocking_spectrum: {"motions": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
         rs.simulate_many: {"blocks": block, "motions": record, "scales": [1.0, 2.0]},
-        rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},
+        rs.motions.scale: {"motion": t["pulse"], "factor": -1.0},
         rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
-        rs.compute_steady_orbit: {
+        rs.orbits.compute_steady_orbit: {
             "amplitude": 2.0,
             "frequency_ratio": 4.0,
             "restitution": 0.8,
             "samples": 11,
         },
         rs.find_steady_states: {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8},
-        rs.summarise_spectra: {"spectra": t["suite"]},
-        rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
-        rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
-        rs.ManifoldBranch: fields(t["manifold"].branches[0]),
-        rs.FatalKicks: fields(t["kicks"]),
-        rs.OverturningScales: fields(t["scales"]),
-        rs.BasinAttractor: fields(t["basins"].attractors[0]),
-        rs.OverturningWindow: {"low": 1.0, "high": 2.0, "impacts": 1, "side": 1, "endless": False},
-        rs.IntegrityDrop: {
+        rs.measures.compute_suite_spectrum: {"spectra": t["suite"]},
+        rs.formulas.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.formulas.symmetry_breaking_frequencies: {"amplitude": 2.0, "restitution": 0.8},
+        rs.basins.ManifoldBranch: fields(t["manifold"].branches[0]),
+        rs.overturning.FatalKicks: fields(t["kicks"]),
+        rs.overturning.OverturningScales: fields(t["scales"]),
+        rs.basins.BasinAttractor: fields(t["basins"].attractors[0]),
+        rs.overturning.OverturningWindow: {"low": 1.0, "high": 2.0, "impacts": 1, "side": 1,
+        "endless": False}, rs.basins.IntegrityDrop: {
             "measure": "radius", "level": 0.5, "low": 1.0, "high": 2.0, "above": 0.6, "below": 0.4,
         },
-        rs.BasinFamily: fields(t["shares"].families[0]),
-        rs.BasinEntropies: fields(t["shares"].entropies(1)),
-        rs.BasinFraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
-        rs.Peak: {"value": 1.0, "t_s": 0.5},
-        rs.BranchSearch: {"orders": (1,), "max_impacts": 2},
-        rs.Bifurcation: {"point": t["fold"], "branches": (1,), "highest": 0.2, "lowest": -0.2},
-        rs.find_bifurcations: {
+        rs.basins.BasinFamily: fields(t["shares"].families[0]),
+        rs.basins.BasinEntropies: fields(t["shares"].entropies(1)),
+        rs.basins.BasinShare: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
+        rs.measures.Peak: {"value": 1.0, "t_s": 0.5},
+        rs.branches.BranchOptions: {"orders": (1,), "max_impacts": 2},
+        rs.branches.Bifurcation: {"point": t["fold"], "branches": (1,), "highest": 0.2, "lowest":
+        -0.2}, rs.find_bifurcations: {
             "block": bare, "motion": shaking, "parameter": "amplitude", "within": (1.9, 2.1),
-            "values": 2, "search": rs.BranchSearch(max_period=1, max_impacts=2, doublings=0),
+            "values": 2, "search": rs.branches.BranchOptions(max_period=1, max_impacts=2,
+            doublings=0),
         },
         t["states"].for_block: {"block": block},
         t["attractor"].trajectory: {"last": 2},
@@ -417,35 +419,37 @@ def calls() -> dict[str, Call]:
             )
             for method in methods
         },
-        rs.Stretch: {"first": 0, "last": 1, "stable": True, "admissible": True},
-        rs.Passage: fields(t["map_of_return"](t["state"])),
-        rs.IntensityMeasures: fields(rs.measure_intensity(record, block)),
-        rs.measure_intensity(record, block).describe: {},
-        rs.Samples: fields(run([0.1, 0.2])),
-        rs.check_installation: {},
-        rs.Installation: fields(t["installation"]),
-        rs.KernelCheck: fields(t["installation"].checks[0]),
+        rs.branches.Stretch: {"first": 0, "last": 1, "stable": True, "admissible": True},
+        rs.orbits.Passage: fields(t["map_of_return"](t["state"])),
+        rs.measures.Measures: fields(rs.compute_measures(record, block)),
+        rs.compute_measures(record, block).describe: {},
+        rs.histories.Samples: fields(run([0.1, 0.2])),
+        rs.installation.check_installation: {},
+        rs.installation.Installation: fields(t["installation"]),
+        rs.installation.KernelCheck: fields(t["installation"].checks[0]),
     }  # fmt: skip
     results = {
-        rs.Attractor: "attractor", rs.AttractorSweep: "trail", rs.Basins: "basins",
-        rs.BasinShares: "shares", rs.BasinEntropy: "entropy", rs.BoundaryTest: "boundary",
-        rs.UncertaintyExponent: "exponent",
-        rs.BifurcationDiagram: "diagram",
-        rs.RegionBoundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
-        rs.RestingBranches: "resting", rs.RestingBranch: "resting branch",
-        rs.RestingPoint: "resting point",
-        rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
-        rs.EdgeState: "edge", rs.HilltopSaddle: "hilltop", rs.Manifold: "manifold",
-        rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
-        rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
-        rs.HazardCurve: "hazard", rs.Risk: "risk", rs.BranchTest: "branch test",
-        rs.SteadyStates: "states", rs.Trajectory: "run", rs.Neighbours: "neighbours",
-        rs.Fragility: "fragility", rs.StateFragility: "state_fragility",
-        rs.Efficiency: "efficiency", rs.FateBasins: "fates", rs.NoiseFates: "noise fates",
+        rs.orbits.Attractor: "attractor", rs.orbits.AttractorSweep: "trail", rs.basins.Basins:
+        "basins", rs.basins.BasinShares: "shares", rs.basins.BasinEntropy: "entropy",
+        rs.basins.BoundaryCheck: "boundary", rs.basins.UncertaintyExponent: "exponent",
+        rs.branches.BifurcationDiagram: "diagram",
+        rs.orbits.RegionBoundaries: "boundaries", rs.branches.Branch: "branch",
+        rs.branches.BranchPoint: "point", rs.branches.RestingBranches: "resting",
+        rs.branches.RestingBranch: "resting branch", rs.branches.RestingPoint: "resting point",
+        rs.branches.Cascade: "cascade", rs.basins.Erosion: "erosion", rs.measures.IntegratedRecord:
+        "course", rs.basins.EdgeState: "edge", rs.basins.HilltopSaddle: "hilltop",
+        rs.basins.Manifold: "manifold", rs.orbits.Orbit: "orbit",
+        rs.overturning.OverturningWindows: "windows", rs.orbits.RegionMap: "regions",
+        rs.orbits.ResponseCurve: "curve", rs.measures.ResponseSpectrum: "response",
+        rs.orbits.SteadyOrbit: "steady", rs.risk.HazardCurve: "hazard", rs.risk.Risk: "risk",
+        rs.risk.HazardBranchCheck: "branch test", rs.orbits.SteadyStates: "states",
+        rs.histories.Trajectory: "run", rs.histories.Neighbours: "neighbours", rs.risk.Fragility:
+        "fragility", rs.risk.StateFragility: "state_fragility", rs.risk.Efficiency: "efficiency",
+        rs.basins.FateBasins: "fates", rs.overturning.NoiseFates: "noise fates",
     }  # fmt: skip
     table |= dynamics_calls(t) | risk_calls(t) | observation_calls(t) | facade_calls(t)
     table |= {kind: fields(t[name]) for kind, name in results.items()}
-    table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
+    table |= {rs.histories.Flights: fields(run.flights), rs.histories.Impacts: fields(run.impacts)}
     found = {}
     for function, arguments in table.items():
         found[label_of(function)] = Call(
@@ -453,7 +457,10 @@ def calls() -> dict[str, Call]:
         )
     # Arguments that only one kind of input reaches have a call of that kind too.
     variants = {
-        "plot_section of a trajectory": ("plot_section", {"motions": run, "since": 0.1}),
+        "plot_poincare_section of a trajectory": (
+            "plot_poincare_section",
+            {"motions": run, "since": 0.1},
+        ),
     }
     for label, (name, arguments) in variants.items():
         found[label] = found[name]._replace(arguments=arguments)
@@ -471,8 +478,7 @@ def label_of(function: Any) -> str:
 def public_callables() -> set[str]:
     """Return the labels of all that can be called in the public namespace."""
     found = set()
-    for name in rs.__all__:
-        thing = getattr(rs, name)
+    for name, thing in THINGS.items():
         if not callable(thing):
             continue
         if inspect.isclass(thing) and issubclass(thing, str | int | Exception):

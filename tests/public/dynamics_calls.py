@@ -14,9 +14,9 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     bare, shaking = t["bare"], t["shaking"]
     block = t["block"]
     waves = ((1, 1.0, 0.0), (2, 0.5, 0.0))
-    series = rs.FourierSeries(amplitude=2.0, frequency_ratio=4.0, harmonics=waves)
-    bifurcation_curve = rs.BifurcationCurve(
-        type=rs.PointType.FOLD,
+    series = rs.motions.FourierSeries(amplitude=2.0, frequency_ratio=4.0, harmonics=waves)
+    bifurcation_curve = rs.branches.BifurcationCurve(
+        type=rs.branches.PointType.FOLD,
         parameters=("frequency_ratio", "amplitude"),
         points=(t["fold"], t["fold"]),
     )
@@ -26,18 +26,18 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         "largest_step": 0.1,
     }
     return {
-        rs.FourierSeries: {
+        rs.motions.FourierSeries: {
             "amplitude": 2.0,
             "frequency_ratio": 4.0,
             "harmonics": ((1, 1.0, 0.0), (2, 0.5, 0.0)),
         },
-        rs.FourierSeries.from_si: {
+        rs.motions.FourierSeries.from_si: {
             "block": block,
             "acceleration_m_s2": 4.0,
             "frequency_hz": 2.0,
             "harmonics": ((1, 1.0, 0.0),),
         },
-        rs.FourierSeries.from_samples: {
+        rs.motions.FourierSeries.from_samples: {
             "samples": [0.0, 1.0, 0.5, -1.0, -0.5],
             "frequency_ratio": 2.0,
             "orders": 2,
@@ -76,28 +76,31 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["exponent"].describe: {},
         t["exponent"].interval: {},
         t["boundary"].describe: {},
-        rs.BasinMatching: {"distance": "nearest", "threshold": 0.1},
-        rs.BasinSampling: {"angles": few, "velocities": few, "seed": 1},
-        rs.compute_basin_entropy: {"labels": np.zeros((4, 4), dtype=np.int64), "box": 2},
-        rs.compute_uncertainty_exponent: {"labels": np.eye(9, dtype=np.int64), "sizes": [1, 2]},
-        rs.check_boundary: {"labels": np.eye(18, dtype=np.int64), "ball": 2, "balls": 100},
+        rs.basins.MatchingOptions: {"distance": "nearest", "threshold": 0.1},
+        rs.basins.SamplingOptions: {"angles": few, "velocities": few, "seed": 1},
+        rs.basins.compute_basin_entropy: {"labels": np.zeros((4, 4), dtype=np.int64), "box": 2},
+        rs.basins.compute_uncertainty_exponent: {
+            "labels": np.eye(9, dtype=np.int64),
+            "sizes": [1, 2],
+        },
+        rs.basins.check_boundary: {"labels": np.eye(18, dtype=np.int64), "ball": 2, "balls": 100},
         t["erosion"].describe: {},
-        rs.IntegrityDrop(
+        rs.basins.IntegrityDrop(
             measure="integrity_factor", level=0.5, low=0.1, high=0.2, above=0.6, below=0.4
         ).describe: {},
         t["erosion"].drop: {"tolerance": 0.5},
         t["erosion"].measure: {"name": "integrity_factor"},
         t["erosion"].to_dataset: {},
-        rs.find_branches: {"origins": [t["orbit"]], **near, "max_branches": 1},
-        rs.follow_bifurcation: {
+        rs.branches.find_branches: {"origins": [t["orbit"]], **near, "max_branches": 1},
+        rs.branches.follow_bifurcation: {
             "origin": t["fold"],
             "parameters": ("frequency_ratio", "amplitude"),
             "within": ((3.9, 4.1), (1.9, 2.1)),
             "most_points": 3,
         },
-        rs.CurveSearch: {"orders": (1,), "max_impacts": 2},
-        rs.BifurcationCurve: {
-            "type": rs.PointType.FOLD,
+        rs.branches.CurveOptions: {"orders": (1,), "max_impacts": 2},
+        rs.branches.BifurcationCurve: {
+            "type": rs.branches.PointType.FOLD,
             "parameters": ("frequency_ratio", "amplitude"),
             "points": (t["fold"], t["fold"]),
         },
@@ -105,21 +108,25 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         bifurcation_curve.rows: {},
         bifurcation_curve.to_dataframe: {},
         t["resting branch"].pieces: {},
-        rs.find_cascade: {
+        rs.branches.find_cascade: {
             "origin": t["doubling"],
             "parameter": "frequency_ratio",
             "within": (1.7, 2.0),
             "direction": -1,
             "doublings": 3,
         },
-        rs.CodimensionTwo: {"point": t["fold"], "curves": (1, 2)},
-        rs.Region: {"place": (2.0, 3.0), "motions": ("symmetric",), "extent": (0, 1.0, 3.0)},
-        rs.BifurcationCurves: {
+        rs.branches.CodimensionTwoPoint: {"point": t["fold"], "curves": (1, 2)},
+        rs.branches.Region: {
+            "place": (2.0, 3.0),
+            "motions": ("symmetric",),
+            "extent": (0, 1.0, 3.0),
+        },
+        rs.branches.BifurcationCurves: {
             "block": bare,
             "motion": shaking,
             "parameters": ("frequency_ratio", "amplitude"),
             "within": ((3.9, 4.1), (1.9, 2.1)),
-            "search": rs.CurveSearch(),
+            "search": rs.branches.CurveOptions(),
             "curves": (),
             "points": (),
             "regions": (),
@@ -130,16 +137,16 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "motion": shaking,
             "parameters": ("frequency_ratio", "amplitude"),
             "within": ((3.9, 4.1), (0.1, 1.0)),
-            "search": rs.CurveSearch(lines=(1, 0), max_impacts=2, max_period=1),
+            "search": rs.branches.CurveOptions(lines=(1, 0), max_impacts=2, max_period=1),
         },
-        rs.find_resting_branches: {
+        rs.branches.find_resting_branches: {
             "block": bare,
             "motion": shaking,
             "parameter": "amplitude",
             "within": (1.0, 1.05),
             "resolution": 0.05,
         },
-        rs.follow_resting_orbit: {
+        rs.branches.follow_resting_branch: {
             "origin": t["resting point"],
             "parameter": "amplitude",
             "within": (1.0, 1.06),
@@ -147,7 +154,7 @@ def dynamics_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         },
         t["resting branch"].at: {"value": 1.05},
         t["resting branch"].value: {"point": t["resting point"]},
-        rs.RestingGap: fields(t["resting"].gaps[0]),
-        rs.Excursion: fields(t["resting point"].excursions[0]),
-        rs.follow_branch: {"origin": t["orbit"], **near, "most_points": 5},
+        rs.branches.RestingGap: fields(t["resting"].gaps[0]),
+        rs.branches.Excursion: fields(t["resting point"].excursions[0]),
+        rs.branches.follow_branch: {"origin": t["orbit"], **near, "most_points": 5},
     }

@@ -188,7 +188,7 @@ SCALARS: tuple[Callable[[], Any], ...] = tuple(
         float,
         rs.Block,
         rs.Status.ROCKING,
-        rs.AttractorKind.REST,
+        rs.outcomes.AttractorKind.REST,
         rs,
     )
 )

@@ -9,6 +9,7 @@ import pytest
 
 import rocksteady
 from tests.every import every
+from tools.namespace import THINGS
 
 MODULES = sorted(
     module.name
@@ -34,9 +35,9 @@ def test_the_examples_print_what_they_say(folder: str) -> None:
     assert results == dict.fromkeys(modules, 0)
 
 
-@every("name", rocksteady.__all__)
+@every("name", THINGS)
 def test_every_public_name_says_what_it_is(name: str) -> None:
-    thing = getattr(rocksteady, name)
+    thing = THINGS[name]
     if not isinstance(thing, str):
         text = inspect.getdoc(thing)
         assert text

@@ -37,12 +37,12 @@ They do not depend on what else the machine does."""
 
 HOLD_NAN = {
     "SteadyStates", "ResponseCurve", "RegionMap", "Boundaries", "Attractor", "Samples", "Fraction",
-    "Passage", "IntensityMeasures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
+    "Passage", "Measures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
     "OverturningWindow", "IntegratedRecord", "SteadyOrbit", "Trajectory", "AttractorSweep",
-    "Neighbour", "Neighbours", "FragilityCurve", "TwoStageCurve", "VectorFit", "Risk", "BranchTest",
-    "BackAnalysis", "FateBasins", "NoiseFates", "Excursion", "RestingBranches", "RestingBranch",
-    "RestingPoint", "RestingGap",
+    "Neighbour", "Neighbours", "FragilityCurve", "TwoStageCurve", "VectorCurve", "Risk",
+    "HazardBranchCheck", "BackAnalysis", "FateBasins", "NoiseFates", "Excursion",
+    "RestingBranches", "RestingBranch", "RestingPoint", "RestingGap",
 }  # fmt: skip
 """Results: NaN in one says that there is no such value, and their constructors let it pass."""
 
@@ -256,23 +256,31 @@ def test_results_are_compared_by_identity_and_can_be_kept_in_sets() -> None:
 @pytest.mark.parametrize(
     ("label", "changed", "line"),
     [
-        ("plot_section of a trajectory", {"since": "a"}, "since = 'a' is not valid: it must be a"),
-        ("plot_section of a trajectory", {"since": [1, 2]}, "since = [1, 2] is not valid"),
-        ("plot_section of a trajectory", {"since": 10**400}, "it must be a finite number"),
-        ("plot_section of a trajectory", {"since": junk.Vast()}, "it must be a finite number"),
-        ("plot_section of a trajectory", {"since": math.nan}, "since = nan is not valid"),
+        (
+            "plot_poincare_section of a trajectory",
+            {"since": "a"},
+            "since = 'a' is not valid: it must be a",
+        ),
+        ("plot_poincare_section of a trajectory", {"since": [1, 2]}, "since = [1, 2] is not valid"),
+        ("plot_poincare_section of a trajectory", {"since": 10**400}, "it must be a finite number"),
+        (
+            "plot_poincare_section of a trajectory",
+            {"since": junk.Vast()},
+            "it must be a finite number",
+        ),
+        ("plot_poincare_section of a trajectory", {"since": math.nan}, "since = nan is not valid"),
         ("Trajectory.base_acceleration", {"pt": 1e308}, "it must lie in [0, 1e+50]"),
         ("Trajectory.base_displacement", {"pt": [0.0, 1e308]}, "it must lie in [0, 1e+50]"),
         ("Trajectory.at_time", {"t_s": 1e308}, "pt = inf is not valid: the trajectory reaches"),
         ("Trajectory.at_time", {"t_s": -1e308}, "pt = -inf is not valid: the trajectory reaches"),
-        ("average_spectral_acceleration", {"period_s": 1e308}, "period_s = 1e+308 is not valid"),
+        ("compute_average_acceleration", {"period_s": 1e308}, "period_s = 1e+308 is not valid"),
         ("animate", {"speed": 5e-324}, "speed = 5e-324 is not valid"),
         ("plot_response", {"curves": ()}, "curves = () is not valid: there must be one or more"),
         ("Output", {"units": 3.0}, "units = 3.0 is not valid: it must be a text"),
         ("Axis", {"units": [1.0]}, "units = [1.0] is not valid: it must be a text"),
         ("DimensionlessBlock", {"restitution": junk.Quantity(0.8, "m")}, "it carries a unit"),
         ("DimensionlessBlock", {"restitution": np.ma.masked}, "1 of its 1 elements are masked"),
-        ("BasinMatching", {"threshold": np.array([1.0, 2.0])}, "threshold = array([1., 2.])"),
+        ("MatchingOptions", {"threshold": np.array([1.0, 2.0])}, "threshold = array([1., 2.])"),
         ("HilltopSaddle.direction", {"phase": (1.0,)}, "it must be a finite number"),
         ("HilltopSaddle.direction", {"kind": "stabel"}, "it must be 'unstable' or 'stable'"),
         ("Posterior.interval", {"untempered": np.arange(3.0)}, "it must be True or False"),
@@ -298,18 +306,20 @@ def test_the_line_names_what_is_wrong(label: str, changed: dict[str, Any], line:
 
 
 def test_a_curve_through_no_bifurcation_is_refused() -> None:
-    with pytest.raises(rs.InputError, match="curves = 'end-of-range' is not valid: a curve is"):
-        rs.plot_bifurcation_curves([[things()["branch"].points[0]]])
+    with pytest.raises(
+        rs.errors.InputError, match="curves = 'end-of-range' is not valid: a curve is"
+    ):
+        rs.plots.bifurcation_curves([[things()["branch"].points[0]]])
 
 
 def test_names_of_ten_thousand_characters_make_a_short_line() -> None:
     name = "a" * 10_000
     for make in (
-        lambda: rs.Axis(name=name, values=[1.0]),
-        lambda: rs.Output(name=name),
+        lambda: rs.sweeps.Axis(name=name, values=[1.0]),
+        lambda: rs.sweeps.Output(name=name),
         lambda: rs.map_attractors(things()["bare"], axes={name: [1.0]}),
     ):
-        with pytest.raises(rs.InputError) as refusal:
+        with pytest.raises(rs.errors.InputError) as refusal:
             make()
         assert len(str(refusal.value)) < 500
 

@@ -21,7 +21,7 @@ needs_records = pytest.mark.skipif(not ACROSS.is_file(), reason="there is no ../
 
 @needs_records
 def test_a_one_record_one_rack_with_its_vertical() -> None:
-    rack = rs.named_block("server-rack")
+    rack = rs.Block.named("server-rack")
     motion = rs.BaseMotion(rs.read_record(ACROSS), rs.read_record(UP))
     trajectory = rs.simulate(rack, motion)
     neighbours = rs.check_neighbours(trajectory)
@@ -104,9 +104,9 @@ def test_e_a_map_with_a_store_resumed(tmp_path: Path) -> None:
 
     store = rs.Store(tmp_path / "map.zarr", resume=True, chunk=500)
     with pytest.raises(KeyboardInterrupt):
-        rs.map_fates(block, axes=axes, run=rs.Run(store=store, progress=stop))
+        rs.map_fates(block, axes=axes, run=rs.Execution(store=store, progress=stop))
     again: list[int] = []
-    fates = rs.map_fates(block, axes=axes, run=rs.Run(store=store, progress=again.append))
+    fates = rs.map_fates(block, axes=axes, run=rs.Execution(store=store, progress=again.append))
 
     assert again[0] > 0  # cells that were there already
     assert sum(again) == 3600

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import rocksteady as rs
 from tests.every import every
+from tools.namespace import PLACES, THINGS
 
 INTERFACE = (Path(__file__).parents[2] / "docs" / "interface.md").read_text(encoding="utf-8")
 MOST_PARAMETERS = 8
@@ -56,17 +56,16 @@ PATTERNS = (
 )
 """Words that `docs/interface.md` replaces, in the docstrings of public names."""
 
-NAMES = [name for name in dir(rs) if not name.startswith("_")]
-FUNCTIONS = [name for name in NAMES if inspect.isfunction(getattr(rs, name))]
-CLASSES = [name for name in NAMES if inspect.isclass(getattr(rs, name))]
+FUNCTIONS = [name for name, thing in THINGS.items() if inspect.isfunction(thing)]
+CLASSES = [name for name, thing in THINGS.items() if inspect.isclass(thing)]
 
 
 def calls() -> Iterator[tuple[str, Any]]:
     """Yield every public function, constructor by class method, and method."""
     for name in FUNCTIONS:
-        yield name, getattr(rs, name)
+        yield name, THINGS[name]
     for name in CLASSES:
-        for own, member in vars(getattr(rs, name)).items():
+        for own, member in vars(THINGS[name]).items():
             plain = getattr(member, "__func__", member)
             if not own.startswith("_") and inspect.isfunction(plain):
                 yield f"{name}.{own}", plain
@@ -83,7 +82,7 @@ def test_no_function_has_more_than_eight_parameters(name: str) -> None:
 
 @every("name", FUNCTIONS)
 def test_every_parameter_has_a_type_and_a_description(name: str) -> None:
-    function = getattr(rs, name)
+    function = THINGS[name]
     documented = pydoc.getdoc(function)
     for parameter in inspect.signature(function).parameters.values():
         assert parameter.annotation is not parameter.empty, parameter
@@ -95,7 +94,7 @@ def test_one_argument_has_one_default() -> None:
     for name in FUNCTIONS:
         if name.startswith("plot_"):
             continue
-        for parameter in inspect.signature(getattr(rs, name)).parameters.values():
+        for parameter in inspect.signature(THINGS[name]).parameters.values():
             if parameter.default is not parameter.empty:
                 defaults[parameter.name][repr(parameter.default)].append(name)
     several = {key: dict(found) for key, found in defaults.items() if len(found) > 1}
@@ -105,7 +104,7 @@ def test_one_argument_has_one_default() -> None:
 def described_units() -> dict[str, dict[str, list[str]]]:
     """The units in the descriptions of arguments that have one of their own, and who says so."""
     units: dict[str, dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
-    for name, function in {**CALLS, **{name: getattr(rs, name) for name in CLASSES}}.items():
+    for name, function in {**CALLS, **{name: THINGS[name] for name in CLASSES}}.items():
         section = re.search(
             r"Parameters\n-+\n(.*?)(\n\n[A-Z][a-z]+\n-+\n|\Z)", pydoc.getdoc(function), re.DOTALL
         )
@@ -131,7 +130,7 @@ def test_one_argument_has_one_unit_and_that_of_its_suffix() -> None:
 
 @every("name", [*FUNCTIONS, *CLASSES])
 def test_every_name_is_documented_in_one_short_first_sentence(name: str) -> None:
-    text = pydoc.getdoc(getattr(rs, name))
+    text = pydoc.getdoc(THINGS[name])
     sentence = re.split(r"[.:;](?:\s|$)", text, maxsplit=1)[0]
     assert sentence
     assert len(sentence.split()) <= FIRST_SENTENCE, sentence
@@ -139,12 +138,12 @@ def test_every_name_is_documented_in_one_short_first_sentence(name: str) -> None
 
 @every("name", FUNCTIONS)
 def test_help_of_a_function_fits_a_screen(name: str) -> None:
-    assert len(pydoc.getdoc(getattr(rs, name)).splitlines()) <= SCREEN
+    assert len(pydoc.getdoc(THINGS[name]).splitlines()) <= SCREEN
 
 
 @every("name", FUNCTIONS)
 def test_every_function_has_an_example(name: str) -> None:
-    documented = inspect.getdoc(getattr(rs, name)) or ""
+    documented = inspect.getdoc(THINGS[name]) or ""
     assert ">>> " in documented or name.startswith("plot_")
 
 
@@ -152,7 +151,7 @@ def test_every_function_has_an_example(name: str) -> None:
 def test_public_docstrings_use_the_usual_words(pattern: str) -> None:
     found = {
         name: match[0]
-        for name, thing in {**{name: getattr(rs, name) for name in NAMES}, **CALLS}.items()
+        for name, thing in {**THINGS, **CALLS}.items()
         if (match := re.search(pattern, inspect.getdoc(thing) or ""))
     }
     assert found == {}
@@ -160,20 +159,20 @@ def test_public_docstrings_use_the_usual_words(pattern: str) -> None:
 
 def test_a_suffix_is_a_unit() -> None:
     for name in CLASSES:
-        for field in getattr(getattr(rs, name), "__dataclass_fields__", {}):
+        for field in getattr(THINGS[name], "__dataclass_fields__", {}):
             assert not re.fullmatch(r"(end|rest|overturn|start)_s", field), (name, field)
     for name in FUNCTIONS:
-        for parameter in inspect.signature(getattr(rs, name)).parameters:
+        for parameter in inspect.signature(THINGS[name]).parameters:
             assert parameter != "s", name
 
 
 @every("name", [name for name in FUNCTIONS if not name.startswith("plot_")])
 def test_the_interface_lists_every_verb_and_formula(name: str) -> None:
-    assert f"`{name}`" in INTERFACE
+    assert f"`{PLACES[name]}`" in INTERFACE
 
 
 def test_the_interface_lists_nothing_else() -> None:
     listed = set(re.findall(r"^\| `.*", INTERFACE, flags=re.MULTILINE))
-    words = {word for line in listed for word in re.findall(r"`([a-z_]+)`", line)}
+    words = {word for line in listed for word in re.findall(r"`([a-z_.]+)`", line)}
     functions = {word for word in words if "_" in word and not word.endswith("_")}
-    assert {word for word in functions if not hasattr(rs, word)} == set()
+    assert functions - set(PLACES.values()) == set()

@@ -104,7 +104,7 @@ def test_a_table_of_any_result_that_is_cut_keeps_its_worst_rows(made: dict[str, 
 
 def test_a_result_without_a_table_is_one_row_of_its_plain_facts(made: dict[str, Any]) -> None:
     record = made["record"]
-    found = rs.measure_intensity(record)
+    found = rs.compute_measures(record)
     values = {key: [value] for key, value in found.to_dict().items()}
     assert found.to_dataframe().to_dict("list") == values
     assert values["pga_m_s2"] == [pytest.approx(np.abs(record.acceleration_m_s2).max())]
@@ -157,7 +157,7 @@ def _drawable(made: dict[str, Any]) -> dict[str, Any]:
     drawable["fate map"] = rs.map_fates(
         block, motion, axes={"phase": [0.0, 3.0], "velocity": [0.0, 0.5]}, cycles=5
     )
-    search = rs.CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
+    search = rs.branches.CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
     curves = rs.find_bifurcation_curves(
         block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=search
     )
@@ -182,7 +182,7 @@ def test_every_result_of_which_there_is_a_picture_draws_it_without_an_argument(
 
 
 def test_one_response_curve_is_drawn_as_a_list_of_one_is(made: dict[str, Any]) -> None:
-    drawn = [rs.plot_response(each) for each in (made["curve"], [made["curve"]])]
+    drawn = [rs.plots.response(each) for each in (made["curve"], [made["curve"]])]
     try:
         one, other = ([np.asarray(line.get_ydata()) for line in axes.lines] for axes in drawn)
         assert len(one) == len(other) > 1
@@ -250,13 +250,15 @@ def test_what_compares_by_value_is_equal_to_its_copies(made: dict[str, Any]) -> 
             (rows, 0.05),
             (np.array(rows), 0.05),
             (record, None),
-            (rs.compute_response_spectrum(record, [0.1, 1.0]), None),
+            (rs.measures.compute_response_spectrum(record, [0.1, 1.0]), None),
         )
     ]
-    floor = rs.SpectrumTable(periods_s=[0.0, 0.4, 4.0], values_g=[0.3, 1.2, 0.1], damping=0.05)
+    floor = rs.codes.SpectrumTable(
+        periods_s=[0.0, 0.4, 4.0], values_g=[0.3, 1.2, 0.1], damping=0.05
+    )
     more = [*demands, *(rs.screen_block(block, each, friction=0.3) for each in demands)]
-    more += [rs.FacadeDemand(slv=floor), made["record demand"]]
-    more += [rs.FacadeDemand(slv=made["record demand"])]
+    more += [rs.codes.FacadeDemand(slv=floor), made["record demand"]]
+    more += [rs.codes.FacadeDemand(slv=made["record demand"])]
     compared = [
         each for each in held([*made.values(), *more], seen) if "__eq__" in vars(type(each))
     ]

@@ -17,16 +17,18 @@ def square(amplitude: Any, **_: Any) -> dict[str, Any]:
     return {"value": np.asarray(amplitude, dtype=np.float64) ** 2}
 
 
-NOISE = rs.BandNoise(rms=0.2, band=(1.0, 5.0), duration=8.0, seed=1)
-MANY = [field.name for field in dataclasses.fields(rs.Attractors)]
+NOISE = rs.motions.BandNoise(rms=0.2, band=(1.0, 5.0), duration=8.0, seed=1)
+MANY = [field.name for field in dataclasses.fields(rs.orbits.Attractors)]
 
 
 @functools.cache
-def resting_branches() -> rs.RestingBranches:
+def resting_branches() -> rs.branches.RestingBranches:
     """Return orbits that come to rest, over a parameter."""
     bare = rs.DimensionlessBlock(restitution=0.8)
     lifted = rs.Harmonic(amplitude=1.05, frequency_ratio=2.0)
-    return rs.find_resting_branches(bare, lifted, "amplitude", (0.99, 1.06), resolution=0.035)
+    return rs.branches.find_resting_branches(
+        bare, lifted, "amplitude", (0.99, 1.06), resolution=0.035
+    )
 
 
 @functools.cache
@@ -42,24 +44,28 @@ def things() -> dict[str, Any]:
     pushed = rs.simulate(block, pulse)
     orbit = rs.find_attractor(bare, shaking, start=rs.Steady()).orbit
     assert orbit is not None
-    (branch,) = rs.find_branches([orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1)
+    (branch,) = rs.branches.find_branches(
+        [orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1
+    )
     point = branch.points[0]
-    fold = rs.BranchPoint(type=rs.PointType.FOLD, arclength=0.0, chain=point.chain)
-    recording = rs.Recording(
+    fold = rs.branches.BranchPoint(
+        type=rs.branches.PointType.FOLD, arclength=0.0, chain=point.chain
+    )
+    recording = rs.records.Recording(
         record=record, format="peer", path=Path("made.AT2"), units_in_file="g", component="000"
     )
     spectrum = rs.compute_rocking_spectrum(record, alpha=[0.2, 0.3], periods_s=[1.0, 2.0])
     other = rs.Record(acceleration_m_s2=np.array([0.0, 3.0, -3.0]), dt_s=0.2, name="other")
     suite = rs.compute_rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
-    grid = rs.Grid(axes=(rs.Axis(name="amplitude", values=[1.0, 2.0]),))
+    grid = rs.sweeps.Grid(axes=(rs.sweeps.Axis(name="amplitude", values=[1.0, 2.0]),))
     maps = rs.map_attractors(
         bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, max_cycles=50
     )
     few = [-0.5, 0.0, 0.5]
     edge = rs.find_edge_state(bare, rs.Harmonic(amplitude=0.1, frequency_ratio=4.0))
-    saddles = rs.find_hilltop_saddles(bare, edge.motion)[:1]
+    saddles = rs.basins.find_hilltop_saddles(bare, edge.motion)[:1]
     states = rs.find_steady_states(2.0, 4.0, 0.8)
-    hazard = rs.HazardCurve(
+    hazard = rs.risk.HazardCurve(
         measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([1e-2, 1e-4, 1e-5])
     )
     Path("hazard.csv").write_text("PGA [g],annual rate\n0.1,0.01\n1,0.0001\n", encoding="utf-8")
@@ -69,16 +75,19 @@ def things() -> dict[str, Any]:
         "name = 'vase'\n[geometry]\nwidth_m = 0.1\nheight_m = 0.5\n", encoding="utf-8"
     )
     described = rs.read_object("object.toml")
-    vase = rs.ObjectPrior(name="vase", width_m="0.10:0.12", height_m=0.5)
+    vase = rs.calibration.ObjectPrior(name="vase", width_m="0.10:0.12", height_m=0.5)
     tests = [
-        rs.ShakingTest(name=f"test {k}", record=record, object="vase", fell=k > 0, gain=0.5 + k)
+        rs.calibration.ShakingTest(
+            name=f"test {k}", record=record, object="vase", fell=k > 0, gain=0.5 + k
+        )
         for k in range(2)
     ]
-    survey = rs.Survey(
-        objects=[vase, rs.ObjectPrior(name="urn", width_m=0.2, height_m=0.5)], fell=[True, False]
+    survey = rs.calibration.Survey(
+        objects=[vase, rs.calibration.ObjectPrior(name="urn", width_m=0.2, height_m=0.5)],
+        fell=[True, False],
     )
-    falls = rs.LossState(name="overturned", median=0.4, beta=0.5)
-    sliding = rs.ObjectFile(
+    falls = rs.export.LossState(name="overturned", median=0.4, beta=0.5)
+    sliding = rs.risk.DescribedObject(
         values={**described.values, "friction": 0.1, "demand": {"pga_g": 0.5, "pgv_m_s": 0.5}}
     )
     assessed = rs.assess_object(sliding, [record, other])
@@ -86,31 +95,35 @@ def things() -> dict[str, Any]:
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
         else:
-            rs.evaluate(square, grid, (rs.Output(name="value"),), run=rs.Run(store=path))
-    stripes = rs.Stripes("pga_g", [0.4, 0.8, 1.6])
-    fitting = rs.Fitting(states=["uplift", "overturned"], bands=None)
+            rs.sweeps.evaluate(
+                square, grid, (rs.sweeps.Output(name="value"),), run=rs.Execution(store=path)
+            )
+    stripes = rs.risk.Levels("pga_g", [0.4, 0.8, 1.6])
+    fitting = rs.risk.FitOptions(states=["uplift", "overturned"], bands=None)
     fragility = rs.compute_fragility(
         block,
         [record, other],
         stripes=stripes,
-        restitution=rs.RestitutionBand(draws=1),
+        restitution=rs.risk.RestitutionBand(draws=1),
         fitting=fitting,
     )
     demand = rs.Demand(pga_g=0.5, pgv_m_s=0.6)
     screens = rs.screen_block(block, demand)
-    observations = rs.Observations(tests=tests, objects={"vase": vase})
+    observations = rs.calibration.Observations(tests=tests, objects={"vase": vase})
     calibration = rs.calibrate(
-        observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), folds="test"
+        observations, sampling=rs.calibration.DrawOptions(draws=30, gains=1, rounds=1), folds="test"
     )
     if not Path("calibrated").exists():
         with without_pictures():
-            rs.write_calibration(calibration, "calibrated")
+            rs.export.write_calibration(calibration, "calibrated")
     return {
         **facade_things(record),
         "survey": survey,
         "calibrated": "calibrated",
         "back analysis": rs.back_analyse(
-            survey, [record, other], scan=rs.Scan(levels=6, draws=2, temper=0.5, trials=0)
+            survey,
+            [record, other],
+            scan=rs.calibration.ScanOptions(levels=6, draws=2, temper=0.5, trials=0),
         ),
         "stripes": stripes,
         "fitting": fitting,
@@ -120,11 +133,11 @@ def things() -> dict[str, Any]:
         "demand": demand,
         "screens": screens,
         "screen": screens.rows[0],
-        "quick": rs.assess_two_numbers(block, 0.5, 0.6),
+        "quick": rs.risk.assess_by_formula(block, 0.5, 0.6),
         "block": block,
         "bare": bare,
         "shaking": shaking,
-        "view": rs.ExplorerView(block=block, motion=shaking),
+        "view": rs.export.ExplorerView(block=block, motion=shaking),
         "record": record,
         "run": run,
         "pulse": pulse,
@@ -139,34 +152,36 @@ def things() -> dict[str, Any]:
         "resting branch": resting_branches().branches[0],
         "resting point": resting_branches().branches[0].points[9],
         "recording": recording,
-        "set": rs.RecordSet(name="made", horizontal=(recording,)),
+        "set": rs.records.RecordSet(name="made", horizontal=(recording,)),
         "spectrum": spectrum,
         "suite": suite,
-        "summary": rs.summarise_spectra(suite),
+        "summary": rs.measures.compute_suite_spectrum(suite),
         "grid": grid,
         "object": described,
-        "facts": rs.derive_facts(described),
+        "facts": rs.risk.compute_object_facts(described),
         "assessment": assessed,
         "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
-        "output": rs.Output(name="value"),
+        "output": rs.sweeps.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
-        "shares": rs.compute_basin_shares(
+        "shares": rs.basins.compute_basin_shares(
             bare,
             shaking,
             "amplitude",
             [1.9, 2.0],
-            sampling=rs.BasinSampling(angles=few, velocities=few, max_cycles=20),
+            sampling=rs.basins.SamplingOptions(angles=few, velocities=few, max_cycles=20),
         ),
-        "entropy": rs.compute_basin_entropy([[0, 1], [0, 0]], 2),
-        "exponent": rs.compute_uncertainty_exponent([0, 0, 1, 1, 1, 1, 0, 0, 1, 0, 1], [1, 2, 3]),
-        "boundary": rs.check_boundary([[0] * 9 + [1] * 9] * 18, 2, balls=100),
+        "entropy": rs.basins.compute_basin_entropy([[0, 1], [0, 0]], 2),
+        "exponent": rs.basins.compute_uncertainty_exponent(
+            [0, 0, 1, 1, 1, 1, 0, 0, 1, 0, 1], [1, 2, 3]
+        ),
+        "boundary": rs.basins.check_boundary([[0] * 9 + [1] * 9] * 18, 2, balls=100),
         "erosion": rs.compute_erosion(
             bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
         ),
         "edge": edge,
         "hilltop": saddles[0],
-        "manifold": rs.compute_manifold(saddles[0], kind="stable", length=0.5, spacing=0.1),
+        "manifold": rs.basins.compute_manifold(saddles[0], kind="stable", length=0.5, spacing=0.1),
         "fates": rs.compute_fate_basins(block, pulse, angles=few, velocities=few),
         "noise": NOISE,
         "noise fates": rs.compute_noise_fates(
@@ -174,51 +189,57 @@ def things() -> dict[str, Any]:
         ),
         "pushed": pushed,
         "neighbours": rs.check_neighbours(pushed),
-        "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], max_cycles=50),
+        "trail": rs.orbits.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], max_cycles=50),
         "diagram": rs.find_bifurcations(
             bare,
             shaking,
             "amplitude",
             within=(1.9, 2.1),
             values=2,
-            search=rs.BranchSearch(max_period=1, max_impacts=2, doublings=1),
+            search=rs.branches.BranchOptions(max_period=1, max_impacts=2, doublings=1),
         ),
         "curves": rs.find_bifurcation_curves(
             bare,
             shaking,
             within=((3.9, 4.1), (0.1, 1.0)),
-            search=rs.CurveSearch(lines=(1, 0), max_impacts=2, max_period=1),
+            search=rs.branches.CurveOptions(lines=(1, 0), max_impacts=2, max_period=1),
         ),
-        "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
-        "course": rs.integrate_record(record),
-        "many": rs.find_attractors([0.5, 2.0], 4.0, 0.8, velocity=0.2, max_cycles=50),
-        "response": rs.compute_response_spectrum(record, [0.5, 1.0]),
+        "cascade": rs.branches.Cascade(parameter="amplitude", points=branch.points),
+        "course": rs.measures.integrate_record(record),
+        "many": rs.orbits.find_attractors([0.5, 2.0], 4.0, 0.8, velocity=0.2, max_cycles=50),
+        "response": rs.measures.compute_response_spectrum(record, [0.5, 1.0]),
         "curve": rs.compute_response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
         "states": states,
-        "steady": rs.compute_steady_orbit(2.0, 4.0, 0.8, samples=11),
-        "regions": rs.compute_region_map([3.0, 4.0], 0.8),
+        "steady": rs.orbits.compute_steady_orbit(2.0, 4.0, 0.8, samples=11),
+        "regions": rs.orbits.compute_region_map([3.0, 4.0], 0.8),
         "windows": rs.find_overturning_windows(
             bare, "half-sine", [3.0, 3.5], within=(3.0, 4.0), resolution=0.1
         ),
         "scales": rs.find_overturning_scales(block, record, within=(1.0, 1.2), resolution=0.1),
-        "kicks": rs.find_fatal_kick(block, times_pt=[0.0, 1.0]),
+        "kicks": rs.find_fatal_kicks(block, times_pt=[0.0, 1.0]),
         "attractor": rs.find_attractor(bare, shaking, max_cycles=50),
-        "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
-        "map_of_return": rs.ReturnMap(bare, shaking),
+        "state": rs.histories.ImpactState(side=1, phase=0.5, speed=0.3),
+        "map_of_return": rs.orbits.ReturnMap(bare, shaking),
         "store": rs.Store("new.zarr"),
         "hazard": hazard,
         "risk": rs.compute_risk((0.4, 0.5), hazard),
-        "branch test": rs.reject_branches((0.4, 0.5), [hazard], 10_000.0),
-        "boundaries": rs.region_boundaries(4.0, 0.8),
-        "fragility_curve": rs.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
+        "branch test": rs.risk.check_hazard_branches((0.4, 0.5), [hazard], 10_000.0),
+        "boundaries": rs.orbits.compute_region_boundaries(4.0, 0.8),
+        "fragility_curve": rs.risk.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
         "restitution_fit": rs.fit_restitution([0.2, 0.16, 0.13, 0.11, 0.1, 0.09], block),
-        "two_stages": rs.fit_two_stages([0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]),
-        "vector_fit": rs.fit_vector([[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3),
+        "two_stages": rs.risk.fit_two_stages(
+            [0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]
+        ),
+        "vector_fit": rs.risk.fit_vector(
+            [[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3
+        ),
         "loss state": falls,
-        "component": rs.LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,)),
-        "spread": rs.Spread.parse("0.3:0.4"),
+        "component": rs.export.LossComponent(
+            identifier="RS.vase", measure="pga_g", states=(falls,)
+        ),
+        "spread": rs.calibration.PriorRange.parse("0.3:0.4"),
         "object prior": vase,
-        "prior": rs.Prior(),
+        "prior": rs.calibration.Prior(),
         "shaking test": tests[0],
         "observations": observations,
         "calibration": calibration,
@@ -226,26 +247,28 @@ def things() -> dict[str, Any]:
         "predictions": calibration.validation.predictions,
         "posterior": calibration.posteriors["vase"],
         "scores": calibration.validation.rows["calibrated"],
-        "installation": rs.check_installation(),
+        "installation": rs.installation.check_installation(),
     }
 
 
 def facade_things(record: rs.Record) -> dict[str, Any]:
     """Return one of every class of facades."""
-    front = rs.Facade(
+    front = rs.codes.Facade(
         name="front",
         thickness_m=0.4,
         height_m=4.0,
-        loads=(rs.Load(name="roof", weight_kn=4.0, x_m=0.2, z_m=4.0),),
-        masses=(rs.PushingMass(name="vault", weight_kn=3.0, z_m=2.0),),
-        ties=(rs.Tie(name="rods", force_kn=2.0, z_m=3.0),),
-        thrusts=(rs.Thrust(name="vault", force_kn=0.5, z_m=2.0),),
+        loads=(rs.codes.Load(name="roof", weight_kn=4.0, x_m=0.2, z_m=4.0),),
+        masses=(rs.codes.PushingMass(name="vault", weight_kn=3.0, z_m=2.0),),
+        ties=(rs.codes.Tie(name="rods", force_kn=2.0, z_m=3.0),),
+        thrusts=(rs.codes.Thrust(name="vault", force_kn=0.5, z_m=2.0),),
     )
-    site = rs.ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil="B")
-    floor = rs.SpectrumTable(periods_s=[0.0, 0.5, 6.0], values_g=[0.3, 0.9, 0.02], damping=0.05)
-    seven = rs.RecordDemand(records=tuple(record.scaled(0.7 + 0.1 * k) for k in range(7)))
-    loads = rs.FacadeDemand(sld=site, slv=floor, slc=seven)
-    fronts = rs.run_facade(front, seven.records, scale=0.1)
+    site = rs.codes.ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil="B")
+    floor = rs.codes.SpectrumTable(
+        periods_s=[0.0, 0.5, 6.0], values_g=[0.3, 0.9, 0.02], damping=0.05
+    )
+    seven = rs.codes.RecordDemand(records=tuple(record.scaled(0.7 + 0.1 * k) for k in range(7)))
+    loads = rs.codes.FacadeDemand(sld=site, slv=floor, slc=seven)
+    fronts = rs.codes.run_facade(front, seven.records, scale=0.1)
     return {
         "facade": front,
         "mechanism": front.mechanism,
@@ -253,7 +276,7 @@ def facade_things(record: rs.Record) -> dict[str, Any]:
         "spectrum table": floor,
         "record demand": seven,
         "facade demand": loads,
-        "facade file": rs.FacadeFile(facade=front, demand=loads),
+        "facade file": rs.codes.DescribedFacade(facade=front, demand=loads),
         "facade runs": fronts,
         "facade check": rs.check_facade(front, loads, runs=fronts),
     }

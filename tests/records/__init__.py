@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import Record, Recording, read_record
+from rocksteady import Record, read_record
+from rocksteady.records import Recording
 
 Floats = NDArray[np.float64]
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from rocksteady import Recording, read_recordings
+from rocksteady.records import Recording, read_recordings
 
 G = 9.80665
 THREE = [1.0, -2.5, 0.5]

@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, Recording, read_recordings
+from rocksteady.errors import InputError
+from rocksteady.records import Recording, read_recordings
 from tests.records.changes import Change, change
 from tests.records.test_mutations import GIVEN, WRITTEN, values
 from tests.records.writers import samples

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import InputError, Recording, read_recordings
+from rocksteady.errors import InputError
+from rocksteady.records import Recording, read_recordings
 from tests.every import every
 from tests.records import FOLDER
 from tests.records.mutations import KINDS, Mutation, mutation

@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, Record, RecordSet, pair_records, read_recordings
+from rocksteady import Record
+from rocksteady.errors import InputError
+from rocksteady.records import RecordSet, pair_records, read_recordings
 from tests.records import recording
 from tests.records.writers import at2, csv, knet, samples
 

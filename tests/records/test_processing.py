@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import InputError, correct_baseline, read_record, resample
+from rocksteady import read_record
+from rocksteady.errors import InputError
+from rocksteady.records import correct_baseline, resample
 from tests.every import every
 from tests.records import recording
 from tests.records.writers import at2, samples

@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, RecordFileError, read_record, read_recordings
+from rocksteady import read_record
+from rocksteady.errors import InputError, RecordFileError
+from rocksteady.records import read_recordings
 from rocksteady.records.read import FORMATS
 from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc

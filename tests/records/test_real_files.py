@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import pair_records, read_recordings
+from rocksteady.records import pair_records, read_recordings
 from tests.every import every
 from tests.records import FOLDER
 

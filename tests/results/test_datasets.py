@@ -19,7 +19,7 @@ MOTION = rs.Harmonic(amplitude=2.0, frequency_ratio=2.0)
 
 
 @cache
-def diagram() -> rs.BifurcationDiagram:
+def diagram() -> rs.branches.BifurcationDiagram:
     """Folds none, but breaking, doublings, overturning and branches of 2 and 4 flights."""
     return rs.find_bifurcations(
         BLOCK,
@@ -27,7 +27,7 @@ def diagram() -> rs.BifurcationDiagram:
         "frequency_ratio",
         within=(1.7, 2.2),
         values=9,
-        search=rs.BranchSearch(max_period=2, doublings=3),
+        search=rs.branches.BranchOptions(max_period=2, doublings=3),
     )
 
 

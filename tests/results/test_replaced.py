@@ -13,6 +13,7 @@ import pytest
 
 import rocksteady as rs
 from tests.public.things import things
+from tools.namespace import THINGS
 
 UNSETTLED = {"Demand"}
 """What takes a peak and a damping from its table or file, and keeps them when it is replaced."""
@@ -28,8 +29,14 @@ def one_of_each() -> list[Any]:
     seen: dict[type, Any] = {}
     waiting = [
         *things().values(),
-        *(rs.BranchSearch(), rs.CurveSearch(), rs.Sampling(), rs.Nonlinear(), rs.Steady()),
-        rs.Impulses(velocities=(0.5, -0.2), times=(0.0, 1.0)),
+        *(
+            rs.branches.BranchOptions(),
+            rs.branches.CurveOptions(),
+            rs.calibration.DrawOptions(),
+            rs.Nonlinear(),
+            rs.Steady(),
+        ),
+        rs.motions.Impulses(velocities=(0.5, -0.2), times=(0.0, 1.0)),
         rs.Block.asymmetric(left=0.15, right=0.2, height=1.2, restitution=("housner", 0.9)),
     ]
     while waiting:
@@ -41,7 +48,7 @@ def one_of_each() -> list[Any]:
             waiting += [getattr(here, field.name) for field in dataclasses.fields(here)]
         elif isinstance(here, list | tuple):
             waiting += here[:3]
-    return [each for each in seen.values() if getattr(rs, type(each).__name__, None) is type(each)]
+    return [each for each in seen.values() if THINGS.get(type(each).__name__) is type(each)]
 
 
 def state(value: Any) -> Any:
@@ -73,7 +80,7 @@ def others(value: Any) -> Iterator[Any]:
         yield from (0.5, 1, 3, 2.0, 0.8, "rest", True, (1.0, 2.0))
     elif isinstance(value, tuple):
         yield from (value[:-1], (*value, *value[-1:]), (3,), (1, 3))
-    elif isinstance(value, rs.Side):
+    elif isinstance(value, rs.formulas.Side):
         yield from (dataclasses.replace(value, restitution=ratio) for ratio in (0.7, 1.0))
 
 
@@ -123,7 +130,7 @@ def test_copies_hold_what_the_original_holds() -> None:
     for one in one_of_each():
         for twin in (copy.copy(one), copy.deepcopy(one), pickle.loads(pickle.dumps(one))):
             assert state(twin) == state(one), type(one)
-            if "__eq__" in vars(type(one)) and not isinstance(one, rs.Screens):
+            if "__eq__" in vars(type(one)) and not isinstance(one, rs.codes.Screens):
                 assert twin == one, type(one)
 
 

@@ -7,16 +7,9 @@ from functools import cache
 from typing import Any
 from unittest.mock import patch
 
-from rocksteady import (
-    Block,
-    Calibration,
-    Linear,
-    Observations,
-    Sampling,
-    calibrate,
-    make_synthetic_suite,
-    make_synthetic_tests,
-)
+from rocksteady import Block, Linear, calibrate
+from rocksteady.calibration import Calibration, DrawOptions, Observations, make_synthetic_tests
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.show.calibration import _calibration_report
 
 PICTURES: dict[str, Any] = {"ladders": [], "posteriors": []}
@@ -42,7 +35,7 @@ def observations() -> Observations:
 
 def few(tests: Observations) -> Calibration:
     """Calibrate with few draws of the linear model."""
-    sampling = Sampling(draws=120, gains=2, rounds=2)
+    sampling = DrawOptions(draws=120, gains=2, rounds=2)
     return calibrate(tests, sampling=sampling, model=Linear())
 
 

@@ -8,37 +8,32 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from rocksteady import (
-    BasinSampling,
     Block,
-    BranchSearch,
     DimensionlessBlock,
-    Fitting,
     Harmonic,
     Record,
-    RestitutionBand,
     State,
     Still,
-    Trajectory,
-    compute_basin_shares,
     compute_basins,
     compute_erosion,
     compute_fragility,
-    compute_region_map,
     compute_response_curve,
-    compute_response_spectrum,
     compute_rocking_spectrum,
-    compute_steady_orbit,
     find_attractor,
     find_bifurcations,
     find_orbits,
     find_overturning_windows,
-    integrate_record,
     map_attractors,
     simulate,
-    summarise_spectra,
 )
+from rocksteady.basins import SamplingOptions, compute_basin_shares
+from rocksteady.branches import BranchOptions
+from rocksteady.histories import Trajectory
+from rocksteady.measures import compute_response_spectrum, compute_suite_spectrum, integrate_record
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.orbits import compute_region_map, compute_steady_orbit
+from rocksteady.risk import FitOptions, RestitutionBand
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.figures.single import (
@@ -99,7 +94,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         "frequency_ratio",
         within=(1.6, 2.4),
         values=41,
-        search=BranchSearch(max_period=2, doublings=0),
+        search=BranchOptions(max_period=2, doublings=0),
     )
     eroded = compute_erosion(
         BARE,
@@ -145,11 +140,11 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         Harmonic(amplitude=0.5, frequency_ratio=2.0),
         "frequency_ratio",
         np.linspace(1.6, 3.0, 8),
-        sampling=BasinSampling(angles=window, velocities=window, seed=1),
+        sampling=SamplingOptions(angles=window, velocities=window, seed=1),
     )
     free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
     fallen = compute_fragility(
-        BLOCK, suite, restitution=RestitutionBand(draws=1), fitting=Fitting(bands=None)
+        BLOCK, suite, restitution=RestitutionBand(draws=1), fitting=FitOptions(bands=None)
     )
     return {
         "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
@@ -176,7 +171,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         "spectrum": lambda page: spectrum_figure(spectrum.isel(record=0), TITLE, page),
         "spectrum-map": lambda page: spectrum_figure(many, TITLE, page),
         "fragility": lambda page: fragility_figure(fallen, title=TITLE, page=page),
-        "suite": lambda page: suite_figure(summarise_spectra(spectrum), TITLE, page),
+        "suite": lambda page: suite_figure(compute_suite_spectrum(spectrum), TITLE, page),
     }
 
 

@@ -19,20 +19,16 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    OverturningWindows,
     Record,
     compute_response_curve,
-    compute_response_spectrum,
-    find_branches,
     find_orbits,
     find_overturning_windows,
-    plot_bifurcations,
-    plot_overturning,
-    plot_phase_portrait,
-    plot_response,
-    plot_response_spectra,
+    plots,
     simulate,
 )
+from rocksteady.branches import find_branches
+from rocksteady.measures import compute_response_spectrum
+from rocksteady.overturning import OverturningWindows
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import bifurcation_figure, simulation_figure
 from rocksteady.show.film.animation import film_of
@@ -75,7 +71,7 @@ def crowded() -> Axes:
     smooth = [orbit for orbit in starts if not orbit.rest_phases]
     branches = find_branches(smooth, "amplitude", (0.1, 3.0), max_period=2)
     figure = Figure(figsize=(8.8, 4.8), layout="constrained")
-    return plot_bifurcations(branches, ax=figure.add_subplot())
+    return plots.bifurcations(branches, ax=figure.add_subplot())
 
 
 @pytest.mark.slow
@@ -99,7 +95,7 @@ def test_bifurcations_that_crowd_are_drawn_again_and_apart() -> None:
 
 
 def test_bifurcations_apart_have_no_inset() -> None:
-    axes = plot_bifurcations(over_frequency(), ax=Figure(figsize=(8.8, 4.8)).add_subplot())
+    axes = plots.bifurcations(over_frequency(), ax=Figure(figsize=(8.8, 4.8)).add_subplot())
     assert not axes.child_axes
 
 
@@ -117,7 +113,7 @@ def test_a_crowd_is_the_largest_one_and_small() -> None:
 def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
     starts = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1)
     branches = find_branches(starts, "frequency_ratio", (0.5, 12.0), max_period=4)
-    axes = plot_bifurcations(branches, ax=Figure(figsize=(8.8, 4.8)).add_subplot())
+    axes = plots.bifurcations(branches, ax=Figure(figsize=(8.8, 4.8)).add_subplot())
     assert axes.get_xscale() == "log"
 
 
@@ -157,7 +153,7 @@ def leaning(count: int) -> OverturningWindows:
 
 def test_a_narrow_window_that_leans_is_a_band_and_no_stairs() -> None:
     windows = leaning(12)
-    axes = plot_overturning(windows, Figure().add_subplot())
+    axes = plots.overturning(windows, Figure().add_subplot())
     # The finer spectrum tells what overturns between the frequencies of the coarse one.
     fine = leaning(23)
     met = 0
@@ -175,7 +171,7 @@ def test_a_narrow_window_that_leans_is_a_band_and_no_stairs() -> None:
 
 
 def test_a_block_that_never_moves_says_so_in_its_phase_plane() -> None:
-    axes = plot_phase_portrait(resting(), Figure().add_subplot())
+    axes = plots.phase_portrait(resting(), Figure().add_subplot())
     assert "at rest throughout" in axes.texts[0].get_text()
     assert axes.get_xlim() == (-1.0, 1.0)
 
@@ -203,7 +199,7 @@ def test_more_curves_than_colours_differ_by_marks() -> None:
         compute_response_curve(BARE, a, frequency_ratio=np.linspace(1.0, 8.0, 60))
         for a in np.linspace(1.0, 4.0, 14)
     ]
-    axes = plot_response(curves, Figure().add_subplot())
+    axes = plots.response(curves, Figure().add_subplot())
     looks = {
         (line.get_color(), line.get_marker())
         for line in axes.lines
@@ -216,7 +212,7 @@ def test_more_curves_than_colours_differ_by_marks() -> None:
 @every("name", NAMES[::2])
 def test_a_name_from_outside_is_shown_as_it_is(name: str) -> None:
     spectra = [compute_response_spectrum(shock(each), [0.1, 0.3, 1.0]) for each in (name, "other")]
-    axes = plot_response_spectra(spectra, Figure().add_subplot())
+    axes = plots.response_spectra(spectra, Figure().add_subplot())
     legend = axes.get_legend()
     assert legend is not None
     assert len(legend.get_texts()) == 3, "an entry for each, and the mean"

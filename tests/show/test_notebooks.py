@@ -20,21 +20,23 @@ unlike = lambda: sorted(
 )
 """
 KEPT = "settings = dict(mpl.rcParams)"
-OURS = "rs.plot_trajectory(run);"
+OURS = "rs.plots.trajectory(run);"
 THEIRS = "import matplotlib.pyplot as plt; plt.plot([0, 1]);"
 THREAD = (
     "import threading; from rocksteady.show.figures.single import simulation_figure\n"
     "thread = threading.Thread(target=simulation_figure, args=(run,))\n"
     "thread.start(); thread.join()"
 )
-FILM = "film = rs.animate(run, span=(0.0, 0.5), fps=10.0); film.save('film.gif', writer='pillow')"
+FILM = (
+    "film = rs.plots.animate(run, span=(0.0, 0.5), fps=10.0);film.save('film.gif', writer='pillow')"
+)
 CELLS = [
     (OURS, 1),
     (THEIRS, 1),
     (OURS, 1),
-    ("rs.plot_phase_portrait(run); rs.plot_base(run);", 2),
+    ("rs.plots.phase_portrait(run); rs.plots.base(run);", 2),
     ("plt.figure().add_subplot(); " + OURS, 2),
-    ("figure, axes = plt.subplots(); rs.plot_trajectory(run, axes);", 1),
+    ("figure, axes = plt.subplots(); rs.plots.trajectory(run, axes);", 1),
     (THREAD, 0),
     (FILM, 0),
     (THEIRS, 1),

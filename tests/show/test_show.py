@@ -23,25 +23,22 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    RegionMap,
-    ResponseCurve,
     State,
     Status,
     Steady,
-    SteadyOrbit,
     Still,
-    Trajectory,
-    compute_region_map,
     compute_response_curve,
-    compute_steady_orbit,
     find_steady_states,
-    plot_base,
-    plot_orbit,
-    plot_phase_portrait,
-    plot_regions,
-    plot_response,
-    plot_trajectory,
+    plots,
     simulate,
+)
+from rocksteady.histories import Trajectory
+from rocksteady.orbits import (
+    RegionMap,
+    ResponseCurve,
+    SteadyOrbit,
+    compute_region_map,
+    compute_steady_orbit,
 )
 from rocksteady.show.figures.single import response_figure, simulation_figure, steady_figure
 from rocksteady.show.style import palette
@@ -77,15 +74,15 @@ def orbit() -> SteadyOrbit:
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
-    "trajectory": lambda ax: plot_trajectory(rocking(), ax),
-    "overturning": lambda ax: plot_trajectory(overturning(), ax),
-    "rest": lambda ax: plot_trajectory(coming_to_rest(), ax),
-    "base": lambda ax: plot_base(rocking(), ax),
-    "portrait": lambda ax: plot_phase_portrait(rocking(), ax),
-    "orbit": lambda ax: plot_orbit(orbit(), ax),
-    "regions": lambda ax: plot_regions(curves(), ax, point=(6.0, 2.0)),
-    "response": lambda ax: plot_response(responses(), ax),
-    "hertz": lambda ax: plot_response(responses(), ax, hertz=True),
+    "trajectory": lambda ax: plots.trajectory(rocking(), ax),
+    "overturning": lambda ax: plots.trajectory(overturning(), ax),
+    "rest": lambda ax: plots.trajectory(coming_to_rest(), ax),
+    "base": lambda ax: plots.base(rocking(), ax),
+    "portrait": lambda ax: plots.phase_portrait(rocking(), ax),
+    "orbit": lambda ax: plots.steady_orbit(orbit(), ax),
+    "regions": lambda ax: plots.steady_regions(curves(), ax, point=(6.0, 2.0)),
+    "response": lambda ax: plots.response(responses(), ax),
+    "hertz": lambda ax: plots.response(responses(), ax, hertz=True),
 }
 FIGURES: dict[str, Callable[[], Figure]] = {
     "simulation": lambda: simulation_figure(rocking(), "title"),
@@ -95,7 +92,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "nothing": lambda: steady_figure([], curves(), point=(6.0, 0.1), title="title"),
     "response": lambda: response_figure(responses(), hertz=True, title="title"),
 }
-plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+drawings = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
 figures = pytest.mark.parametrize("make", FIGURES.values(), ids=FIGURES)
 
 
@@ -109,7 +106,7 @@ def matplotlib_left_as_it_was() -> Iterator[None]:
     assert plt.get_fignums() == open_figures
 
 
-@plots
+@drawings
 def test_a_plot_draws_on_the_axes_it_is_given_and_returns_them(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -123,7 +120,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_and_returns_them(
     assert limits[2] < limits[3]
 
 
-@plots
+@drawings
 def test_a_plot_makes_axes_of_its_own_where_none_are_given(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -135,7 +132,7 @@ def test_a_plot_makes_axes_of_its_own_where_none_are_given(
         plt.close(axes.figure)  # type: ignore[arg-type]
 
 
-@plots
+@drawings
 def test_both_axes_say_quantity_and_unit(draw: Callable[[Axes | None], Axes]) -> None:
     axes = draw(Figure().add_subplot())
     for label in (axes.get_xlabel(), axes.get_ylabel()):
@@ -151,14 +148,14 @@ def test_the_time_axis_has_the_unit_of_the_run() -> None:
         (coming_to_rest(), "seconds", 1.0 / BLOCK.p),
         (free, "pivot_time", 1.0),
     ):
-        axes = plot_trajectory(run, Figure().add_subplot())
+        axes = plots.trajectory(run, Figure().add_subplot())
         assert axes.get_xlabel() == palette.LABELS[label]
         assert axes.get_xlim()[1] == pytest.approx(run.times()[-1] * scale)
 
 
 def test_the_time_history_is_the_trajectory_with_all_its_impacts() -> None:
     run = rocking()
-    axes = plot_trajectory(run, Figure().add_subplot())
+    axes = plots.trajectory(run, Figure().add_subplot())
     drawn = {len(np.asarray(line.get_xdata())): line for line in axes.lines}
     times = run.times()
     np.testing.assert_array_equal(drawn[len(times)].get_ydata(), run(times).angle)
@@ -178,17 +175,17 @@ def legend_of(axes: Axes) -> list[str]:
 def test_the_end_is_marked() -> None:
     fall = overturning()
     assert fall.status is Status.OVERTURNED
-    axes = plot_trajectory(fall, Figure().add_subplot())
+    axes = plots.trajectory(fall, Figure().add_subplot())
     assert "overturns" in legend_of(axes)
     assert axes.get_ylim()[1] > 1.5
-    assert "at rest" in legend_of(plot_trajectory(coming_to_rest(), Figure().add_subplot()))
-    assert len(legend_of(plot_trajectory(rocking(), Figure().add_subplot()))) == 1
+    assert "at rest" in legend_of(plots.trajectory(coming_to_rest(), Figure().add_subplot()))
+    assert len(legend_of(plots.trajectory(rocking(), Figure().add_subplot()))) == 1
 
 
 def test_a_block_that_falls_from_one_side_does_not_leave_half_the_picture_empty() -> None:
     for sign in (1.0, -1.0):
         start = State(angle=1.2 * sign, velocity=0.0)
-        axes = plot_trajectory(simulate(BARE, Still(), start=start), Figure().add_subplot())
+        axes = plots.trajectory(simulate(BARE, Still(), start=start), Figure().add_subplot())
         near, far = sorted(sign * np.array(axes.get_ylim()))
         assert near == -1.15
         assert far > 2.0
@@ -197,7 +194,7 @@ def test_a_block_that_falls_from_one_side_does_not_leave_half_the_picture_empty(
 
 
 def test_one_impact_is_singular() -> None:
-    axes = plot_trajectory(
+    axes = plots.trajectory(
         simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=1.2),
         Figure().add_subplot(),
     )
@@ -218,13 +215,13 @@ def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> 
 
 def test_a_key_beside_the_regions_leaves_the_axes_to_the_curves() -> None:
     figure = Figure(figsize=(7.0, 4.0), layout="constrained")
-    axes = plot_regions(curves(), figure.add_subplot(), key="beside")
+    axes = plots.steady_regions(curves(), figure.add_subplot(), key="beside")
     figure.draw_without_rendering()
     legend = axes.get_legend()
     assert legend is not None
     frame, box = legend.get_window_extent(), axes.get_window_extent()
     assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
-    inside = plot_regions(curves(), Figure().add_subplot())
+    inside = plots.steady_regions(curves(), Figure().add_subplot())
     assert legend_of(axes) == legend_of(inside)
     # region 5 is in the corner that a legend inside would take
     numbers = {text.get_text() for text in axes.texts}
@@ -233,7 +230,7 @@ def test_a_key_beside_the_regions_leaves_the_axes_to_the_curves() -> None:
 
 def test_the_legend_of_the_regions_leaves_point_and_numbers_free() -> None:
     for point in ((2.0, 5.5), (13.0, 5.5), (1.0, 0.2), (13.0, 0.2)):
-        axes = plot_regions(curves(), Figure(figsize=(5.0, 4.4)).add_subplot(), point=point)
+        axes = plots.steady_regions(curves(), Figure(figsize=(5.0, 4.4)).add_subplot(), point=point)
         axes.figure.canvas.draw()
         legend = axes.get_legend()
         assert legend is not None
@@ -245,13 +242,13 @@ def test_the_legend_of_the_regions_leaves_point_and_numbers_free() -> None:
 
 def test_small_rocking_fills_the_picture() -> None:
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=8.0), start=Steady(), cycles=5)
-    top = plot_trajectory(run, Figure().add_subplot()).get_ylim()[1]
+    top = plots.trajectory(run, Figure().add_subplot()).get_ylim()[1]
     assert run.peak < top < 1.5 * run.peak
 
 
 def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
     curve = compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(1.0, 8.0, 141))
-    axes = plot_response([curve], Figure().add_subplot())
+    axes = plots.response([curve], Figure().add_subplot())
     solid, dashed, _upright = axes.lines
     finite = [np.isfinite(np.asarray(line.get_ydata(), dtype=float)) for line in (solid, dashed)]
     np.testing.assert_array_equal(finite[0], curve.stable)
@@ -269,7 +266,7 @@ def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
 
 def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> None:
     wide, narrow = (
-        plot_response(
+        plots.response(
             [compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(low, high, 80))],
             Figure().add_subplot(),
         )
@@ -283,10 +280,11 @@ def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> Non
 def test_frequencies_spaced_by_ratio_are_drawn_so() -> None:
     for w, scale in ((np.linspace(0.1, 14.0, 90), "linear"), (np.geomspace(0.1, 14.0, 90), "log")):
         assert (
-            plot_regions(compute_region_map(w, 0.8), Figure().add_subplot()).get_xscale() == scale
+            plots.steady_regions(compute_region_map(w, 0.8), Figure().add_subplot()).get_xscale()
+            == scale
         )
         curve = compute_response_curve(BARE, 2.0, frequency_ratio=w)
-        assert plot_response([curve], Figure().add_subplot()).get_xscale() == scale
+        assert plots.response([curve], Figure().add_subplot()).get_xscale() == scale
 
 
 def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
@@ -296,7 +294,7 @@ def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
         compute_response_curve(BARE, 2.0, frequency_ratio=w, branch=2),
         compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3),
     ]
-    labels = legend_of(plot_response(mixed, Figure().add_subplot()))
+    labels = legend_of(plots.response(mixed, Figure().add_subplot()))
     assert len(set(labels)) == 3
     assert "A = 2, n = 3, branch 1" in labels
 
@@ -304,7 +302,7 @@ def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
 def test_curves_are_labelled_as_the_caller_says() -> None:
     drawn = responses()
     names = ["soft", "middling", "hard"]
-    axes = plot_response(drawn, Figure().add_subplot(), labels=names)
+    axes = plots.response(drawn, Figure().add_subplot(), labels=names)
     assert legend_of(axes) == names
     for name, curve in zip(names, drawn, strict=True):
         (line,) = (line for line in axes.lines if line.get_label() == name)
@@ -315,7 +313,7 @@ def test_curves_are_labelled_as_the_caller_says() -> None:
 @pytest.mark.parametrize(("top", "balance"), [(0.4, False), (1.0, False), (1.5, True)])
 def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> None:
     curve = compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(0.5, 12.0, 80))
-    axes = plot_response([curve], Figure().add_subplot(), top=top)
+    axes = plots.response([curve], Figure().add_subplot(), top=top)
     assert axes.get_yscale() == "linear", "however much the peaks span"
     assert axes.get_ylim() == (0.0, top)
     assert ([text.get_text() for text in axes.texts] == [r"$|\theta| = \alpha$"]) == balance

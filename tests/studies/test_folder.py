@@ -6,13 +6,14 @@ from importlib.metadata import version
 
 import pytest
 
-from rocksteady import check_installation
+import rocksteady as rs
+from rocksteady.installation import check_installation
 from rocksteady.studies import folder
 
 
 def environment_with(runs: str, monkeypatch: pytest.MonkeyPatch, target: str | None = None) -> str:
     here = replace(check_installation(repeat_calls=False), kernels=runs, target=target)
-    monkeypatch.setattr(folder, "check_installation", lambda **_: here)
+    monkeypatch.setattr(rs.installation, "check_installation", lambda **_: here)
     return folder.environment()
 
 

@@ -20,7 +20,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.every import every
 
 Floats = NDArray[np.float64]
@@ -71,7 +71,7 @@ def test_it_is_the_function_over_the_whole_grid_for_every_executor_and_batch(
         some,
         GRID,
         OUTPUTS,
-        run=Run(executor=executor, workers=workers, progress=told.append),
+        run=Execution(executor=executor, workers=workers, progress=told.append),
         batch=batch,
     )
     assert np.array_equal(data["sum"].values, whole["sum"])
@@ -108,7 +108,7 @@ def test_cells_know_their_numbers() -> None:
 @pytest.mark.parametrize("executor", ["threads", "serial"])
 def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -> None:
     with pytest.raises(ZeroDivisionError, match="as it happens") as caught:
-        evaluate(failing, GRID, OUTPUTS, run=Run(executor=executor, workers=1), batch=4)
+        evaluate(failing, GRID, OUTPUTS, run=Execution(executor=executor, workers=1), batch=4)
     (note,) = caught.value.__notes__
     told = re.match(
         r"in cells (\d+) to (\d+) of 84: a (\S+) to (\S+), b .+ to .+, c \d to \d", note
@@ -134,7 +134,7 @@ def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -
 )
 def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> None:
     with pytest.raises(InputError, match=valid):
-        evaluate(lambda **_: answer, GRID, OUTPUTS[:1], run=Run(executor="serial"))
+        evaluate(lambda **_: answer, GRID, OUTPUTS[:1], run=Execution(executor="serial"))
 
 
 @every(
@@ -183,7 +183,9 @@ def test_an_interruption_cancels_what_has_not_begun(
     usual = signal.signal(signal.SIGINT, note)
     try:
         with pytest.raises(KeyboardInterrupt):
-            evaluate(interrupting, GRID, OUTPUTS, run=Run(executor=executor, workers=2), batch=1)
+            evaluate(
+                interrupting, GRID, OUTPUTS, run=Execution(executor=executor, workers=2), batch=1
+            )
     finally:
         signal.signal(signal.SIGINT, usual)
     assert 3 <= len(begun) < GRID.size
@@ -197,7 +199,7 @@ def test_progress_is_told_in_the_calling_thread() -> None:
         some,
         GRID,
         OUTPUTS,
-        run=Run(workers=3, progress=lambda _: threads.add(threading.get_ident())),
+        run=Execution(workers=3, progress=lambda _: threads.add(threading.get_ident())),
         batch=2,
     )
     assert threads == {threading.get_ident()}

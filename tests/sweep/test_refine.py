@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import DimensionlessBlock, Run, map_attractors
+from rocksteady import DimensionlessBlock, Execution, map_attractors
 from rocksteady.errors import InputError, ModelError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -80,7 +80,7 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
         OUTPUTS,
         classes=("kind",),
         coarse=2**power,
-        run=Run(executor="serial", progress=told.append),
+        run=Execution(executor="serial", progress=told.append),
     )
     found = as_dataset(cells)
     assert told[0] == 0
@@ -143,5 +143,5 @@ def test_a_store_holds_every_cell() -> None:
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [1.0, 2.0]}
     with pytest.raises(ModelError, match="every cell"):
         map_attractors(
-            DimensionlessBlock(restitution=0.8), axes=axes, refine=8, run=Run(store="a.zarr")
+            DimensionlessBlock(restitution=0.8), axes=axes, refine=8, run=Execution(store="a.zarr")
         )

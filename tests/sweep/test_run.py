@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.store import Store
 from tests.every import every
 
@@ -25,21 +25,23 @@ from tests.every import every
 )
 def test_arguments_are_validated(arguments: dict[str, Any], valid: str) -> None:
     with pytest.raises(InputError, match=valid):
-        Run(**arguments)
+        Execution(**arguments)
 
 
 def test_a_path_is_a_new_store() -> None:
     store = Store("a.zarr", resume=True)
-    assert Run(store=store).place is store
-    assert Run(store="a.zarr").place == Run(store=Path("a.zarr")).place == Store("a.zarr")
-    assert Run().place is None
+    assert Execution(store=store).place is store
+    assert (
+        Execution(store="a.zarr").place == Execution(store=Path("a.zarr")).place == Store("a.zarr")
+    )
+    assert Execution().place is None
 
 
 def test_a_store_is_refused_where_results_stay_in_memory() -> None:
-    run = Run(executor="serial", workers=3)
+    run = Execution(executor="serial", workers=3)
     assert run.in_memory("it is kept in memory") is run
-    assert Run().in_memory("it is kept in memory") == Run()
+    assert Execution().in_memory("it is kept in memory") == Execution()
     with pytest.raises(
         ModelError, match="run has a store: it is kept in memory; give a Run without one"
     ):
-        Run(store="a.zarr").in_memory("it is kept in memory")
+        Execution(store="a.zarr").in_memory("it is kept in memory")

@@ -104,7 +104,7 @@ def test_a_store_is_its_chunks_and_its_metadata(tmp_path: Path) -> None:
         path = tmp_path / f"{len(found)}.zarr"
         axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 2.0]}
         block = rs.DimensionlessBlock(restitution=restitution)
-        rs.map_fates(block, axes=axes, cycles=5, run=rs.Run(store=path))
+        rs.map_fates(block, axes=axes, cycles=5, run=rs.Execution(store=path))
         found.append(files.of_store(path))
     assert found[0] == found[1] != found[2]
     assert re.search(r"^fate/c\S+ \d+ bytes, [0-9a-f]{16}$", found[0], re.MULTILINE)

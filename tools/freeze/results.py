@@ -38,6 +38,7 @@ from tests.show.drawn_figures import makers
 from tools.freeze.files import files_of, left
 from tools.freeze.records import FILE
 from tools.freeze.values import plain, shown, tidy
+from tools.namespace import PLACES, THINGS
 
 ELSEWHERE = {"installation", "check_installation", "Installation", "KernelCheck"}
 """Things and calls whose answer is the machine's."""
@@ -132,16 +133,17 @@ def freeze_stores(_: str) -> Iterator[tuple[str, str]]:
     """Yield the store of every call that takes a run."""
     with contextlib.chdir(room()):
         for label, call in calls().items():
-            if "run" in call.parameters and callable(getattr(rs, label, None)):
-                for name, text in freeze_call(lambda call=call: call(run=rs.Run(store="s.zarr"))):
+            if "run" in call.parameters and callable(THINGS.get(label)):
+                for name, text in freeze_call(
+                    lambda call=call: call(run=rs.Execution(store="s.zarr"))
+                ):
                     if name:
                         yield f"{label}{name}", text
 
 
 def freeze_signatures(_: str) -> Iterator[tuple[str, str]]:
     """Yield the signature of every public name, and those of its members."""
-    for name in rs.__all__:
-        thing = getattr(rs, name)
+    for name, thing in THINGS.items():
         lines = [_signature(name, thing)]
         if inspect.isclass(thing):
             lines += [f"bases {', '.join(base.__name__ for base in thing.__mro__[1:-1])}"]
@@ -153,7 +155,7 @@ def freeze_signatures(_: str) -> Iterator[tuple[str, str]]:
                 for member, value in members
                 if not member.startswith("_") and not _inherited(thing, member)
             ]
-        yield name, "\n".join(lines)
+        yield PLACES[name], "\n".join(lines)
 
 
 def _inherited(kind: type, member: str) -> bool:

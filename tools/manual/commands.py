@@ -29,6 +29,7 @@ from tools.manual.commands_facts import (
     VALID,
     default_in,
 )
+from tools.namespace import PLACES
 
 FOLDER = "reference/commands"
 FILES_FOLDER = "reference/files"
@@ -324,7 +325,7 @@ def _see_also(command: Command) -> list[str]:
         "Guides and theory": [f"[](../../{each})" for each in GUIDES.get(slug, ())],
         "How-to": [f"[](../../{each})" for each in tasks],
         "Files": [f"[](../files/{each}.md)" for each in FILES.get(slug, ())],
-        "Python": [f"{{py:obj}}`{NAME}.{each}`" for each in PYTHON.get(slug, ())],
+        "Python": [f"{{py:obj}}`~{NAME}.{PLACES[each]}`" for each in PYTHON.get(slug, ())],
     }
     rows = [f"- {kind}: {', '.join(links)}" for kind, links in pages_of_kind.items() if links]
     return ["## See also", "\n".join(rows)] if rows else []

@@ -19,11 +19,11 @@ from sphinx import addnodes
 from sphinx.application import Sphinx
 from sphinx.domains.python import PythonDomain
 
-import rocksteady
 from rocksteady.errors import ModelError
 from rocksteady.outcomes import Status
 from rocksteady.results.result import Result, plotting_function
-from tools.manual.types_in_words import PUBLIC, type_of_result, types_of
+from tools.manual.types_in_words import type_of_result, types_of
+from tools.namespace import COMMON_WORDS, PLACES, THINGS
 
 COMMON = ("describe", "summary", "to_dict", "to_dataframe", "plot")
 """What every result can do, as one section of the reference explains."""
@@ -47,28 +47,32 @@ def resolve(text: str, inside: str | None = None) -> str | None:
     """
     name = text.removesuffix("()").removeprefix("rocksteady.")
     *before, last = name.split(".")
+    if name in PLACES.values():
+        return f"rocksteady.{name}"
     if not before:
-        if last in PUBLIC:
-            return f"rocksteady.{last}"
-        return f"rocksteady.{inside}.{last}" if inside and _is_documented(inside, last) else None
-    if len(before) == 1 and before[0] in PUBLIC:
-        return f"rocksteady.{name}" if has_member(before[0], last) else None
+        if last in PLACES.keys() - COMMON_WORDS:
+            return f"rocksteady.{PLACES[last]}"
+        known = inside in PLACES and _is_documented(inside, last)
+        return f"rocksteady.{PLACES[inside]}.{last}" if inside and known else None
+    holder = before[-1]
+    if holder in PLACES and ".".join(before) in {holder, PLACES[holder]}:
+        return f"rocksteady.{PLACES[holder]}.{last}" if has_member(holder, last) else None
     module = sys.modules.get(f"rocksteady.{'.'.join(before)}")  # by the module that defines it
-    if last in PUBLIC and getattr(module, last, None) is getattr(rocksteady, last):
-        return f"rocksteady.{last}"
+    if last in THINGS and getattr(module, last, None) is THINGS[last]:
+        return f"rocksteady.{PLACES[last]}"
     return None
 
 
 def has_member(name: str, member: str) -> bool:
     """Return whether a public class has a public member, a field without a default included."""
-    thing = getattr(rocksteady, name)
+    thing = THINGS[name]
     fields = getattr(thing, "__dataclass_fields__", {})
     return not member.startswith("_") and (member in fields or hasattr(thing, member))
 
 
 def _is_documented(name: str, member: str) -> bool:
     """Return whether a member of a public class is a method or property."""
-    thing = getattr(rocksteady, name, None)
+    thing = THINGS.get(name)
     if not isinstance(thing, type) or member in getattr(thing, "__dataclass_fields__", {}):
         return False
     value = inspect.getattr_static(thing, member, None)
@@ -147,7 +151,7 @@ def unlink_parameters(lines: list[str], words: dict[str, str]) -> None:
 
 
 def _ticked(word: re.Match[str]) -> str:
-    return f"`{word[0]}`" if word[0] in PUBLIC else word[0]
+    return f"`{word[0]}`" if word[0] in THINGS else word[0]
 
 
 def number_references(lines: list[str]) -> None:
@@ -168,7 +172,7 @@ def add_result(lines: list[str], thing: type) -> None:
     """Name the methods that every result has, and its picture, before the first section."""
     text = "It has the :ref:`methods of every result <every-result>`"
     with contextlib.suppress(ModelError):  # no picture of it
-        text += f"; ``plot()`` is `{plotting_function(thing.__name__).__name__}`"
+        text += f"; ``plot()`` is `{PLACES[plotting_function(thing.__name__).__name__]}`"
     found = sections(lines)
     place = found[0][1] - 2 if found else len(lines)
     lines[place:place] = ["", f"{text}.", ""]
@@ -265,13 +269,13 @@ def register(app: Sphinx, domain: str, kind: str, content: addnodes.desc_content
     if kind not in {"class", "exception"}:
         return
     python = app.env.domains.python_domain
-    name = f"rocksteady.{signature['fullname']}"
+    name = f"rocksteady.{PLACES[signature['fullname']]}"
     for field in content.findall(nodes.field):
         if field.parent.parent is content and field[0].astext() in {"Parameters", "Attributes"}:
             for strong in field.findall(nodes.strong):
                 if isinstance(strong.parent, nodes.paragraph) and strong.parent.index(strong) == 0:
                     _register_fields(python, name, strong)
-    if issubclass(getattr(rocksteady, signature["fullname"]), Result):
+    if issubclass(THINGS[signature["fullname"]], Result):
         for member in COMMON:
             _note(python, f"{name}.{member}", "method", signature["ids"][0])
 
@@ -279,7 +283,7 @@ def register(app: Sphinx, domain: str, kind: str, content: addnodes.desc_content
 def add_type_of_result(signature: addnodes.desc_signature) -> None:
     """Write the type of a property, or of what a method returns, into its signature."""
     name, _, member = signature["fullname"].rpartition(".")
-    value = inspect.getattr_static(getattr(rocksteady, name), member, None)
+    value = inspect.getattr_static(THINGS[name], member, None)
     getter = getattr(value, "fget", None) or getattr(value, "func", None)
     words = type_of_result(getter or value)
     if words not in {"", "any value"}:
@@ -291,8 +295,8 @@ def type_nodes(words: str) -> list[nodes.Node]:
     """Return a type in words as nodes, with links to public classes."""
     found: list[nodes.Node] = []
     for i, part in enumerate(re.split(r"`+", words)):
-        if part in PUBLIC and i % 2:
-            target = f"rocksteady.{part}"
+        if part in PLACES and i % 2:
+            target = f"rocksteady.{PLACES[part]}"
             found.append(
                 addnodes.pending_xref(
                     part, nodes.inline(part, part), refdomain="py", reftype="obj", reftarget=target
@@ -305,7 +309,7 @@ def type_nodes(words: str) -> list[nodes.Node]:
 
 def _register_fields(python: PythonDomain, name: str, strong: nodes.strong) -> None:
     """Make each field of a list a target; properties have one, where they are documented."""
-    fields = types_of(getattr(rocksteady, name.removeprefix("rocksteady.")))
+    fields = types_of(THINGS[name.rpartition(".")[2]])
     for member in strong.astext().split(", "):
         target = f"{name}.{member}"
         if member in fields and target not in python.objects:

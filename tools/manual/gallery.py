@@ -85,7 +85,7 @@ def title_of(script: Path) -> str:
 
 
 def film_behind(animation: Any) -> Film:
-    """Return the film that an animation of `rocksteady.animate` plays."""
+    """Return the film that an animation of `rocksteady.plots.animate` plays."""
     animation._draw_was_started = True  # no warning that nobody has looked at it
     film = animation._func.__self__
     assert isinstance(film, Film)

@@ -10,26 +10,37 @@ import inspect
 import re
 from collections.abc import Collection
 from pathlib import Path
+from typing import Any
 
 from sphinx.application import Sphinx
 from sphinx.pycode import ModuleAnalyzer
 
-import rocksteady
+from tools.namespace import PLACES, THINGS
 
 BLOCK = re.compile(r"^```\{api\}\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 TABLE = "```{api-table}\n```"
 PART = re.compile(r"^## ([^\n]*)$|^```\{api\}\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-NUMBERS = {"INFINITELY_MANY": "rocksteady.outcomes", "NO_START": "rocksteady.outcomes"}
+DEFINED_NAMES = {place: name for name, place in PLACES.items()}
+"""The name with which a public thing is defined, by where it is reached."""
+NUMBERS = {
+    "sweeps.INFINITELY_MANY": "rocksteady.outcomes",
+    "sweeps.NO_START": "rocksteady.outcomes",
+}
 """Public constants and the modules that define them."""
 EXAMPLES = Path(__file__).parents[2] / "examples"
-USE = re.compile(r"\brs\.(\w+)")
+USE = re.compile(r"\brs((?:\.\w+)+)")
 MOST = 3
 """Pictures linked from one name."""
 HEAD = "```{eval-rst}\n.. py:currentmodule:: rocksteady\n.. highlight:: none\n\n"
 
 
+def thing_of(place: str) -> Any:
+    """Return what is public at a place, as ``histories.Trajectory``."""
+    return THINGS[DEFINED_NAMES[place]]
+
+
 def names_of(page: str) -> list[str]:
-    """Return the public names that a page documents, in its order."""
+    """Return the public names that a page documents, in its order, as ``histories.Trajectory``."""
     return [name for block in BLOCK.findall(page) for name in block.split()]
 
 
@@ -37,13 +48,13 @@ def text_of(name: str) -> str:
     """Return the docstring of a public name."""
     if name in NUMBERS:
         found = ModuleAnalyzer.for_module(NUMBERS[name]).find_attr_docs()
-        return "\n".join(found["", name]).strip()
-    return inspect.getdoc(getattr(rocksteady, name)) or ""
+        return "\n".join(found["", DEFINED_NAMES[name]]).strip()
+    return inspect.getdoc(thing_of(name)) or ""
 
 
 def row(name: str) -> str:
     """Return the row of a table: the name and the first line of its docstring."""
-    brackets = "" if isinstance(getattr(rocksteady, name), type | int) else "()"
+    brackets = "" if isinstance(thing_of(name), type | int) else "()"
     line = text_of(name).partition("\n\n")[0].replace("\n", " ")
     return f"   * - :py:obj:`{name}{brackets} <rocksteady.{name}>`\n     - {line}\n"
 
@@ -66,7 +77,8 @@ def uses() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for file in sorted(EXAMPLES.rglob("*.py")):
         page = f"gallery/{file.relative_to(EXAMPLES).with_suffix('')}"
-        for name in set(USE.findall(file.read_text(encoding="utf-8"))):
+        used = [text.split(".")[1:] for text in USE.findall(file.read_text(encoding="utf-8"))]
+        for name in {".".join(parts[:k]) for parts in used for k in (1, 2)} & DEFINED_NAMES.keys():
             found.setdefault(name, []).append(page)
     return found
 
@@ -79,9 +91,11 @@ def pictures(name: str, pages: Collection[str]) -> str:
 
 def directive(name: str, pages: Collection[str] = ()) -> str:
     """Return the directive that documents a name."""
-    thing = getattr(rocksteady, name)
+    thing = thing_of(name)
     if name in NUMBERS:
-        return f".. py:data:: {name}\n   :value: {thing}\n\n   {text_of(name)}\n\n"
+        module, _, own = name.rpartition(".")
+        head = f".. py:data:: {own}\n   :module: rocksteady.{module}\n   :value: {thing}\n\n"
+        return f"{head}   {text_of(name)}\n\n"
     kind = "function"
     if isinstance(thing, type):
         kind = "exception" if issubclass(thing, Exception) else "class"

@@ -16,9 +16,8 @@ from typing import Any
 
 import numpy as np
 
-import rocksteady
+from tools.namespace import THINGS
 
-PUBLIC = frozenset(rocksteady.__all__)
 WORDS = {
     "Any": "any value",
     "ArrayLike": "ArrayLike",
@@ -180,7 +179,7 @@ def _name(name: str, module: str) -> str:
     """Return the name of a type in words: of an alias what it stands for."""
     if name in WORDS:
         return WORDS[name]
-    if name in PUBLIC:
+    if name in THINGS:
         return f"`{name}`"
     return _value(getattr(sys.modules[module], name, name))
 

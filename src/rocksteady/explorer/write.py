@@ -55,7 +55,8 @@ def write_explorer(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Block, ExplorerView, Harmonic, write_explorer
+    >>> from rocksteady import Block, Harmonic, write_explorer
+    >>> from rocksteady.export import ExplorerView
     >>> rack = Block.rectangle(width=0.6, height=2.0)
     >>> shaking = Harmonic.from_si(rack, acceleration_m_s2=4.0, frequency_hz=1.5)
     >>> with TemporaryDirectory() as folder:

@@ -155,7 +155,7 @@ class RecordSet(Result):
                 "dt_s",
                 intervals,
                 f"the channels of {self.name} have different intervals between samples",
-                "bring them to one first (rocksteady.resample)",
+                "bring them to one first (rocksteady.records.resample)",
             )
         shifts = _shifts(channels)
         ends = [

@@ -48,7 +48,7 @@ def correct_baseline(recording: Recording, baseline: str) -> Recording:
     --------
     >>> import tempfile
     >>> from pathlib import Path
-    >>> from rocksteady import read_recordings
+    >>> from rocksteady.records import read_recordings
     >>> path = Path(tempfile.mkdtemp()) / "shock.csv"
     >>> rows = ["time (s),acceleration (g)", "0,0", "0.01,0.2", "0.02,-0.1", "0.03,0"]
     >>> _ = path.write_text(chr(10).join(rows))
@@ -105,7 +105,7 @@ def resample(
     --------
     >>> import tempfile
     >>> from pathlib import Path
-    >>> from rocksteady import read_recordings
+    >>> from rocksteady.records import read_recordings
     >>> path = Path(tempfile.mkdtemp()) / "shock.csv"
     >>> rows = ["time (s),acceleration (g)", "0,0", "0.01,0.2", "0.02,-0.1", "0.03,0"]
     >>> _ = path.write_text(chr(10).join(rows))

@@ -68,9 +68,9 @@ def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:
     Parameters
     ----------
     names
-        Public name of the plotting function by the name of the class.
+        Name of the plotting function in `rocksteady.plots` by the name of the class.
     importer
-        Returns a public object by its name.
+        Returns the plotting function of a name.
     """
     for kind, name in names.items():
         _plots[kind] = functools.partial(importer, name)

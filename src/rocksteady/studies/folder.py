@@ -3,7 +3,7 @@
 import platform
 from collections.abc import Callable
 
-from rocksteady import check_installation
+import rocksteady as rs
 
 Done = Callable[[str], None]
 """Called with the name of each thing that has been computed or written."""
@@ -17,7 +17,7 @@ def environment() -> str:
     """Return what a study runs on, in one line."""
     from importlib.metadata import version
 
-    here = check_installation(repeat_calls=False)
+    here = rs.installation.check_installation(repeat_calls=False)
     kernels = {
         "library": f"kernels compiled for {here.target}",
         "jit": f"numba {here.versions['numba']}",

@@ -9,8 +9,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rocksteady import OutputError, Store, __version__
+from rocksteady import Store, __version__
 from rocksteady.durable import PRIVATE
+from rocksteady.errors import OutputError
 from rocksteady.show.export.files import json_text, save_text, save_whole
 
 FOLDER = ".unfinished"

@@ -16,7 +16,7 @@ from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.queue import Queue
 from rocksteady.sweep.cases.task import Answer, Cases, CellRange, Task
 from rocksteady.sweep.executors.choice import pool_for
-from rocksteady.sweep.run import Progress, Run
+from rocksteady.sweep.run import Execution, Progress
 from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def evaluate(
     grid: Grid,
     outputs: Sequence[Output],
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
     batch: int = BATCH,
     numbered: str | None = None,
     attributes: Mapping[str, Any] | None = None,
@@ -76,7 +76,7 @@ def evaluate(
     outputs
         What it returns.
     run
-        Executor, number of workers, storage and progress; by default `Run()`.
+        Executor, number of workers, storage and progress; by default `Execution()`.
     batch
         The most cells that one call takes.  An interruption waits for calls under way.
     numbered
@@ -108,7 +108,7 @@ def evaluate(
 
     Examples
     --------
-    >>> from rocksteady import Axis, Grid, Output, evaluate
+    >>> from rocksteady.sweeps import Axis, Grid, Output, evaluate
     >>> def area(width, height):
     ...     return {"area": width * height}
     >>> grid = Grid(
@@ -136,7 +136,7 @@ def compute_cells(
     grid: Grid,
     outputs: Sequence[Output],
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
     batch: int = BATCH,
     numbered: str | None = None,
     attributes: Mapping[str, Any] | None = None,
@@ -154,7 +154,7 @@ def compute_cells(
         batch=whole_number("batch", batch, at_least=1, at_most=LARGEST_BATCH, hint=hint),
     )
     _check_names(task)
-    how = Run() if run is None else run
+    how = Execution() if run is None else run
     where = how.place
     if where is not None:
         where.check()

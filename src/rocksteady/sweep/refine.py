@@ -25,7 +25,7 @@ from rocksteady.sweep.cases.memory import MOST_CELLS
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
 from rocksteady.sweep.evaluate import BATCH, compute_cells
-from rocksteady.sweep.run import Progress, Run
+from rocksteady.sweep.run import Execution, Progress
 
 Integers = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -45,7 +45,7 @@ def refined(
     *,
     classes: Sequence[str],
     coarse: int,
-    run: Run | None = None,
+    run: Execution | None = None,
     batch: int = BATCH,
     attributes: Mapping[str, Any] | None = None,
 ) -> Cells:
@@ -87,7 +87,7 @@ def refined(
     >>> same, f"{result['met'].values.mean():.2f}"
     (True, '0.07')
     """
-    given = (run or Run()).in_memory("a store holds every cell of its grid")
+    given = (run or Execution()).in_memory("a store holds every cell of its grid")
     wanted = outputs_of([*outputs, MET], grid)[:-1]
     _check_classes(classes, wanted)
     spacing = _spacing(coarse)

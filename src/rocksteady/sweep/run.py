@@ -18,7 +18,7 @@ call comes when everything is kept, in a store on disk."""
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Run:
+class Execution:
     """How a sweep is run: what computes its cells, and where they are kept.
 
     No result depends on it.
@@ -49,16 +49,16 @@ class Run:
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Run, map_attractors
+    >>> from rocksteady import DimensionlessBlock, Execution, map_attractors
     >>> cells = []
     >>> result = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
-    ...     run=Run(executor="serial", progress=cells.append),
+    ...     run=Execution(executor="serial", progress=cells.append),
     ... )
     >>> sum(cells)
     6
-    >>> Run(workers=0)
+    >>> Execution(workers=0)
     Traceback (most recent call last):
         ...
     rocksteady.errors.InputError: workers = 0 is not valid: ...
@@ -76,7 +76,7 @@ class Run:
             return self.store
         return Store(self.store)
 
-    def in_memory(self, reason: str) -> "Run":
+    def in_memory(self, reason: str) -> "Execution":
         """Return the run itself, after refusing a store that a function cannot fill.
 
         Parameters

@@ -6,15 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    FourierSeries,
-    Harmonic,
-    Steady,
-    find_attractor,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, find_attractor, simulate
+from rocksteady.motions import FourierSeries
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 

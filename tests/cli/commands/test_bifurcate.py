@@ -7,17 +7,10 @@ from typing import Any
 
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    find_attractor,
-    find_branches,
-    find_cascade,
-    find_orbits,
-    region_boundaries,
-    symmetry_breaking_amplitude,
-    symmetry_breaking_frequency,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor, find_orbits
+from rocksteady.branches import find_branches, find_cascade
+from rocksteady.formulas import symmetry_breaking_amplitude, symmetry_breaking_frequencies
+from rocksteady.orbits import compute_region_boundaries
 from tests.cli.program import ran_once, refused, rocksteady
 from tests.every import every
 
@@ -116,7 +109,7 @@ def test_the_branches_are_those_of_the_library() -> None:
 def test_the_symmetry_breaks_where_the_closed_form_says() -> None:  # TW6
     (point,) = of_type(values_of(ALONG_W), "symmetry-breaking")
     assert point["frequency_ratio"] == pytest.approx(1.948378, abs=5e-7)
-    exact = float(symmetry_breaking_frequency(2.0, 0.8)[-1])
+    exact = float(symmetry_breaking_frequencies(2.0, 0.8)[-1])
     assert point["frequency_ratio"] == pytest.approx(exact, abs=1e-12)
     assert (point["branches"], point["symmetric"], point["period"]) == ([1, 2], True, 1)
     # -1 for half of it, 1 for the whole.
@@ -132,7 +125,7 @@ def test_along_the_amplitude_folds_and_breakings_are_the_boundaries() -> None:
     values = values_of(ALONG_A)
     (fold,) = of_type(values, "fold", impacts=2)
     assert fold["amplitude"] == pytest.approx(
-        float(region_boundaries(2.0, 0.8).existence), abs=1e-12
+        float(compute_region_boundaries(2.0, 0.8).existence), abs=1e-12
     )
     (breaking,) = of_type(values, "symmetry-breaking", impacts=2)
     exact = float(symmetry_breaking_amplitude(2.0, 0.8))
@@ -180,7 +173,7 @@ def test_a_sweep_says_what_it_met() -> None:
     assert up["runs"][0]["from"] == down["runs"][-1]["to"] == 1.6
     last = down["runs"][0]
     assert (last["kind"], last["period"], last["impacts_per_period"]) == ("symmetric", 1, 2)
-    breaking = float(symmetry_breaking_frequency(2.0, 0.8)[-1])
+    breaking = float(symmetry_breaking_frequencies(2.0, 0.8)[-1])
     assert last["to"] == min(w for w in (1.6 + 0.02 * k for k in range(41)) if w > breaking)
     assert down["runs"][1]["kind"] == "unsymmetric"
 
@@ -188,7 +181,7 @@ def test_a_sweep_says_what_it_met() -> None:
 @pytest.mark.slow
 def test_sweeps_show_hysteresis() -> None:
     up, down = values_of("bifurcate -A 0.1:1.9:19 -W 2 -r 0.8")["sweeps"]
-    fold = float(region_boundaries(2.0, 0.8).existence)
+    fold = float(compute_region_boundaries(2.0, 0.8).existence)
     assert (up["runs"][0]["kind"], up["start"]) == ("rest", "rest")
     assert up["runs"][0]["to"] > 0.9, "a block at rest is not lifted below 1"
     rests = [run for run in down["runs"] if run["kind"] == "rest"]
@@ -211,7 +204,7 @@ def test_a_sweep_begins_where_it_is_told() -> None:
 def test_after_a_fall_a_sweep_begins_again_on_the_steady_state_of_the_value() -> None:
     up, _ = values_of("bifurcate -A 2 -W 0.9:3:22 -r 0.9")["sweeps"]
     assert [run["kind"] for run in up["runs"]] == ["overturned", "unsymmetric", "symmetric"]
-    breaking = float(symmetry_breaking_frequency(2.0, 0.9)[-1])
+    breaking = float(symmetry_breaking_frequencies(2.0, 0.9)[-1])
     assert up["runs"][1]["to"] < breaking < up["runs"][2]["from"]
 
 

@@ -5,7 +5,8 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, Harmonic, Nonlinear, find_orbits, follow_branch
+from rocksteady import Block, Harmonic, Nonlinear, find_orbits
+from rocksteady.branches import follow_branch
 from tests.cli.program import ran_once, refused, rocksteady
 from tests.every import every
 

@@ -14,9 +14,9 @@ from rocksteady import (
     Record,
     find_overturning_scales,
     find_overturning_windows,
-    overturning_impulse,
 )
 from rocksteady.cli.commands import overturn
+from rocksteady.formulas import overturning_impulse
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 

@@ -11,14 +11,9 @@ import pytest
 from PIL import Image
 from scipy.integrate import cumulative_trapezoid
 
-from rocksteady import (
-    Block,
-    Record,
-    compute_response_spectrum,
-    integrate_record,
-    measure_intensity,
-)
+from rocksteady import Block, Record, compute_measures
 from rocksteady.cli.commands import record as command
+from rocksteady.measures import compute_response_spectrum, integrate_record
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -42,7 +37,7 @@ def test_one_file_is_one_object_with_the_keys_of_the_contract(file: Path) -> Non
     assert values["format"] == "peer-at2"
     assert (values["npts"], values["dt_s"], values["units_in_file"]) == (601, 0.02, "g")
     assert values["warnings"] == []
-    truth = measure_intensity(record_of(samples()))
+    truth = compute_measures(record_of(samples()))
     assert values["pga_g"] == pytest.approx(np.abs(samples()).max())
     assert values["pgv_m_s"] == pytest.approx(truth.pgv_m_s)
     assert values["significant_5_95_s"] == pytest.approx(truth.significant_5_95_s)
@@ -69,7 +64,7 @@ def test_a_block_adds_what_it_feels_and_periods_add_a_spectrum(file: Path) -> No
     command = "record --json --width-m 0.4 --height-m 1.6 --periods-s 0.5:2:4 --damping 0.02"
     values = rocksteady(command, file).json
     block = Block.rectangle(width=0.4, height=1.6)
-    truth = measure_intensity(record_of(samples()), block, damping=0.02)
+    truth = compute_measures(record_of(samples()), block, damping=0.02)
     for name in ("pga_per_uplift", "p_pgv_per_uplift", "p_pgv_per_pga", "housner_intensity_m"):
         assert values[name] == pytest.approx(getattr(truth, name)), name
     spectrum = compute_response_spectrum(record_of(samples()), [0.5, 1.0, 1.5, 2.0], damping=0.02)

@@ -8,14 +8,8 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import (
-    Block,
-    Record,
-    compute_rocking_spectrum,
-    read_record,
-    simulate,
-    summarise_spectra,
-)
+from rocksteady import Block, Record, compute_rocking_spectrum, read_record, simulate
+from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -75,7 +69,7 @@ def test_a_suite_has_quantiles_and_shares(files: list[Path]) -> None:
     values = rocksteady(f"spectrum {GRID} --json", *records).json
     suite = [read_record(file) for file in files]
     found = compute_rocking_spectrum(suite, alpha=[0.15, 0.3], periods_s=[1.0, 2.0, 3.0, 4.0])
-    summary = summarise_spectra(found)
+    summary = compute_suite_spectrum(found)
     assert values["quantiles"] == [0.16, 0.5, 0.84]
     assert [one["name"] for one in values["records"]] == ["ground-1", "ground-2", "ground-3"]
     for row in values["suite"]:

@@ -4,16 +4,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ObjectFile,
-    Pulse,
-    Still,
-    named_block,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, Still
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -23,7 +14,9 @@ from rocksteady.cli.flags.block_and_shaking import (
     refuse_of_linear,
 )
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS
+from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.risk import DescribedObject
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -71,12 +64,12 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
         ),
         (
             {"block": "statue-on-plinth", "restitution": "housner*0.9", "one_sided": True},
-            named_block("statue-on-plinth").against_wall(("housner", 0.9)),
+            Block.named("statue-on-plinth").against_wall(("housner", 0.9)),
         ),
-        ({"block": "tso-wong-1989"}, named_block("tso-wong-1989")),
+        ({"block": "tso-wong-1989"}, Block.named("tso-wong-1989")),
         (
             {"block": "tso-wong-1989", "restitution": "0.9"},
-            named_block("tso-wong-1989", restitution=0.9),
+            Block.named("tso-wong-1989", restitution=0.9),
         ),
     ],
 )
@@ -224,7 +217,7 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
     assert block == Block.asymmetric(left=0.3, right=0.2, height=1.8)
     assert isinstance(block, Block)
     outline = {"width_m": 0.5, "height_m": 1.8, "offset_m": 0.05}
-    of_file = ObjectFile(values={"name": "statue", "geometry": outline}).block
+    of_file = DescribedObject(values={"name": "statue", "geometry": outline}).block
     assert block.positive.distance == of_file.positive.distance
     assert block.negative.distance == of_file.negative.distance
     assert BlockFlags(**sized, offset_m=0.0).described() == Block.rectangle(width=0.5, height=1.8)
@@ -272,7 +265,7 @@ def test_sizes_above_50_m_are_refused_by_their_flags_in_the_words_of_object_file
         with pytest.raises(InputError, match=rf"^--{name}-m = .*write 0\.6 for 600 mm.*--p-rad-s"):
             BlockFlags(**given).described()
     with pytest.raises(InputError, match=r"write 0\.6 for 600 mm"):
-        ObjectFile(values={"name": "x", "geometry": {"width_m": 600.0, "height_m": 1800.0}})
+        DescribedObject(values={"name": "x", "geometry": {"width_m": 600.0, "height_m": 1800.0}})
     large = BlockFlags(alpha_rad="0.3", p_rad_s="0.1").described()
     assert isinstance(large, Block)
     assert large.height > 50.0

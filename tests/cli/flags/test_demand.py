@@ -2,11 +2,12 @@
 
 import pytest
 
-from rocksteady import Block, InputError
+from rocksteady import Block
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, SpectrumFlags, probability, sized_block
 from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.errors import InputError
 from tests.every import every
 
 

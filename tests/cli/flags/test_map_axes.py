@@ -4,11 +4,12 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, InputError, State
+from rocksteady import Block, DimensionlessBlock, State
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.map_axes import MapStartFlags, map_case
 from rocksteady.dynamics.parameters import AXES
+from rocksteady.errors import InputError
 from tests.every import every
 
 BARE = BlockFlags(restitution="0.8")

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import InputError
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.parsing import (
     MOST_AXIS_POINTS,
@@ -18,6 +17,7 @@ from rocksteady.cli.flags.parsing import (
     restitution_from,
     single,
 )
+from rocksteady.errors import InputError
 from tests.cli.program import refused
 from tests.every import every
 

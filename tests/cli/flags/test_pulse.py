@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from rocksteady import DimensionlessBlock, Pulse, named_block, simulate
+from rocksteady import Block, DimensionlessBlock, Pulse, simulate
 from rocksteady.model.motions.pulses import PULSES
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -39,7 +39,7 @@ def test_the_json_of_every_pulse(name: str) -> None:
 
 def test_a_pulse_on_a_block_is_in_g_hertz_and_seconds() -> None:
     values = rocksteady(f"{CABINET} --pulse one-sine --accel-g 2 --freq-hz 1.7 --json").json
-    block = named_block("zhang-makris-2001")
+    block = Block.named("zhang-makris-2001")
     pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=2 * 9.80665, frequency_hz=1.7)
     run = simulate(block, pulse)
     assert values["status"] == "overturned"

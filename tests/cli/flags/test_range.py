@@ -2,10 +2,11 @@
 
 import pytest
 
-from rocksteady import Block, InputError
+from rocksteady import Block
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.range import Range, range_of
+from rocksteady.errors import InputError
 from tests.every import every
 
 BARE = BlockFlags(restitution="0.8")

@@ -2,10 +2,10 @@
 
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, InputError, Rest, State, Steady, simulate
+from rocksteady import DimensionlessBlock, Harmonic, Rest, State, Steady, simulate
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking, state_from
-from rocksteady.errors import ModelError
+from rocksteady.errors import InputError, ModelError
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 

@@ -7,18 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    InputError,
-    OutputError,
-    Run,
-    Store,
-    UnfinishedError,
-    map_attractors,
-)
+from rocksteady import DimensionlessBlock, Execution, Store, map_attractors
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.groups import OutputFlags
 from rocksteady.cli.flags.sweep import SweepFlags, resuming
+from rocksteady.errors import InputError, OutputError, UnfinishedError
 from tests.every import every
 
 
@@ -26,19 +19,19 @@ def filled(path: Path) -> Path:
     """Write a store of four cells."""
     axes: dict[str, Any] = {"amplitude": np.array([0.5, 1.5]), "frequency_ratio": [2.0, 3.0]}
     block = DimensionlessBlock(restitution=0.8)
-    map_attractors(block, axes=axes, max_cycles=20, run=Run(store=Store(path)))
+    map_attractors(block, axes=axes, max_cycles=20, run=Execution(store=Store(path)))
     return path
 
 
 def test_without_out_there_is_no_store() -> None:
-    assert SweepFlags().run(force=False) == Run()
+    assert SweepFlags().run(force=False) == Execution()
     for flags in (SweepFlags(resume=True), SweepFlags(chunk=10)):
         with pytest.raises(FlagError, match="without --out there is no store"):
             flags.run(force=False)
 
 
 def test_the_flags_make_a_run() -> None:
-    assert SweepFlags(executor="serial", workers=2).run(force=False) == Run(
+    assert SweepFlags(executor="serial", workers=2).run(force=False) == Execution(
         executor="serial", workers=2
     )
     with pytest.raises(InputError, match="executor = 'cloud' is not valid"):

@@ -5,10 +5,11 @@ from typing import Any
 
 import pytest
 
-from rocksteady import DimensionlessBlock, Linear, ModelError, Rest, State, Steady
+from rocksteady import DimensionlessBlock, Linear, Rest, State, Steady
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.sweep_start import SweepStart
+from rocksteady.errors import ModelError
 from tests.every import every
 
 SPAN = Range(

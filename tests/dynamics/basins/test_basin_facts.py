@@ -6,12 +6,9 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    Basins,
     Block,
     DimensionlessBlock,
-    Erosion,
     Harmonic,
-    ModelError,
     Nonlinear,
     Rest,
     Status,
@@ -19,7 +16,9 @@ from rocksteady import (
     compute_erosion,
     simulate,
 )
+from rocksteady.basins import Basins, Erosion
 from rocksteady.dynamics.basins.erosion import MEASURES
+from rocksteady.errors import ModelError
 from tests.descriptions import as_json, fits
 from tests.every import every
 

@@ -10,20 +10,18 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rocksteady import (
-    AttractorKind,
-    BasinAttractor,
-    Basins,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
-    Orbit,
-    Run,
     State,
     Still,
     compute_basins,
     find_attractor,
 )
+from rocksteady.basins import BasinAttractor, Basins
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import Orbit
+from rocksteady.outcomes import AttractorKind
 from tests.dynamics.kicks import apart
 from tests.every import every
 
@@ -152,7 +150,7 @@ def test_a_subharmonic_orbit_is_one_attractor_whatever_its_shift_in_time() -> No
 
 def test_labels_do_not_depend_on_the_grid() -> None:
     one = at(0.5, 2.0, 0.95, count=40)
-    other = at(0.5, 2.0, 0.95, count=61, seed=1, run=Run(executor="serial"))
+    other = at(0.5, 2.0, 0.95, count=61, seed=1, run=Execution(executor="serial"))
     assert [a.name for a in one.attractors] == [a.name for a in other.attractors]
     assert len(one.attractors) == 4
     for first, second in zip(one.attractors, other.attractors, strict=True):
@@ -217,7 +215,7 @@ def test_shares_add_up_and_their_interval_is_wilsons() -> None:
 
 def test_a_seed_draws_one_state_in_each_cell_and_does_not_depend_on_how_they_are_dealt() -> None:
     one = at(0.5, 2.0, 0.8, seed=7)
-    other = at(0.5, 2.0, 0.8, seed=7, run=Run(executor="serial"))
+    other = at(0.5, 2.0, 0.8, seed=7, run=Execution(executor="serial"))
     assert np.array_equal(one.label, other.label)
     assert np.array_equal(one.start_angle, other.start_angle)
     step = one.angle[1] - one.angle[0]

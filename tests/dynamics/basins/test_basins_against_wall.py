@@ -9,19 +9,18 @@ from numpy.typing import NDArray
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    ModelError,
     Rest,
-    Run,
     State,
     Status,
     compute_basins,
     compute_erosion,
     find_attractor,
-    plot_basins,
-    plot_safe_basin,
+    plots,
     simulate,
 )
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.every import every
 
@@ -71,7 +70,7 @@ def test_by_default_the_window_begins_at_the_wall() -> None:
     step = reach / 200
     assert found.angle == pytest.approx((np.arange(200) + 0.5) * step)
     assert found.velocity[[0, -1]] == pytest.approx([step - reach, reach - step])
-    axes = plot_basins(found)
+    axes = plots.basins(found)
     assert axes.get_xlim() == pytest.approx((0.0, reach))
     # Below uplift all that do not fall come to rest; which ones fall hangs on the shaking.
     names = [attractor.name for attractor in found.attractors]
@@ -112,7 +111,7 @@ def test_the_safe_basin_of_a_still_base_is_known(e: float) -> None:
         step = float(np.diff(found.velocity)[0])
         assert found.still_radius == pytest.approx(apart.max(), abs=0.05 + 2.0 * step)
     assert found.heteroclinic is None
-    axes = plot_safe_basin(found, 0)
+    axes = plots.safe_basin(found, 0)
     assert axes.get_xlim()[0] == pytest.approx(0.0, abs=1e-9)
 
 
@@ -131,10 +130,10 @@ def test_each_state_is_as_safe_as_it_is_alone() -> None:
 
 
 def test_executors_agree_to_the_bit() -> None:
-    def basins(run: Run) -> Any:
+    def basins(run: Execution) -> Any:
         return compute_basins(FACADE, SHAKING, run=run, seed=1, **WINDOW).to_dataset()
 
-    assert basins(Run(executor="serial")).identical(basins(Run(workers=2)))
+    assert basins(Execution(executor="serial")).identical(basins(Execution(workers=2)))
 
 
 @every(

@@ -10,20 +10,19 @@ from numpy.typing import NDArray
 
 from rocksteady import (
     DimensionlessBlock,
-    Erosion,
-    FourierSeries,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
-    Run,
     State,
     Status,
     Store,
     compute_erosion,
-    heteroclinic_amplitude,
     simulate,
 )
+from rocksteady.basins import Erosion
 from rocksteady.dynamics.basins._safe import measured
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import heteroclinic_amplitude
+from rocksteady.motions import FourierSeries
 from tests.every import every
 
 Floats = NDArray[np.float64]
@@ -158,9 +157,9 @@ def test_a_window_already_below_the_level_is_bracketed_from_the_still_base() -> 
 def test_executors_agree_and_whole_periods_change_nothing() -> None:
     axes = coarse(40)
     told: list[int] = []
-    one = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7, run=Run(progress=told.append), **axes)
+    one = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7, run=Execution(progress=told.append), **axes)
     other = eroded(
-        0.9, 2.0, [0.5, 1.0], phase=0.7 - 2.0 * math.pi, run=Run(executor="serial"), **axes
+        0.9, 2.0, [0.5, 1.0], phase=0.7 - 2.0 * math.pi, run=Execution(executor="serial"), **axes
     )
     assert np.array_equal(one.safe, other.safe)
     assert sum(told) == 3 * 40 * 40  # the still base too
@@ -172,15 +171,15 @@ def test_executors_agree_and_whole_periods_change_nothing() -> None:
 def test_a_store_holds_the_states_and_a_drop_has_none(tmp_path: Path) -> None:
     path, told = tmp_path / "erosion.zarr", list[int]()
     given: dict[str, Any] = {"restitution": 0.9, "frequency": 2.0, "amplitudes": [0.6, 1.0]}
-    found = eroded(**given, run=Run(store=path))  # of the default window
-    again = eroded(**given, run=Run(store=Store(path, resume=True), progress=told.append))
+    found = eroded(**given, run=Execution(store=path))  # of the default window
+    again = eroded(**given, run=Execution(store=Store(path, resume=True), progress=told.append))
     assert told == [3 * len(found.angle) * len(found.velocity)]  # nothing is computed again
     memory = eroded(**given)
     for one in (found, again):
         assert np.array_equal(one.safe, memory.safe)
         assert one.to_dataset().identical(memory.to_dataset())
     with pytest.raises(ModelError, match="run has a store: the basins of a drop are not kept"):
-        found.drop(run=Run(store=tmp_path / "other.zarr"))
+        found.drop(run=Execution(store=tmp_path / "other.zarr"))
 
 
 def test_a_dataset_and_a_table_hold_it() -> None:

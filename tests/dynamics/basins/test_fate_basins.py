@@ -12,35 +12,31 @@ from scipy.integrate import solve_ivp
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    FateBasins,
+    Execution,
     Harmonic,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
     Pulse,
     Record,
-    Run,
     State,
     Status,
     Still,
     Store,
-    add_motions,
     compute_fate_basins,
-    cut_motion,
-    delay_motion,
-    scale_motion,
     simulate,
 )
+from rocksteady.basins import FateBasins
 from rocksteady.dynamics.history.base_motion import base_acceleration, segment_starts
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import add, cut, delay, scale
 
 BARE = DimensionlessBlock(restitution=0.9)
 BLOCK = Block.rectangle(width=0.8, height=3.0, restitution=0.9)
 PULSE = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0)
-SUM = add_motions(
+SUM = add(
     PULSE,
-    delay_motion(Pulse(shape="half-sine", amplitude=1.5, frequency_ratio=5.0), 0.4),
+    delay(Pulse(shape="half-sine", amplitude=1.5, frequency_ratio=5.0), 0.4),
     tolerance=1e-4,
 )
 T = 0.1 * np.arange(25)
@@ -186,7 +182,7 @@ def test_the_mirrored_motion_mirrors_the_fates(model: object) -> None:
 
 
 def test_a_later_moment_is_a_window_on_the_rest_of_the_motion() -> None:
-    later = fates(delay_motion(PULSE, 2.0), time_pt=2.0)
+    later = fates(delay(PULSE, 2.0), time_pt=2.0)
     assert (later.fate == fates(PULSE).fate).all()
     gone = fates(PULSE, time_pt=100.0)
     assert (gone.safe == gone.still_safe).all()
@@ -205,7 +201,7 @@ def test_integrity_is_1_on_a_still_base_and_falls_with_the_scale() -> None:
     assert parts[1].states == parts[2].states
     assert all(part.low < part.share < part.high for part in parts)
     weak, strong = (
-        fates(cut_motion(Harmonic(amplitude=a, frequency_ratio=3.0), 20.0)).global_integrity
+        fates(cut(Harmonic(amplitude=a, frequency_ratio=3.0), 20.0)).global_integrity
         for a in (0.0, 3.0)
     )
     assert weak == 1.0
@@ -233,18 +229,20 @@ def test_a_store_is_resumed_to_the_same_result(tmp_path: Path) -> None:
     given = {"angles": window, "velocities": window}
     place = tmp_path / "fates.zarr"
     with pytest.raises(StoppedError):
-        fates(PULSE, **given, run=Run(store=Store(place, chunk=100), progress=stop))
+        fates(PULSE, **given, run=Execution(store=Store(place, chunk=100), progress=stop))
     counts: list[int] = []
     again = fates(
-        PULSE, **given, run=Run(store=Store(place, resume=True, chunk=100), progress=counts.append)
+        PULSE,
+        **given,
+        run=Execution(store=Store(place, resume=True, chunk=100), progress=counts.append),
     )
     assert counts[0] > 0
-    memory = fates(PULSE, **given, run=Run(executor="serial"))
+    memory = fates(PULSE, **given, run=Execution(executor="serial"))
     assert again.to_dataset().equals(memory.to_dataset())
 
 
 def test_what_cannot_be_computed_is_refused() -> None:
-    with pytest.raises(InputError, match="cut_motion"):
+    with pytest.raises(InputError, match="cut"):
         fates(Harmonic(amplitude=1.0, frequency_ratio=2.0))
     with pytest.raises(ModelError, match="sizes"):
         fates(RECORD)
@@ -265,7 +263,7 @@ def test_it_speaks_for_itself() -> None:
     assert len(frame) == found.fate.size
     assert frame.fate[0] == Status(found.fate[0, 0]).label
     assert found.state(0, 1) == State(angle=WINDOW[1], velocity=WINDOW[0])
-    edge = fates(scale_motion(PULSE, 0.0), angles=[5.0, 6.0], velocities=[5.0, 6.0])
+    edge = fates(scale(PULSE, 0.0), angles=[5.0, 6.0], velocities=[5.0, 6.0])
     assert math.isnan(edge.global_integrity)
     assert edge.to_dict()["global_integrity"] is None
     assert "global_integrity" not in edge.to_dataset().attrs

@@ -7,11 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import (
-    Basins,
     Block,
     DimensionlessBlock,
     Harmonic,
-    ModelError,
     State,
     Status,
     compute_basins,
@@ -19,6 +17,8 @@ from rocksteady import (
     find_attractor,
     simulate,
 )
+from rocksteady.basins import Basins
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear, Nonlinear
 from tests.dynamics.kicks import apart
 from tests.every import every

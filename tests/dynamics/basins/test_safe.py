@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Run, State, Status, simulate
+from rocksteady import Block, DimensionlessBlock, Execution, Harmonic, State, Status, simulate
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -37,7 +37,7 @@ def test_a_state_is_safe_where_its_time_history_does_not_overturn(
         angles=angles,
         velocities=velocities,
         cycles=15,
-        run=Run(executor="serial", workers=None),
+        run=Execution(executor="serial", workers=None),
     )
     assert safe.shape == (2, 4, 6)
     for at, amplitude in enumerate(amplitudes):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import DimensionlessBlock, Harmonic, InputError, State, Status, simulate
+from rocksteady import DimensionlessBlock, Harmonic, State, Status, simulate
 from rocksteady.dynamics.basins.window import (
     centred,
     moment,
@@ -18,6 +18,7 @@ from rocksteady.dynamics.basins.window import (
     window_of,
 )
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear
 from tests.every import every
 

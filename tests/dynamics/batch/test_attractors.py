@@ -10,15 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ModelError,
-    find_attractor,
-    find_attractors,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor, simulate
 from rocksteady.dynamics.batch.attractors import (
     KIND_FLAGS,
     Attractors,
@@ -29,11 +21,13 @@ from rocksteady.dynamics.batch.attractors import (
 )
 from rocksteady.dynamics.batch.initial_states import at_phases
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.batch.attractors import OUTCOME
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.core.tuples import States
 from rocksteady.kernels.machine_code.device import Form, on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.orbits import find_attractors
 from tests.dynamics.batch.cells import Cells, random_cells
 
 CYCLES = 200

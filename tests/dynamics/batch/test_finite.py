@@ -11,30 +11,25 @@ from rocksteady import (
     BaseMotion,
     Block,
     DimensionlessBlock,
-    FourierSeries,
     Harmonic,
-    Impulses,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
     Piecewise,
     Pulse,
     Record,
-    Segment,
     State,
     Status,
     Still,
-    add_motions,
     compute_fate_basins,
-    cut_motion,
     simulate,
 )
 from rocksteady.dynamics.batch.finite import fate_of, finite_table, thrust
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ROW_SIDE
 from rocksteady.kernels.machine_code.compilation import PYTHON, runner
+from rocksteady.motions import FourierSeries, Impulses, Segment, add, cut
 from tests.every import every
 
 BLOCK = Block.rectangle(width=0.6, height=3.0, restitution=0.9)
@@ -59,11 +54,11 @@ CASES: tuple[tuple[Any, Any, Any], ...] = (
     (BLOCK, Still(), Nonlinear()),
     (DimensionlessBlock(restitution=0.8), Impulses(velocities=(0.5, -0.9), times=(0.0, 1.5)),
      Linear()),
-    (DimensionlessBlock(restitution=0.8), add_motions(PULSE, STRUCK, tolerance=1e-3), Linear()),
+    (DimensionlessBlock(restitution=0.8), add(PULSE, STRUCK, tolerance=1e-3), Linear()),
     (DimensionlessBlock(restitution=0.8, alpha_ratio=1.3, p_ratio=0.9), PULSE, Linear()),
     (DimensionlessBlock(restitution=0.0, one_sided=True), PULSE, Linear()),
     (DimensionlessBlock(restitution=0.9),
-     cut_motion(Harmonic(amplitude=1.5, frequency_ratio=2.0, phase=4.0), 10.0), Linear()),
+     cut(Harmonic(amplitude=1.5, frequency_ratio=2.0, phase=4.0), 10.0), Linear()),
 )  # fmt: skip
 
 
@@ -134,7 +129,7 @@ def test_the_thrust_is_the_integral_of_the_acceleration(rate: float) -> None:
 def test_the_thrust_of_a_fourier_series_is_too() -> None:
     waves = ((1, 1.0, 0.3), (3, 0.5, -1.1), (4, 0.2, 2.0))
     series = FourierSeries(amplitude=1.7, frequency_ratio=2.3, harmonics=waves, phase=0.9)
-    table = finite_table(cut_motion(series, 4.0), DimensionlessBlock(restitution=0.8), Linear())
+    table = finite_table(cut(series, 4.0), DimensionlessBlock(restitution=0.8), Linear())
     expected = quad(
         lambda s: float(base_acceleration(table, s)) * math.exp(-s), 0.0, 4.0, epsabs=1e-13
     )[0]
@@ -145,7 +140,7 @@ def test_the_thrust_of_a_fourier_series_is_too() -> None:
 def test_fates_under_a_series_that_ends_are_those_of_simulate(model: Linear | Nonlinear) -> None:
     waves = ((1, 1.0, 0.0), (2, 0.6, 0.7))
     series = FourierSeries(amplitude=1.6, frequency_ratio=2.0, harmonics=waves)
-    motion = cut_motion(series, 6.0)
+    motion = cut(series, 6.0)
     states = np.linspace(-0.9, 0.9, 5)
     found = compute_fate_basins(BLOCK, motion, angles=states, velocities=states, model=model)
     for row, velocity in enumerate(states.tolist()):
@@ -161,7 +156,7 @@ def test_a_motion_without_end_is_refused() -> None:
         Harmonic(amplitude=1.0, frequency_ratio=2.0),
         Piecewise(pieces=(Segment(duration=math.inf, constant=0.5),)),
     ):
-        with pytest.raises(InputError, match="cut_motion"):
+        with pytest.raises(InputError, match="cut"):
             finite_table(motion, BLOCK, Linear())
     with pytest.raises(ModelError, match="vertical"):
         finite_table(BaseMotion(RECORD, UP), BLOCK, Linear())

@@ -5,10 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, ModelError, Steady
+from rocksteady import Block, DimensionlessBlock, Harmonic, Steady
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import random_cells
 from tests.every import every

@@ -7,17 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import root
 
-from rocksteady import (
-    BranchPoint,
-    DimensionlessBlock,
-    Harmonic,
-    ImpactState,
-    Orbit,
-    PointType,
-    ReturnMap,
-    find_orbits,
-    follow_branch,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+from rocksteady.branches import BranchPoint, PointType, follow_branch
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import Orbit, ReturnMap
 
 Floats = NDArray[np.float64]
 

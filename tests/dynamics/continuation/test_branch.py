@@ -6,16 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BranchPoint,
-    find_attractor,
-    find_orbits,
-    find_steady_states,
-    follow_branch,
-    region_boundaries,
-    symmetry_breaking_amplitude,
-    symmetry_breaking_frequency,
-)
+from rocksteady import find_attractor, find_orbits, find_steady_states
+from rocksteady.branches import BranchPoint, follow_branch
+from rocksteady.formulas import symmetry_breaking_amplitude, symmetry_breaking_frequencies
+from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     RANGES,
@@ -49,7 +43,7 @@ def test_folds_are_the_existence_boundary(order: int) -> None:
     rng = np.random.default_rng(order)
     for _ in range(6):
         frequency, restitution = rng.uniform(0.8, 3.0) * order, rng.uniform(0.3, 0.95)
-        edge = float(region_boundaries(frequency, restitution, order=order).existence)
+        edge = float(compute_region_boundaries(frequency, restitution, order=order).existence)
         start = symmetric_start(1.05 * edge, frequency, restitution, order=order)
         if not start.admissible:
             continue
@@ -62,7 +56,7 @@ def test_folds_are_the_existence_boundary(order: int) -> None:
         # In frequency the same boundary, as a root.
         here = list(follow_branch(start, "frequency_ratio", (0.3, 40.0), inadmissible=True))
         for other in (point for point in here if point.type == "fold"):
-            found = region_boundaries(other.frequency_ratio, restitution, order=order)
+            found = compute_region_boundaries(other.frequency_ratio, restitution, order=order)
             assert other.amplitude == pytest.approx(float(found.existence), rel=1e-11)
 
 
@@ -103,7 +97,7 @@ def test_symmetry_breaks_where_it_is_printed(amplitude: float, order: int, print
     )
     breaking = first(branch, "symmetry-breaking")
     assert breaking.frequency_ratio == pytest.approx(printed, abs=6e-7)  # TW6
-    exact = symmetry_breaking_frequency(amplitude, 0.8, order=order)
+    exact = symmetry_breaking_frequencies(amplitude, 0.8, order=order)
     assert np.abs(exact - breaking.frequency_ratio).min() <= 1e-12 * printed
 
 
@@ -140,7 +134,7 @@ def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None
     for _ in range(40):
         order = int(rng.choice([3, 5]))
         frequency, restitution = rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)
-        edge = float(region_boundaries(frequency, restitution, order=order).existence)
+        edge = float(compute_region_boundaries(frequency, restitution, order=order).existence)
         start = symmetric_start(1.1 * edge, frequency, restitution, order=order)
         if not start.admissible:
             continue

@@ -7,25 +7,26 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    BranchPoint,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
-    PointType,
     Steady,
     find_attractor,
-    find_branches,
-    find_cascade,
     find_orbits,
     find_steady_states,
+)
+from rocksteady.branches import (
+    BranchPoint,
+    PointType,
+    find_branches,
+    find_cascade,
     follow_bifurcation,
     follow_branch,
-    region_boundaries,
-    symmetry_breaking_amplitude,
 )
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     first,
     least_height,
@@ -257,7 +258,7 @@ def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
 @pytest.mark.parametrize("ratio", [6.0, 12.0])
 def test_branches_with_a_graze_beside_a_merging_end_without_an_error(ratio: float) -> None:
     # Brent's method halves its bracket here so seldom that it takes more than 100 steps.
-    low = float(region_boundaries(ratio, 0.8, order=3).existence)
+    low = float(compute_region_boundaries(ratio, 0.8, order=3).existence)
     high = float(symmetry_breaking_amplitude(ratio, 0.8, order=3))
     shaking = Harmonic(amplitude=0.7 * low + 0.3 * high, frequency_ratio=ratio)
     found = find_orbits(BLOCK, shaking, max_period=3, max_impacts=1, seeds=1)
@@ -282,7 +283,7 @@ def test_what_gets_nowhere_is_stalled_and_says_where_and_why(
         ),
     )
     block = DimensionlessBlock(restitution=0.87)
-    edge = float(region_boundaries(4.5, 0.87, order=3).existence)
+    edge = float(compute_region_boundaries(4.5, 0.87, order=3).existence)
     shaking = Harmonic(amplitude=1.1 * edge, frequency_ratio=4.5)
     found = find_orbits(block, shaking, max_period=3, max_impacts=2, seeds=1)
     start = next(orbit for orbit in found if orbit.period == 3 and orbit.symmetric)

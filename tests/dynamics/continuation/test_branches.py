@@ -5,21 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Branch,
-    BranchPoint,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ModelError,
-    Orbit,
-    find_branches,
-    find_orbits,
-    follow_branch,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+from rocksteady.branches import Branch, BranchPoint, find_branches, follow_branch
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.parameters import PARAMETERS
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import Orbit
 from tests.dynamics.continuation.branches import setting, special, symmetric_start, values_of
 from tests.every import every
 

@@ -5,16 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DoublingCascade,
-    InputError,
-    ModelError,
-    find_attractor,
-    find_cascade,
-    find_orbits,
-    follow_branch,
-    symmetry_breaking_amplitude,
-)
+from rocksteady import find_attractor, find_orbits
+from rocksteady.branches import Cascade, find_cascade, follow_branch
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import symmetry_breaking_amplitude
 from tests.dynamics.continuation.branches import first, located, setting, special, symmetric_start
 from tests.every import every
 
@@ -22,12 +16,12 @@ FEIGENBAUM = 4.669201609102990
 
 
 @pytest.fixture(scope="module")
-def found() -> DoublingCascade:
+def found() -> Cascade:
     start = symmetric_start(2.0, 2.0, 0.8)
     return find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=6)
 
 
-def test_each_doubling_is_one_by_the_return_map(found: DoublingCascade) -> None:
+def test_each_doubling_is_one_by_the_return_map(found: Cascade) -> None:
     assert [point.period for point in found.points] == [1, 2, 4, 8, 16, 32]
     assert [point.impacts for point in found.points] == [2, 4, 8, 16, 32, 64]
     for point in found.points[:4]:
@@ -39,7 +33,7 @@ def test_each_doubling_is_one_by_the_return_map(found: DoublingCascade) -> None:
         assert point.multipliers[1] == pytest.approx(-(0.8 ** (2 * point.impacts)), rel=1e-5)
 
 
-def test_it_lies_where_the_paper_has_its_doubled_orbit(found: DoublingCascade) -> None:
+def test_it_lies_where_the_paper_has_its_doubled_orbit(found: Cascade) -> None:
     # Doubled at 1.78, gone by 1.77 (TW7).
     assert 1.78 < found.values[0] < 1.80
     assert found.values[1] < 1.78
@@ -47,7 +41,7 @@ def test_it_lies_where_the_paper_has_its_doubled_orbit(found: DoublingCascade) -
     assert (np.diff(found.values) < 0.0).all()
 
 
-def test_the_ratios_of_its_distances_tend_to_feigenbaums(found: DoublingCascade) -> None:
+def test_the_ratios_of_its_distances_tend_to_feigenbaums(found: Cascade) -> None:
     assert found.distances == pytest.approx(np.diff(found.values))
     assert found.ratios == pytest.approx(found.distances[:-1] / found.distances[1:])
     away = np.abs(found.ratios - FEIGENBAUM)
@@ -56,7 +50,7 @@ def test_the_ratios_of_its_distances_tend_to_feigenbaums(found: DoublingCascade)
     assert found.limit == pytest.approx(1.77168218, abs=2e-8)
 
 
-def test_between_two_doublings_the_doubled_orbit_attracts(found: DoublingCascade) -> None:
+def test_between_two_doublings_the_doubled_orbit_attracts(found: Cascade) -> None:
     for k in range(3):
         middle = 0.5 * (found.values[k] + found.values[k + 1])
         block, shaking = setting((2.0, middle, 0.8))
@@ -78,7 +72,7 @@ def test_shorter_steps_find_the_same() -> None:
     assert one.values == pytest.approx(other.values, rel=1e-12)
 
 
-def test_from_an_orbit_that_leans_it_is_the_same(found: DoublingCascade) -> None:
+def test_from_an_orbit_that_leans_it_is_the_same(found: Cascade) -> None:
     leaning = [o for o in find_orbits(*setting((2.0, 1.9, 0.8)), max_period=1) if not o.symmetric]
     one = find_cascade(leaning[0], "frequency_ratio", (1.7, 2.0), direction=-1, doublings=2)
     assert one.values == pytest.approx(found.values[:2], rel=1e-12)

@@ -7,25 +7,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BifurcationDiagram,
-    Block,
-    BranchSearch,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ModelError,
-    find_attractor,
-    find_bifurcations,
-    symmetry_breaking_frequency,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, find_attractor, find_bifurcations
+from rocksteady.branches import BifurcationDiagram, BranchOptions
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import symmetry_breaking_frequencies
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
 MOTION = Harmonic(amplitude=2.0, frequency_ratio=1.95)
 WITHIN = (1.9, 2.0)
-SMALL = BranchSearch(max_period=1, max_impacts=2, doublings=0)
+SMALL = BranchOptions(max_period=1, max_impacts=2, doublings=0)
 
 
 @cache
@@ -60,7 +52,7 @@ def test_a_bifurcation_on_two_branches_is_listed_once() -> None:
     (each,) = diagram.points
     assert each.branches == (1, 2)
     assert each.point.type == "symmetry-breaking"
-    exact = symmetry_breaking_frequency(2.0, 0.8)
+    exact = symmetry_breaking_frequencies(2.0, 0.8)
     assert np.abs(each.point.frequency_ratio - exact).min() < 1e-11
     (values,) = diagram.to_dict()["points"]
     assert (values["branch"], values["branches"]) == (1, [1, 2])
@@ -181,7 +173,7 @@ def test_the_cascade_tends_to_feigenbaums_ratio() -> None:
         "frequency_ratio",
         within=(1.7, 2.1),
         values=0,
-        search=BranchSearch(max_period=2, doublings=4),
+        search=BranchOptions(max_period=2, doublings=4),
     )
     assert diagram.cascade is not None
     values = diagram.to_dict()["cascade"]
@@ -229,9 +221,9 @@ def test_what_is_no_diagram_is_refused(change: dict[str, Any], message: str) -> 
     with pytest.raises(InputError, match=message):
         find_bifurcations(BARE, MOTION, parameter, search=SMALL, **given)
     with pytest.raises(InputError, match="max_impacts = 0"):
-        BranchSearch(max_impacts=0)
+        BranchOptions(max_impacts=0)
     with pytest.raises(InputError, match="max_cycles = 0"):
-        BranchSearch(max_cycles=0)
+        BranchOptions(max_cycles=0)
 
 
 def test_a_block_against_a_wall_has_no_branches() -> None:
@@ -247,7 +239,7 @@ def test_branches_start_from_each_order() -> None:
     )
 
     def kinds(*orders: int) -> set[tuple[int, int]]:
-        search = BranchSearch(orders=orders, max_period=3, max_impacts=2, doublings=0)
+        search = BranchOptions(orders=orders, max_period=3, max_impacts=2, doublings=0)
         found = find_bifurcations(
             block, motion, "frequency_ratio", within=(7.0, 9.0), values=0, search=search
         )
@@ -255,7 +247,7 @@ def test_branches_start_from_each_order() -> None:
         return {(branch.period, branch.impacts) for branch in found.branches}
 
     assert kinds(3, 1, 3) == kinds(1) | kinds(3) > kinds(1)
-    assert BranchSearch(orders=(1, 5)).longest == 20
+    assert BranchOptions(orders=(1, 5)).longest == 20
     for bad in ((), (2,), (1, -1), (1001,)):
         with pytest.raises(InputError, match="orders"):
-            BranchSearch(orders=bad)
+            BranchOptions(orders=bad)

@@ -9,21 +9,18 @@ from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
 from rocksteady import (
-    Branch,
-    BranchPoint,
     DimensionlessBlock,
     Harmonic,
-    ModelError,
     Steady,
-    compute_manifold,
-    find_branches,
     find_orbits,
     find_steady_states,
-    follow_branch,
-    plot_multipliers,
+    plots,
     simulate,
 )
+from rocksteady.basins import compute_manifold
+from rocksteady.branches import Branch, BranchPoint, find_branches, follow_branch
 from rocksteady.dynamics.continuation.branch_facts import point_row
+from rocksteady.errors import ModelError
 
 RESTITUTION, AMPLITUDE = 0.87, 5.0
 BLOCK = DimensionlessBlock(restitution=RESTITUTION)
@@ -199,7 +196,7 @@ def test_an_orbit_that_grazes_has_no_multipliers_exponent_or_verdict() -> None:
             if not orbit.admissible:
                 continue
             assert orbit.summary().startswith("Grazes symmetric")
-            assert plot_multipliers([orbit], Figure().add_subplot()).lines
+            assert plots.multipliers([orbit], Figure().add_subplot()).lines
             with pytest.raises(ModelError, match="grazes"):
                 compute_manifold(orbit, kind="unstable")
             with pytest.raises(ModelError, match="without speed"):

@@ -7,23 +7,25 @@ import pytest
 
 from rocksteady import (
     Block,
-    Branch,
-    BranchPoint,
-    BranchSearch,
     DimensionlessBlock,
     Harmonic,
     Linear,
-    ModelError,
     Nonlinear,
-    Orbit,
     find_bifurcations,
-    find_branches,
-    find_cascade,
     find_orbits,
-    follow_bifurcation,
-    follow_branch,
     simulate,
 )
+from rocksteady.branches import (
+    Branch,
+    BranchOptions,
+    BranchPoint,
+    find_branches,
+    find_cascade,
+    follow_bifurcation,
+    follow_branch,
+)
+from rocksteady.errors import ModelError
+from rocksteady.orbits import Orbit
 from tests.dynamics.continuation.branches import first
 from tests.dynamics.shooting import solved
 from tests.every import every
@@ -164,7 +166,7 @@ def test_a_diagram_of_a_very_slender_block_is_the_linear_one(
             parameter,
             within=within,
             values=0,
-            search=BranchSearch(orders=(order,), doublings=0),
+            search=BranchOptions(orders=(order,), doublings=0),
             model=model,
         )
         for block, model in (
@@ -256,7 +258,7 @@ def test_a_diagram_knows_its_model() -> None:
         "frequency_ratio",
         within=(1.7, 2.2),
         values=6,
-        search=BranchSearch(doublings=2),
+        search=BranchOptions(doublings=2),
         model=Nonlinear(),
     )
     assert [each.point.type.value for each in diagram.points][:2] == [

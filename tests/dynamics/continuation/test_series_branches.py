@@ -7,24 +7,25 @@ import pytest
 
 from rocksteady import (
     Block,
-    Branch,
-    FourierSeries,
     Harmonic,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
-    Orbit,
     find_bifurcation_curves,
     find_bifurcations,
-    find_branches,
-    find_cascade,
     find_orbits,
-    follow_bifurcation,
-    follow_branch,
     simulate,
 )
+from rocksteady.branches import (
+    Branch,
+    find_branches,
+    find_cascade,
+    follow_bifurcation,
+    follow_branch,
+)
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.motions.harmonics import Harmonics
+from rocksteady.motions import FourierSeries
+from rocksteady.orbits import Orbit
 from tests.dynamics.shooting import solved
 from tests.every import every
 

@@ -7,19 +7,16 @@ import pytest
 
 from rocksteady import (
     Block,
-    Branch,
     DimensionlessBlock,
     Harmonic,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
-    Orbit,
     find_bifurcations,
-    find_branches,
     find_orbits,
-    follow_branch,
 )
+from rocksteady.branches import Branch, find_branches, follow_branch
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import Orbit
 from tests.dynamics.continuation.branches import first
 from tests.dynamics.continuation.test_nonlinear_branches import checked_events
 

@@ -5,17 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    Linear,
-    ModelError,
-    Nonlinear,
-    State,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Nonlinear, State, simulate
 from rocksteady.dynamics.edges._flow import Flow
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Model
 from tests.every import every
 

@@ -9,31 +9,32 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize_scalar
 
 from rocksteady import (
-    AttractorKind,
     Block,
     DimensionlessBlock,
     Harmonic,
-    HilltopSaddle,
     Linear,
-    Manifold,
-    ManifoldBranch,
-    ModelError,
     Nonlinear,
-    Orbit,
     State,
     compute_basins,
-    compute_manifold,
-    find_attractors,
-    find_hilltop_saddles,
     find_orbits,
-    heteroclinic_amplitude,
     simulate,
+)
+from rocksteady.basins import (
+    HilltopSaddle,
+    Manifold,
+    ManifoldBranch,
+    compute_manifold,
+    find_hilltop_saddles,
 )
 from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._leaving import FromHilltop, FromOrbit
 from rocksteady.dynamics.orbits.return_map import harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
+from rocksteady.errors import ModelError
+from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.model.equations import Model
+from rocksteady.orbits import Orbit, find_attractors
+from rocksteady.outcomes import AttractorKind
 from tests.every import every
 
 Floats = NDArray[np.float64]

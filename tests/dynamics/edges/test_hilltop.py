@@ -9,13 +9,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    Nonlinear,
-    find_hilltop_saddles,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Nonlinear
+from rocksteady.basins import find_hilltop_saddles
 
 Floats = NDArray[np.float64]
 TURN = 2.0 * math.pi

@@ -11,25 +11,22 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    HilltopSaddle,
-    ImpactState,
-    InputError,
-    ModelError,
     Nonlinear,
-    Orbit,
     Rest,
     State,
     Status,
     Steady,
-    compute_manifold,
     find_attractor,
     find_edge_state,
-    find_fatal_kick,
-    find_hilltop_saddles,
+    find_fatal_kicks,
     find_orbits,
-    heteroclinic_amplitude,
     simulate,
 )
+from rocksteady.basins import HilltopSaddle, compute_manifold, find_hilltop_saddles
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import heteroclinic_amplitude
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import Orbit
 
 TURN = 2.0 * math.pi
 BARE = DimensionlessBlock(restitution=0.9)
@@ -40,7 +37,7 @@ def test_on_a_still_base_the_least_kick_is_that_of_find_fatal_kick(kick: int) ->
     start = State(angle=0.5, velocity=0.0)
     still = Harmonic(amplitude=0.0, frequency_ratio=2.0)
     edge = find_edge_state(BARE, still, start=start, kick=kick)
-    known = find_fatal_kick(BARE, start=start).signed[0, 0 if kick > 0 else 1]
+    known = find_fatal_kicks(BARE, start=start).signed[0, 0 if kick > 0 else 1]
     assert edge.kick == pytest.approx(float(known), abs=1e-9)
     assert isinstance(edge.saddle, HilltopSaddle)
     assert edge.saddle.side == kick

@@ -9,10 +9,8 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    Impulses,
     Piecewise,
     Record,
-    Segment,
     State,
     Status,
     Still,
@@ -22,6 +20,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Impulses, Segment
 from tests.dynamics.asymmetric import ASYMMETRY, BLOCK, HARD, random_block
 from tests.dynamics.integrator import integrate_sides
 from tests.every import every

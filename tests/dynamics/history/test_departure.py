@@ -8,17 +8,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    State,
-    Steady,
-    Trajectory,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, State, Steady, find_steady_states, simulate
 from rocksteady.dynamics.history.departure import unstable_direction
 from rocksteady.dynamics.history.start import KICK
+from rocksteady.histories import Trajectory
 from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)

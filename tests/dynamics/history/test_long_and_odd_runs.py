@@ -11,17 +11,17 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
     Piecewise,
     Rest,
-    Segment,
     State,
     Status,
     Steady,
     Still,
     simulate,
 )
+from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.motions import Segment
 from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)

@@ -6,18 +6,11 @@ import time
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ModelError,
-    Piecewise,
-    Record,
-    Segment,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Piecewise, Record
 from rocksteady.dynamics.history.lowering import record_table, segment_table
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ALIKE, DURATION
+from rocksteady.motions import Segment
 
 BLOCK = Block.from_p(alpha=0.2, p=2.5, restitution=0.8)
 VALUES = np.array([0.5, 1.5, -3.0, 2.0, 0.4])

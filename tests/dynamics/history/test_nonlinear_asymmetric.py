@@ -8,23 +8,22 @@ import pytest
 from rocksteady import (
     Block,
     Harmonic,
-    Impulses,
     Piecewise,
     Pulse,
     Record,
-    Segment,
     State,
     Status,
     Still,
-    Trajectory,
     find_attractor,
     map_attractors,
     map_fates,
     simulate,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.motions import Impulses, Segment
 from tests.dynamics.full_integrator import (
     agree_on_harmonic,
     agree_on_pulse,

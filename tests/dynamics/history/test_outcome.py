@@ -11,29 +11,26 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
     Linear,
-    ModelError,
-    Neighbours,
     Nonlinear,
     Piecewise,
     Pulse,
     Record,
     Rest,
-    Samples,
-    Segment,
     State,
     Status,
     Steady,
     Still,
-    Trajectory,
     check_neighbours,
     find_steady_states,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.histories import Neighbours, Samples, Trajectory
 from rocksteady.kernels.core import tables as columns_of
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
+from rocksteady.motions import Segment
 from tests.cli.motion_files import samples
 from tests.descriptions import as_json, fits
 from tests.every import every

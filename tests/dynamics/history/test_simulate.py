@@ -12,10 +12,7 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Rest,
-    Segment,
     State,
     Status,
     Steady,
@@ -23,6 +20,8 @@ from rocksteady import (
     find_steady_states,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import Segment
 from tests.dynamics.integrator import integrate
 from tests.dynamics.runs import BARE, half_sine, pulse, rocked
 from tests.every import every

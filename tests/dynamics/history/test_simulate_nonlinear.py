@@ -12,20 +12,18 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    Impulses,
-    InputError,
-    ModelError,
     Piecewise,
     Pulse,
     Record,
-    Segment,
     State,
     Status,
     Still,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.motions import Impulses, Segment
 from tests.dynamics.full_integrator import (
     agree_on_harmonic,
     agree_on_pulse,

@@ -6,20 +6,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Harmonic,
-    Impulses,
-    Pulse,
-    Record,
-    State,
-    Status,
-    Steady,
-    Still,
-    simulate,
-)
+from rocksteady import Block, Harmonic, Pulse, Record, State, Status, Steady, Still, simulate
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
+from rocksteady.motions import Impulses
 from tests.every import every
 from tests.records import peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS

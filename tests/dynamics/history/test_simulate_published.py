@@ -8,17 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Piecewise,
-    Segment,
-    State,
-    Status,
-    Still,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Piecewise, State, Status, Still, simulate
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Segment
 from tests.dynamics.runs import (
     BARE,
     HOUSNER,

@@ -15,20 +15,16 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    Impulses,
     Pulse,
     State,
     Status,
     SyntheticMotion,
-    Trajectory,
-    add_motions,
-    delay_motion,
-    join_motions,
-    scale_motion,
     simulate,
 )
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear
 from rocksteady.model.motions.pulses import PULSES
+from rocksteady.motions import Impulses, add, delay, join, scale
 from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE, GAMMA, NU, centred
 
@@ -344,10 +340,10 @@ def test_a_pulse_turned_round_gives_the_mirrored_run(name: str, a: float) -> Non
     other = State(angle=-0.1, velocity=0.2)
     # Cosines of type C end in a phase that rounds otherwise half a cycle on.
     exact = not name.startswith("type-c")
-    mirrored(simulate(block, pulse), simulate(block, scale_motion(pulse, -1.0)), exact=exact)
+    mirrored(simulate(block, pulse), simulate(block, scale(pulse, -1.0)), exact=exact)
     mirrored(
         simulate(block, pulse, start=start),
-        simulate(block, scale_motion(pulse, -1.0), start=other),
+        simulate(block, scale(pulse, -1.0), start=other),
         exact=exact,
     )
 
@@ -358,17 +354,17 @@ def test_impulses_synthetic_motions_and_sums_turned_round_give_mirrored_runs() -
     hits = Impulses(velocities=(0.4, -0.3, 0.2), times=(0.5, 1.5, 2.5))
     fast = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=9.0)
     slow = Pulse(shape="one-cosine", amplitude=1.0, frequency_ratio=3.0)
-    straight = (noise, hits, add_motions(noise, hits))
-    for motion in (*straight, add_motions(fast, slow), join_motions(fast, slow)):
+    straight = (noise, hits, add(noise, hits))
+    for motion in (*straight, add(fast, slow), join(fast, slow)):
         run = simulate(block, motion)
         assert len(run.impacts) > 5
-        mirrored(run, simulate(block, scale_motion(motion, -1.0)), exact=motion in straight)
+        mirrored(run, simulate(block, scale(motion, -1.0)), exact=motion in straight)
 
 
 def test_a_delayed_pulse_does_the_same_later() -> None:
     block = DimensionlessBlock(restitution=0.9)
     pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=5.0)
-    run, later = simulate(block, pulse), simulate(block, delay_motion(pulse, 2.0))
+    run, later = simulate(block, pulse), simulate(block, delay(pulse, 2.0))
     np.testing.assert_allclose(later.impacts.pt, run.impacts.pt + 2.0, atol=1e-13)
     np.testing.assert_array_equal(later.impacts.velocity_after, run.impacts.velocity_after)
 
@@ -410,7 +406,7 @@ def test_a_pulse_before_endless_shaking() -> None:
     block = DimensionlessBlock(restitution=0.9)
     pulse = Pulse(shape="half-sine", amplitude=1.5, frequency_ratio=5.0)
     shaking = Harmonic(amplitude=1.2, frequency_ratio=3.0)
-    run = simulate(block, join_motions(pulse, shaking), cycles=10)
+    run = simulate(block, join(pulse, shaking), cycles=10)
     end = pulse.duration + 10 * 2.0 * math.pi / 3.0
     assert run.end_time_pt == pytest.approx(end, rel=1e-14)
     before = run(pulse.duration)

@@ -8,15 +8,14 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    ModelError,
     Record,
     State,
     Status,
     Steady,
-    plot_base,
-    plot_trajectory,
+    plots,
     simulate,
 )
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Linear
 from tests.dynamics.history.test_lowering import as_pieces
 from tests.dynamics.integrator import integrate
@@ -143,8 +142,8 @@ def test_plots_of_a_run_under_a_record() -> None:
     from matplotlib.figure import Figure
 
     run = simulate(BLOCK, record(), model=Linear())
-    assert plot_trajectory(run, Figure().add_subplot()).lines
-    assert plot_base(run, Figure().add_subplot()).lines
+    assert plots.trajectory(run, Figure().add_subplot()).lines
+    assert plots.base(run, Figure().add_subplot()).lines
 
 
 def test_a_record_asks_for_a_block_and_no_steady_start() -> None:

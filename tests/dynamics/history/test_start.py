@@ -11,16 +11,12 @@ from hypothesis import strategies as st
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Piecewise,
     Rest,
-    Segment,
     State,
     Steady,
     Still,
     find_steady_states,
-    region_boundaries,
 )
 from rocksteady.dynamics.history.start import (
     LARGEST_KICK,
@@ -28,7 +24,10 @@ from rocksteady.dynamics.history.start import (
     initial_march,
     start_of,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import March
+from rocksteady.motions import Segment
+from rocksteady.orbits import compute_region_boundaries
 from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -105,7 +104,7 @@ def test_a_steady_state_that_does_not_fit_is_refused(
 
 
 def test_where_there_is_none_the_least_amplitude_is_named() -> None:
-    least = float(region_boundaries(4.0, 0.8).existence)
+    least = float(compute_region_boundaries(4.0, 0.8).existence)
     with pytest.raises(ModelError, match=f"raise the amplitude to {least:.6g} or above"):
         begun(Steady(), BLOCK, Harmonic(amplitude=0.9 * least, frequency_ratio=4.0))
     begun(Steady(), BLOCK, Harmonic(amplitude=1.01 * least, frequency_ratio=4.0))

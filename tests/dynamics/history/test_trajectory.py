@@ -14,18 +14,17 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Piecewise,
-    Segment,
     State,
     Status,
     Steady,
     Still,
-    Trajectory,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Segment
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)

@@ -7,18 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    ModelError,
-    Rest,
-    State,
-    Steady,
-    find_attractor,
-    housner_restitution,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Rest, State, Steady, find_attractor
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
+from rocksteady.errors import ModelError
+from rocksteady.formulas import housner_restitution
 
 RANGES = {
     "amplitude": (0.4, 5.0),

@@ -11,19 +11,18 @@ import pytest
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
     Rest,
-    Run,
     State,
     Steady,
     find_attractor,
-    housner_restitution,
     map_attractors,
 )
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.parameters import AXES as PARAMETERS_OF_MAPS
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import housner_restitution
 from tests.dynamics.maps.drawn import drawn_case, same_as_alone
 from tests.every import every
 
@@ -72,8 +71,8 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
 
 def test_executors_agree_to_the_bit_and_progress_is_told() -> None:
     told: list[int] = []
-    one = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Run(progress=told.append))
-    other = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Run(executor="serial"))
+    one = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Execution(progress=told.append))
+    other = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Execution(executor="serial"))
     assert one.identical(other)
     assert sum(told) == 12 * 11
 

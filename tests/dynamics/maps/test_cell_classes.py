@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, map_attractors, map_fates, plot_map
+from rocksteady import DimensionlessBlock, map_attractors, map_fates, plots
 from rocksteady.dynamics.maps.cell_classes import (
     BLANK,
     MEANINGS,
@@ -43,7 +43,7 @@ def test_legend_table_and_json_have_the_same_shares(fates: bool, whole: bool) ->
     assert sum(values["counts"].values()) == values["cells"] == 12 * 11
     assert sum(values["shares"].values()) == pytest.approx(1.0)
     assert values["counts"]["not-computed"] == (0 if whole else 11)
-    drawn = plot_map(shown, Figure().add_subplot()).get_legend()
+    drawn = plots.outcomes(shown, Figure().add_subplot()).get_legend()
     assert drawn is not None
     legend = [text.get_text() for text in drawn.get_texts()]
     assert legend == [

@@ -11,10 +11,8 @@ import pytest
 
 from rocksteady import (
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
-    Run,
     State,
     Status,
     Steady,
@@ -26,6 +24,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.maps.attractor_map import ATTRACTORS
 from rocksteady.dynamics.maps.fate_map import FATES
+from rocksteady.errors import InputError, ModelError
 from rocksteady.outcomes import NO_START
 from tests.dynamics.maps.drawn import drawn_case
 from tests.every import every
@@ -85,7 +84,9 @@ def test_a_map_says_what_it_was_computed_from_and_follows_200_periods() -> None:
         "cycles": 200,
     }
     assert set(np.unique(found.fate)) == {Status.ROCKING, Status.AT_REST, Status.OVERTURNED}
-    assert found.identical(map_fates(BLOCK, axes=AXES, start=START, run=Run(executor="serial")))
+    assert found.identical(
+        map_fates(BLOCK, axes=AXES, start=START, run=Execution(executor="serial"))
+    )
 
 
 def test_a_block_that_a_mirrored_motion_moves_ends_as_its_mirror_image() -> None:
@@ -111,13 +112,16 @@ def test_a_store_holds_what_memory_does_and_is_continued(tmp_path: Path) -> None
     path = tmp_path / "a.zarr"
     with pytest.raises(EnoughError):
         map_fates(
-            BLOCK, axes=AXES, start=START, run=Run(store=Store(path, chunk=19), progress=stop)
+            BLOCK, axes=AXES, start=START, run=Execution(store=Store(path, chunk=19), progress=stop)
         )
     there = int(open_store(path, partial=True).computed.sum())
     assert 0 < there < 23 * 19
     told: list[int] = []
     found = map_fates(
-        BLOCK, axes=AXES, start=START, run=Run(store=Store(path, resume=True), progress=told.append)
+        BLOCK,
+        axes=AXES,
+        start=START,
+        run=Execution(store=Store(path, resume=True), progress=told.append),
     )
     assert told[0] == there
     assert found.load().identical(map_fates(BLOCK, axes=AXES, start=START))
@@ -132,7 +136,7 @@ def test_a_refined_map_has_the_fates_near_their_borders() -> None:
     assert (found.fate == whole.fate).mean() > 0.99
     assert (found.fate == whole.fate).values[met].all()
     with pytest.raises(ModelError, match="a store holds every cell"):
-        map_fates(BLOCK, axes=axes, refine=4, run=Run(store="a.zarr"))
+        map_fates(BLOCK, axes=axes, refine=4, run=Execution(store="a.zarr"))
 
 
 @every(

@@ -10,9 +10,9 @@ import xarray as xr
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
     Nonlinear,
-    Run,
     State,
     Steady,
     Store,
@@ -103,12 +103,12 @@ def test_a_map_in_a_store_is_resumed_with_one_run_and_its_progress(tmp_path: Pat
 
     store = Store(path, resume=True, chunk=9)
     with pytest.raises(KeyboardInterrupt):
-        map_attractors(BLOCK, **given, run=Run(executor="serial", store=store, progress=stop))
+        map_attractors(BLOCK, **given, run=Execution(executor="serial", store=store, progress=stop))
     part = open_store(path, partial=True).rocksteady.to_dict()
     assert 0 < part["computed"] < 108
     assert part["store"] == str(path)
     told: list[int] = []
-    found = map_attractors(BLOCK, **given, run=Run(store=store, progress=told.append))
+    found = map_attractors(BLOCK, **given, run=Execution(store=store, progress=told.append))
     assert told[0] == part["computed"], "what is there is counted first"
     assert sum(told) == 108
     assert (

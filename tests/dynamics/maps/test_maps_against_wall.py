@@ -11,11 +11,9 @@ import pytest
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
     Rest,
-    Run,
     State,
     Steady,
     Store,
@@ -29,6 +27,7 @@ from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.batch.fates import ENDS
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.maps.drawn import same_as_alone
 from tests.every import every
@@ -167,12 +166,12 @@ def test_a_state_is_an_axis_from_the_wall_on() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
 def test_executors_workers_and_stores_agree_to_the_bit(model: Model, tmp_path: Path) -> None:
-    def mapped(run: Run | None) -> Any:
+    def mapped(run: Execution | None) -> Any:
         return map_attractors(FACADE, SHAKING, axes=AXES, max_cycles=100, model=model, run=run)
 
     one = mapped(None)
-    assert one.identical(mapped(Run(executor="serial")))
-    assert one.identical(mapped(Run(executor="threads", workers=2)))
+    assert one.identical(mapped(Execution(executor="serial")))
+    assert one.identical(mapped(Execution(executor="threads", workers=2)))
 
     class EnoughError(Exception):
         pass
@@ -187,11 +186,11 @@ def test_executors_workers_and_stores_agree_to_the_bit(model: Model, tmp_path: P
 
     path = tmp_path / "map.zarr"
     with pytest.raises(EnoughError):
-        mapped(Run(executor="serial", store=Store(path, chunk=2), progress=stop))
+        mapped(Execution(executor="serial", store=Store(path, chunk=2), progress=stop))
     there = int(open_store(path, partial=True).computed.sum())
     assert 0 < there < one.kind.size
     told: list[int] = []
-    found = mapped(Run(store=Store(path, resume=True), progress=told.append))
+    found = mapped(Execution(store=Store(path, resume=True), progress=told.append))
     assert told[0] == there
     assert found.load().identical(one)
 

@@ -8,29 +8,24 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    BandNoise,
     BaseMotion,
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    Impulses,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
-    OutputError,
     Pulse,
     Record,
-    Run,
-    Segment,
     State,
     Still,
     Store,
-    add_noise,
     compute_noise_fates,
-    scale_motion,
+    motions,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError, OutputError
+from rocksteady.motions import BandNoise, Impulses, Segment, add_noise
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.9)
@@ -70,7 +65,7 @@ def test_every_run_is_that_of_simulate(block: Any, motion: Any, model: Any) -> N
         scaled: Any = Still()
         if scale:
             base = isinstance(motion, BaseMotion)
-            scaled = motion.scaled(scale) if base else scale_motion(motion, scale)
+            scaled = motion.scaled(scale) if base else motions.scale(motion, scale)
         for draw in range(found.draws):
             noise = NOISE.realisation(draw, rms=level * NOISE.rms)
             whole = add_noise(scaled, noise, block=block if block is BLOCK else None)
@@ -95,12 +90,14 @@ def test_level_0_is_the_motion_alone_in_every_draw() -> None:
 def test_more_draws_other_levels_and_a_store_keep_the_runs(tmp_path: Path) -> None:
     given: Any = {"axes": {"level": LEVELS}}
     few = compute_noise_fates(BARE, PULSE, NOISE, **given, draws=20)
-    many = compute_noise_fates(BARE, PULSE, NOISE, **given, draws=40, run=Run(executor="serial"))
+    many = compute_noise_fates(
+        BARE, PULSE, NOISE, **given, draws=40, run=Execution(executor="serial")
+    )
     assert np.array_equal(many.fate[:, :, :20], few.fate)
     one = compute_noise_fates(BARE, PULSE, NOISE, axes={"level": [0.4]}, draws=20)
     assert np.array_equal(one.peak[:, 0], few.peak[:, 1])
     place = tmp_path / "noise.zarr"
-    stored = compute_noise_fates(BARE, PULSE, NOISE, **given, draws=20, run=Run(store=place))
+    stored = compute_noise_fates(BARE, PULSE, NOISE, **given, draws=20, run=Execution(store=place))
     assert stored.to_dataset().equals(few.to_dataset())
 
 
@@ -114,7 +111,9 @@ def test_a_motion_of_any_class_and_a_record_are_kept_in_a_store(tmp_path: Path) 
     assert np.array_equal(one.peak, other.peak)
     kept = Store(tmp_path / "kept.zarr")
     given: Any = {"axes": {"scale": [0.5, 1.0]}, "draws": 3}
-    stored = compute_noise_fates(BLOCK, BaseMotion(RECORD, UP), NOISE, **given, run=Run(store=kept))
+    stored = compute_noise_fates(
+        BLOCK, BaseMotion(RECORD, UP), NOISE, **given, run=Execution(store=kept)
+    )
     again = compute_noise_fates(BLOCK, BaseMotion(RECORD, UP), NOISE, **given)
     assert np.array_equal(stored.fate, again.fate)
     stronger = BaseMotion(RECORD.scaled(2.0), UP)
@@ -124,7 +123,7 @@ def test_a_motion_of_any_class_and_a_record_are_kept_in_a_store(tmp_path: Path) 
             stronger,
             NOISE,
             **given,
-            run=Run(store=Store(tmp_path / "kept.zarr", resume=True)),
+            run=Execution(store=Store(tmp_path / "kept.zarr", resume=True)),
         )
 
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, ModelError
+from rocksteady import Block, DimensionlessBlock
 from rocksteady.dynamics.maps._resizing import (
     block_of,
     check_sizes,
@@ -13,6 +13,7 @@ from rocksteady.dynamics.maps._resizing import (
     resized,
     sizes_with,
 )
+from rocksteady.errors import ModelError
 from tests.every import every
 
 BASE = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)

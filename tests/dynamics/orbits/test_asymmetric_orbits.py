@@ -9,9 +9,6 @@ import pytest
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    ImpactState,
-    ModelError,
-    ReturnMap,
     State,
     Status,
     Steady,
@@ -20,13 +17,15 @@ from rocksteady import (
     compute_response_curve,
     find_attractor,
     find_orbits,
-    heteroclinic_amplitude,
     map_attractors,
     map_fates,
     simulate,
-    sweep_attractor,
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
+from rocksteady.errors import ModelError
+from rocksteady.formulas import heteroclinic_amplitude
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import ReturnMap, sweep_attractor
 from tests.dynamics.asymmetric import ASYMMETRY, BARE, BLOCK, HARD
 
 # ------------------------------------------------------------------ orbits, attractors, maps

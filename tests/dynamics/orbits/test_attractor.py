@@ -7,11 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import (
-    Attractor,
-    AttractorKind,
     DimensionlessBlock,
     Harmonic,
-    ModelError,
     Rest,
     State,
     Steady,
@@ -20,8 +17,11 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
+from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits.closed_form import symmetry_breaking
 from rocksteady.kernels.orbits.settle import UNSETTLED
+from rocksteady.orbits import Attractor
+from rocksteady.outcomes import AttractorKind
 from tests.dynamics.kicks import apart
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled

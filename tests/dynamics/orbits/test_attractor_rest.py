@@ -8,12 +8,9 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    AttractorKind,
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Rest,
     State,
     Status,
@@ -24,8 +21,10 @@ from rocksteady import (
     find_steady_states,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT
+from rocksteady.outcomes import AttractorKind
 from tests.dynamics.recurrence import seen
 from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
 from tests.every import every

@@ -7,12 +7,8 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    AttractorKind,
-    AttractorSweep,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Rest,
     State,
     Steady,
@@ -20,10 +16,12 @@ from rocksteady import (
     find_attractor,
     find_orbits,
     find_steady_states,
-    follow_branch,
-    sweep_attractor,
 )
+from rocksteady.branches import follow_branch
 from rocksteady.dynamics.orbits.attractor_sweep import SHOWN_FLIGHTS, flight_peaks
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import AttractorSweep, sweep_attractor
+from rocksteady.outcomes import AttractorKind
 from tests.dynamics.settling import is_an_orbit_that_attracts
 from tests.every import every
 

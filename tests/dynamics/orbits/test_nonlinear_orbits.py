@@ -10,8 +10,6 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    ModelError,
-    Orbit,
     State,
     Status,
     Steady,
@@ -20,10 +18,11 @@ from rocksteady import (
     map_attractors,
     map_fates,
     simulate,
-    sweep_attractor,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Nonlinear
+from rocksteady.orbits import Orbit, sweep_attractor
 from tests.dynamics.full_integrator import impacts_by_integrator
 
 

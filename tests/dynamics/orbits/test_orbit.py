@@ -7,18 +7,18 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    ImpactState,
     Linear,
-    ModelError,
     Nonlinear,
     Steady,
     Still,
     find_attractor,
     map_fates,
     simulate,
-    sweep_attractor,
 )
+from rocksteady.errors import ModelError
+from rocksteady.histories import ImpactState
 from rocksteady.model.equations import Model
+from rocksteady.orbits import sweep_attractor
 
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])

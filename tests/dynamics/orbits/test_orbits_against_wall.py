@@ -9,25 +9,22 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from rocksteady import (
-    AttractorKind,
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Nonlinear,
-    Orbit,
     State,
     Steady,
     compute_response_curve,
     find_attractor,
-    find_attractors,
     find_bifurcations,
     find_orbits,
-    follow_branch,
     simulate,
-    sweep_attractor,
 )
+from rocksteady.branches import follow_branch
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import Orbit, find_attractors, sweep_attractor
+from rocksteady.outcomes import AttractorKind
 from tests.every import every
 
 FACADE = Block.rectangle(width=0.3, height=3.0).against_wall(0.05)

@@ -20,14 +20,18 @@ LINEAR, NONLINEAR = rs.Linear(), rs.Nonlinear()
 BARE = rs.DimensionlessBlock(restitution=0.8)
 BODY = rs.Block.from_p(alpha=0.3, p=2.0, restitution=0.8)
 CASES: list[tuple[Any, Any]] = [(BARE, LINEAR), (BODY, NONLINEAR)]
-TWO = rs.FourierSeries(amplitude=1.5, frequency_ratio=2.0, harmonics=((1, 1.0, 0.3), (2, 0.6, 1.0)))
+TWO = rs.motions.FourierSeries(
+    amplitude=1.5, frequency_ratio=2.0, harmonics=((1, 1.0, 0.3), (2, 0.6, 1.0))
+)
 MILD = replace(TWO, amplitude=0.9)
-ODD = rs.FourierSeries(amplitude=1.5, frequency_ratio=2.0, harmonics=((1, 1.0, 0.3), (3, 0.6, 1.0)))
+ODD = rs.motions.FourierSeries(
+    amplitude=1.5, frequency_ratio=2.0, harmonics=((1, 1.0, 0.3), (3, 0.6, 1.0))
+)
 
 
-def drawn(rng: np.random.Generator) -> rs.FourierSeries:
+def drawn(rng: np.random.Generator) -> rs.motions.FourierSeries:
     orders = rng.choice(np.arange(1, 9), rng.integers(2, 6), replace=False)
-    return rs.FourierSeries(
+    return rs.motions.FourierSeries(
         amplitude=rng.uniform(0.3, 3.0),
         frequency_ratio=rng.uniform(0.3, 4.0),
         harmonics=tuple((int(k), rng.normal(), rng.uniform(-3.0, 3.0)) for k in orders),
@@ -36,7 +40,7 @@ def drawn(rng: np.random.Generator) -> rs.FourierSeries:
 
 
 def flown(
-    motion: rs.FourierSeries,
+    motion: rs.motions.FourierSeries,
     side: int,
     own: tuple[float, float, float],
     alpha: float,
@@ -67,7 +71,11 @@ def flown(
 
 
 def integrated(
-    motion: rs.FourierSeries, sides: Any, start: tuple[float, float], alpha: float, end: float
+    motion: rs.motions.FourierSeries,
+    sides: Any,
+    start: tuple[float, float],
+    alpha: float,
+    end: float,
 ) -> tuple[list[float], NDArray[np.float64] | None]:
     """Return impact times, and the state at the end unless the block falls or hardly bounces."""
     time, state = 0.0, np.array(start)
@@ -150,7 +158,7 @@ def test_sides_that_differ_see_the_series_each_in_its_own_way() -> None:
 @every(("block", "model"), CASES)
 @every("order", [1, 3])
 def test_a_single_order_is_harmonic_shaking(block: Any, model: Any, order: int) -> None:
-    series = rs.FourierSeries(
+    series = rs.motions.FourierSeries(
         amplitude=2.0, frequency_ratio=4.0 / order, harmonics=((order, 1.0, 0.3),), phase=0.2
     )
     plain = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3 + order * 0.2)
@@ -164,7 +172,7 @@ def test_a_single_order_is_harmonic_shaking(block: Any, model: Any, order: int) 
     assert runs[0].peak == pytest.approx(runs[1].peak, rel=1e-12)
     here, there = (rs.find_attractor(block, motion, model=model) for motion in (series, plain))
     assert here.peaks == pytest.approx(there.peaks, rel=1e-9)
-    assert here.kind is there.kind is rs.AttractorKind.SYMMETRIC
+    assert here.kind is there.kind is rs.outcomes.AttractorKind.SYMMETRIC
     assert here.orbit is not None
     assert there.orbit is not None
     if order == 1:
@@ -176,16 +184,16 @@ def test_a_single_order_is_harmonic_shaking(block: Any, model: Any, order: int) 
 def test_the_derivative_of_a_passage_is_that_of_differences(
     block: Any, model: Any, side: int
 ) -> None:
-    turn = rs.ReturnMap(block, MILD, model=model)
+    turn = rs.orbits.ReturnMap(block, MILD, model=model)
     for phase, speed in ((1.3, 0.3), (0.2, 0.2), (4.0, 0.3)):
-        passage = turn(rs.ImpactState(side=side, phase=phase, speed=speed))
-        assert passage.kind is rs.Event.IMPACT
+        passage = turn(rs.histories.ImpactState(side=side, phase=phase, speed=speed))
+        assert passage.kind is rs.outcomes.Event.IMPACT
         step = 1e-6
         columns = []
         for turned, faster in ((step, 0.0), (0.0, step)):
             ends = [
                 turn(
-                    rs.ImpactState(
+                    rs.histories.ImpactState(
                         side=side, phase=phase + sign * turned, speed=speed + sign * faster
                     )
                 )
@@ -202,7 +210,7 @@ def test_the_derivative_of_a_passage_is_that_of_differences(
 
 
 def test_a_rest_ends_at_the_uplift_of_the_series_and_forgets_what_was_before() -> None:
-    motion = rs.FourierSeries(
+    motion = rs.motions.FourierSeries(
         amplitude=1.05, frequency_ratio=0.6, harmonics=((1, 0.8, 0.0), (2, 0.3, 0.5))
     )
     block = rs.DimensionlessBlock(restitution=0.4)
@@ -228,8 +236,8 @@ def test_a_rest_ends_at_the_uplift_of_the_series_and_forgets_what_was_before() -
 
 @pytest.mark.parametrize(("block", "model"), CASES)
 def test_mirror_images_are_there_where_all_orders_are_odd(block: Any, model: Any) -> None:
-    start = rs.ImpactState(side=1, phase=0.4, speed=0.3)
-    odd, even = (rs.ReturnMap(block, motion, model=model) for motion in (ODD, MILD))
+    start = rs.histories.ImpactState(side=1, phase=0.4, speed=0.3)
+    odd, even = (rs.orbits.ReturnMap(block, motion, model=model) for motion in (ODD, MILD))
     here, image = odd(start), odd(start.mirrored)
     assert here.state is not None
     assert image.state is not None
@@ -246,7 +254,7 @@ def test_orbits_of_even_orders_have_no_mirror_image() -> None:
     for orbit in found:
         assert not orbit.symmetric
         assert orbit.residual < 1e-10
-        with pytest.raises(rs.ModelError, match="even orders"):
+        with pytest.raises(rs.errors.ModelError, match="even orders"):
             _ = orbit.mirrored
         run = rs.simulate(BARE, orbit.motion, start=orbit.start, cycles=1)
         assert float(run(run.end_time_pt).angle) == pytest.approx(0.0, abs=1e-6)

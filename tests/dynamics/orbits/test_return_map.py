@@ -11,17 +11,16 @@ from hypothesis import strategies as st
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    Event,
     Harmonic,
-    ImpactState,
-    InputError,
-    ModelError,
-    ReturnMap,
     State,
     Still,
     find_steady_states,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import ReturnMap
+from rocksteady.outcomes import Event
 from tests.dynamics.kicks import apart
 from tests.every import every
 from tests.strategies import logarithmic

@@ -11,10 +11,6 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    ImpactState,
-    InputError,
-    ModelError,
-    Orbit,
     Rest,
     State,
     Still,
@@ -22,6 +18,9 @@ from rocksteady import (
     find_orbits,
     find_steady_states,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.histories import ImpactState
+from rocksteady.orbits import Orbit
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
 from tests.every import every
 

@@ -7,17 +7,13 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import elliprf
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    InputError,
-    State,
-    Still,
+from rocksteady import Block, DimensionlessBlock, State, Still, simulate
+from rocksteady.errors import InputError
+from rocksteady.formulas import (
     equivalent_damping,
     free_rocking_peaks,
     free_rocking_period,
     housner_restitution,
-    simulate,
 )
 from rocksteady.model.equations import Nonlinear
 from tests.every import every

@@ -9,30 +9,24 @@ import pytest
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    Impulses,
-    InputError,
     Linear,
     Nonlinear,
     Piecewise,
     Pulse,
     Record,
     Rest,
-    Run,
-    Segment,
     State,
     Status,
-    add_motions,
-    cut_motion,
-    delay_motion,
-    find_fatal_kick,
-    join_motions,
-    overturning_impulse,
-    scale_motion,
+    find_fatal_kicks,
     simulate,
 )
+from rocksteady.errors import InputError
+from rocksteady.formulas import overturning_impulse
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.motions import Impulses, Segment, add, cut, delay, join, scale
 from tests.every import every
 from tests.seismic.grounds import ground
 from tests.strategies import sample_size
@@ -44,7 +38,7 @@ BARE = DimensionlessBlock(restitution=0.9)
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
 def test_from_rest_it_is_the_overturning_impulse(model: Model) -> None:
-    kicks = find_fatal_kick(BLOCK, model=model)
+    kicks = find_fatal_kicks(BLOCK, model=model)
     expected = overturning_impulse(BLOCK, model=model)
     assert kicks.signed[0] * kicks.unit_m_s == pytest.approx([expected, -expected], rel=1e-11)
     assert kicks.least_m_s[0] == pytest.approx(expected, rel=1e-11)
@@ -53,20 +47,20 @@ def test_from_rest_it_is_the_overturning_impulse(model: Model) -> None:
 @pytest.mark.slow
 @every(("u", "v"), [(0.5, 0.0), (0.2, 0.3), (0.9, -0.3), (0.05, -0.8)])
 def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
-    kicks = find_fatal_kick(BARE, start=State(angle=u, velocity=v))
+    kicks = find_fatal_kicks(BARE, start=State(angle=u, velocity=v))
     # On its side the block passes the top with v + k > 1 - u; thrown back it lands with the speed
     # of (v - k)^2 + u (2 - u), and leaves with 0.9 of it, which is to be above 1.
     onwards = 1.0 - u - v
     back = v + math.sqrt(1.0 / 0.9**2 - u * (2.0 - u))
     assert kicks.signed[0] == pytest.approx([onwards, -back], rel=1e-11)
-    mirrored = find_fatal_kick(BARE, start=State(angle=-u, velocity=-v))
+    mirrored = find_fatal_kicks(BARE, start=State(angle=-u, velocity=-v))
     assert mirrored.signed[0] == pytest.approx([back, -onwards], rel=1e-11)
 
 
 @every("u", [0.1, 0.5, 0.9])
 def test_the_nonlinear_one_is_the_barrier_of_energy(u: float) -> None:
     alpha = BLOCK.alpha
-    kicks = find_fatal_kick(BLOCK, start=State(angle=u, velocity=0.0))
+    kicks = find_fatal_kicks(BLOCK, start=State(angle=u, velocity=0.0))
     # A jump dV of the base turns the block by dV p^2 cos(alpha (1 - u))/(alpha g).
     speed = 2.0 * math.sin(0.5 * alpha * (1.0 - u)) / alpha
     share = math.cos(alpha * (1.0 - u))
@@ -74,7 +68,7 @@ def test_the_nonlinear_one_is_the_barrier_of_energy(u: float) -> None:
 
 
 def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
-    kicks = find_fatal_kick(BARE, start=State(angle=1.2, velocity=0.0))
+    kicks = find_fatal_kicks(BARE, start=State(angle=1.2, velocity=0.0))
     assert kicks.first.tolist() == [0.0, 0.0]
     assert kicks.at(0)[0].side == 1
     # A kick back that is hard enough saves it, until it falls on the other side.
@@ -87,7 +81,7 @@ def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
 def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) -> None:
     pulse = Pulse(shape="one-sine", amplitude=1.6, frequency_ratio=4.0)
     when = 0.9
-    kicks = find_fatal_kick(block, motion=pulse, times_pt=when, model=model)
+    kicks = find_fatal_kicks(block, motion=pulse, times_pt=when, model=model)
     turned = pulse.segments()[0]
     assert turned.duration > when
     for place, sign in enumerate((1.0, -1.0)):
@@ -108,7 +102,7 @@ def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) 
 def test_kicks_during_a_record_agree_with_time_histories() -> None:
     record = ground(1).scaled(0.7)
     times = np.array([0.3, 1.0]) * BLOCK.p
-    kicks = find_fatal_kick(BLOCK, motion=record, times_pt=times, model=Linear())
+    kicks = find_fatal_kicks(BLOCK, motion=record, times_pt=times, model=Linear())
     samples = record.acceleration_m_s2 / BLOCK.uplift_acceleration
     step = record.dt_s * BLOCK.p
     course = simulate(BLOCK, record, model=Linear())
@@ -155,7 +149,7 @@ def test_kicks_among_impulses_are_impulses_more_of_time_histories() -> None:
         # Before, with, between and after the impulses.
         last = float(struck[-1])
         when = (0.0, last, 0.5 * float(struck[0]), float(struck[0]) + 0.07, last + 2.0)[case % 5]
-        kicks = find_fatal_kick(body, start=start, motion=motion, times_pt=when, model=model)
+        kicks = find_fatal_kicks(body, start=start, motion=motion, times_pt=when, model=model)
         for row, sign in enumerate((1.0, -1.0)):
             ends = np.array(kicks.intervals(row)).ravel()
             sizes = [*(ends * (1.0 - 1e-6)), *(ends * (1.0 + 1e-6)), *draw.uniform(0.01, 3.9, 9)]
@@ -182,34 +176,34 @@ def test_every_last_segment_with_an_impulse_counts() -> None:
     motions = (
         turned,
         struck,
-        delay_motion(struck, 0.3),
-        cut_motion(struck, 5.0),
-        scale_motion(struck, -1.0),
-        join_motions(pulse, struck),
-        add_motions(pulse, struck),
-        BaseMotion(add_motions(pulse, struck), Piecewise(pieces=(Segment(duration=2.0),))),
+        delay(struck, 0.3),
+        cut(struck, 5.0),
+        scale(struck, -1.0),
+        join(pulse, struck),
+        add(pulse, struck),
+        BaseMotion(add(pulse, struck), Piecewise(pieces=(Segment(duration=2.0),))),
     )
     for motion in motions:
-        at = find_fatal_kick(LEANING, motion=motion, times_pt=1.0, model=Nonlinear())
+        at = find_fatal_kicks(LEANING, motion=motion, times_pt=1.0, model=Nonlinear())
         across = motion.horizontal if isinstance(motion, BaseMotion) else motion
         assert not isinstance(across, Record)
         for kick in at.signed[0].tolist():
             for factor in (1.0 - 1e-7, 1.0 + 1e-7):
-                kicked = delay_motion(Impulses(velocities=(factor * kick,)), 1.0)
-                run = simulate(LEANING, add_motions(across, kicked), model=Nonlinear())
+                kicked = delay(Impulses(velocities=(factor * kick,)), 1.0)
+                run = simulate(LEANING, add(across, kicked), model=Nonlinear())
                 assert (run.status is Status.OVERTURNED) is (factor > 1.0)
 
 
 def test_a_kick_after_the_fall_is_refused() -> None:
     push = Impulses(velocities=(1.5,))
-    assert find_fatal_kick(BARE, motion=push).first[0] == 0.0
+    assert find_fatal_kicks(BARE, motion=push).first[0] == 0.0
     with pytest.raises(InputError, match=r"without a kick the run ends at .* overturned"):
-        find_fatal_kick(BARE, motion=push, times_pt=[0.0, 50.0])
+        find_fatal_kicks(BARE, motion=push, times_pt=[0.0, 50.0])
 
 
 def test_after_the_motion_a_block_at_rest_needs_the_impulse() -> None:
     record = ground(1).scaled(0.3)
-    kicks = find_fatal_kick(BLOCK, motion=record, times_pt=100.0)
+    kicks = find_fatal_kicks(BLOCK, motion=record, times_pt=100.0)
     assert kicks.least_m_s[0] == pytest.approx(overturning_impulse(BLOCK), rel=1e-11)
 
 
@@ -218,11 +212,11 @@ def test_the_vertical_component_counts_and_workers_do_not() -> None:
     record = ground(2).scaled(0.5)
     lifted = BaseMotion(record, record.scaled(0.4))
     plain, one, two = (
-        find_fatal_kick(BLOCK, motion=motion, times_pt=[0.5, 1.0], run=run)
+        find_fatal_kicks(BLOCK, motion=motion, times_pt=[0.5, 1.0], run=run)
         for motion, run in (
             (record, None),
-            (lifted, Run(executor="serial")),
-            (lifted, Run(workers=2)),
+            (lifted, Execution(executor="serial")),
+            (lifted, Execution(workers=2)),
         )
     )
     assert not np.array_equal(plain.first, one.first)
@@ -234,7 +228,7 @@ def test_a_motion_and_its_delay_have_the_same_kicks() -> None:
     pulse = Pulse(shape="half-sine", amplitude=1.4, frequency_ratio=3.0)
     delayed = Piecewise(pieces=(Segment(duration=0.5), *pulse.segments()))
     here, later = (
-        find_fatal_kick(BARE, motion=motion, times_pt=time)
+        find_fatal_kicks(BARE, motion=motion, times_pt=time)
         for motion, time in ((pulse, 0.3), (delayed, 0.8))
     )
     np.testing.assert_allclose(here.first, later.first, rtol=1e-9)
@@ -242,17 +236,17 @@ def test_a_motion_and_its_delay_have_the_same_kicks() -> None:
 
 def test_what_is_refused() -> None:
     with pytest.raises(InputError, match="end"):
-        find_fatal_kick(BARE, motion=Harmonic(amplitude=1.0, frequency_ratio=2.0))
+        find_fatal_kicks(BARE, motion=Harmonic(amplitude=1.0, frequency_ratio=2.0))
     with pytest.raises(InputError, match="times_pt"):
-        find_fatal_kick(BARE, times_pt=-1.0)
+        find_fatal_kicks(BARE, times_pt=-1.0)
     with pytest.raises(InputError, match="within"):
-        find_fatal_kick(BARE, within=(2.0, 1.0))
+        find_fatal_kicks(BARE, within=(2.0, 1.0))
     with pytest.raises(InputError, match="start"):
-        find_fatal_kick(BARE, start=State(angle=0.1, velocity=0.0, phase=1.0))
+        find_fatal_kicks(BARE, start=State(angle=0.1, velocity=0.0, phase=1.0))
 
 
 def test_it_is_described_in_m_s() -> None:
-    kicks = find_fatal_kick(BLOCK, times_pt=[0.0, 1.0])
+    kicks = find_fatal_kicks(BLOCK, times_pt=[0.0, 1.0])
     rows = kicks.to_dataframe()
     assert rows["first_m_s"].tolist() == pytest.approx([overturning_impulse(BLOCK)] * 4)
     data = kicks.to_dataset()

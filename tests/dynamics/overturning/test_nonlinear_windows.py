@@ -10,21 +10,20 @@ from numpy.typing import NDArray
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    InputError,
-    ModelError,
-    OverturningWindows,
+    Execution,
     Pulse,
-    Run,
     Status,
     find_overturning_windows,
     simulate,
 )
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.march import march
 from rocksteady.model.equations import Model, Nonlinear
+from rocksteady.overturning import OverturningWindows
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.every import every
 from tests.strategies import sample_size
@@ -36,7 +35,12 @@ CABINET = Block.from_p(alpha=0.25, p=2.14, restitution=0.9, gravity=G)
 
 def nonlinear(block: Block, shape: str, ratio: float, top: float = 20.0) -> OverturningWindows:
     return find_overturning_windows(
-        block, shape, [ratio], model=Nonlinear(), within=(1.0, top), run=Run(executor="serial")
+        block,
+        shape,
+        [ratio],
+        model=Nonlinear(),
+        within=(1.0, top),
+        run=Execution(executor="serial"),
     )
 
 
@@ -230,12 +234,12 @@ def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     flat = Block.from_p(alpha=1.5, p=1.0, restitution=0.5)
     uplift = math.tan(1.5) / 1.5  # 9.4
     one = find_overturning_windows(
-        flat, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
+        flat, "rectangle", [0.5], model=Nonlinear(), run=Execution(executor="serial")
     )
     assert 2.0 * uplift < one.within[1] == 20.0
     flatter = Block.from_p(alpha=1.56, p=1.0, restitution=0.5)
     other = find_overturning_windows(
-        flatter, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
+        flatter, "rectangle", [0.5], model=Nonlinear(), run=Execution(executor="serial")
     )
     assert other.within[1] == pytest.approx(2.0 * math.tan(1.56) / 1.56)  # where 20 lifts nothing
     assert other.intervals(0)

@@ -12,22 +12,19 @@ from numpy.typing import NDArray
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    InputError,
+    Execution,
     Linear,
-    ModelError,
     Nonlinear,
     Pulse,
-    Run,
     State,
     Status,
     Still,
-    find_fatal_kick,
+    find_fatal_kicks,
     find_overturning_windows,
-    free_rocking_peaks,
-    free_rocking_period,
-    overturning_threshold,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import free_rocking_peaks, free_rocking_period, overturning_amplitude
 from rocksteady.model.equations import Model
 from rocksteady.show.plots.overturning import plot_overturning
 from tests.every import every
@@ -86,7 +83,7 @@ def test_borders_are_those_of_time_histories(block: Any, model: Model, pulse: Pu
 
 @every("e", [0.0, 0.5, 1.0])
 def test_a_wall_takes_what_throws_the_block_there(e: float) -> None:
-    block, halves = against_wall(e), overturning_threshold("half-sine", RATIOS)
+    block, halves = against_wall(e), overturning_amplitude("half-sine", RATIOS)
     towards = find_overturning_windows(block, unit("half-sine"), RATIOS)
     assert towards.first == pytest.approx(halves, rel=1e-9)
     away = find_overturning_windows(block, unit("half-sine", reverse=True), RATIOS)
@@ -96,17 +93,17 @@ def test_a_wall_takes_what_throws_the_block_there(e: float) -> None:
     assert reversed_sine.first == pytest.approx(halves, rel=1e-9)
     # Without an impact it is the free block that falls.
     sine = find_overturning_windows(block, unit("one-sine"), RATIOS)
-    free = overturning_threshold("one-sine", RATIOS)
+    free = overturning_amplitude("one-sine", RATIOS)
     for place in range(len(RATIOS)):
         (low,) = (window.low for window in sine.at(place) if window.impacts == 0)
         assert low == pytest.approx(free[place], rel=1e-9)
 
 
 def test_executors_agree_to_the_bit() -> None:
-    def windows(run: Run) -> Any:
+    def windows(run: Execution) -> Any:
         return find_overturning_windows(FACADE, "one-cosine", RATIOS, run=run).to_dataset()
 
-    assert windows(Run(executor="serial")).identical(windows(Run(workers=2)))
+    assert windows(Execution(executor="serial")).identical(windows(Execution(workers=2)))
 
 
 def test_no_closed_form_is_drawn_of_a_reversed_pulse() -> None:
@@ -129,7 +126,7 @@ def test_no_closed_form_is_drawn_of_a_reversed_pulse() -> None:
 )
 def test_the_linear_closed_forms_of_kicks(e: float, u: float, v: float) -> None:
     block = against_wall(e)
-    kicks = find_fatal_kick(block, start=State(angle=u, velocity=v))
+    kicks = find_fatal_kicks(block, start=State(angle=u, velocity=v))
     onwards = 1.0 - u - v
     if u == 0.0:  # the wall holds it
         assert kicks.signed[0, 0] == pytest.approx(onwards, rel=1e-11)
@@ -142,7 +139,7 @@ def test_the_linear_closed_forms_of_kicks(e: float, u: float, v: float) -> None:
 
 
 def test_off_a_wall_that_keeps_all_no_kick_into_it_is_fatal() -> None:
-    kicks = find_fatal_kick(against_wall(0.0), start=State(angle=0.5, velocity=0.0))
+    kicks = find_fatal_kicks(against_wall(0.0), start=State(angle=0.5, velocity=0.0))
     assert kicks.signed[0, 0] == pytest.approx(0.5, rel=1e-11)
     assert math.isnan(kicks.signed[0, 1])
 
@@ -150,7 +147,7 @@ def test_off_a_wall_that_keeps_all_no_kick_into_it_is_fatal() -> None:
 @pytest.mark.parametrize("u", [0.1, 0.5])
 def test_the_nonlinear_kick_back_is_the_barrier_of_energy(u: float) -> None:
     alpha, e = FACADE.alpha, FACADE.restitution
-    kicks = find_fatal_kick(FACADE, start=State(angle=u, velocity=0.0))
+    kicks = find_fatal_kicks(FACADE, start=State(angle=u, velocity=0.0))
     # Speeds d(theta)/d(pt): 2 sin(alpha/2) at the wall lifts it over the top, e of the landing's.
     needed = (2.0 * math.sin(0.5 * alpha) / e) ** 2
     gained = 2.0 * (math.cos(alpha * (1.0 - u)) - math.cos(alpha))
@@ -162,7 +159,7 @@ def test_the_nonlinear_kick_back_is_the_barrier_of_energy(u: float) -> None:
 def test_a_kick_on_the_way_is_that_of_the_state_there() -> None:
     block, pulse = against_wall(0.6), Pulse(shape="one-sine", amplitude=1.5, frequency_ratio=3.0)
     times = np.array([1.6, 2.4])
-    kicks = find_fatal_kick(block, motion=pulse, times_pt=times)
+    kicks = find_fatal_kicks(block, motion=pulse, times_pt=times)
     run = simulate(block, pulse)
     assert kicks.angle == pytest.approx(run(times).angle, abs=1e-12)
     assert (kicks.angle >= 0.0).all()
@@ -176,7 +173,7 @@ def test_a_kick_on_the_way_is_that_of_the_state_there() -> None:
 @pytest.mark.parametrize("start", [State(angle=-0.2, velocity=0.0), State(angle=0.0, velocity=-1)])
 def test_a_start_behind_the_wall_is_refused(start: State) -> None:
     with pytest.raises(ModelError, match="positive side alone"):
-        find_fatal_kick(against_wall(0.5), start=start)
+        find_fatal_kicks(against_wall(0.5), start=start)
 
 
 def peaks_of(run: Any) -> NDArray[np.float64]:

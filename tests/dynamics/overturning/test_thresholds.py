@@ -7,19 +7,12 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Impulses,
-    InputError,
-    Pulse,
-    Status,
-    overturning_impulse,
-    overturning_threshold,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Pulse, Status, simulate
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.errors import InputError
+from rocksteady.formulas import overturning_amplitude, overturning_impulse
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Impulses
 from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE
 
@@ -51,7 +44,7 @@ def lasting(duration: float) -> float:
     ],
 )
 def test_published_thresholds(shape: str, ratio: float, printed: float, digits: int) -> None:
-    assert float(overturning_threshold(shape, ratio)) == pytest.approx(
+    assert float(overturning_amplitude(shape, ratio)) == pytest.approx(
         printed, abs=0.51 * 10.0**-digits
     )
 
@@ -61,7 +54,7 @@ def test_published_thresholds(shape: str, ratio: float, printed: float, digits: 
 def test_at_the_threshold_the_integral_of_g1_is_1(shape: str, w: float) -> None:
     periods, formula = FORMULAE[shape]
     end = 2.0 * math.pi * periods / w
-    a = float(overturning_threshold(shape, w))
+    a = float(overturning_amplitude(shape, w))
 
     def base(s: float) -> float:
         return float(formula(np.asarray(s), a, w))
@@ -84,7 +77,7 @@ def test_at_the_threshold_the_integral_of_g1_is_1(shape: str, w: float) -> None:
 @every("shape", THRESHOLDS)
 @every("w", [0.3, 2.0, 7.0, 40.0])
 def test_a_block_falls_without_an_impact_from_there_on(shape: str, w: float) -> None:
-    a = float(overturning_threshold(shape, w))
+    a = float(overturning_amplitude(shape, w))
     block = DimensionlessBlock(restitution=0.9)
     above, below = (
         simulate(block, Pulse(shape=shape, amplitude=size, frequency_ratio=w))
@@ -100,29 +93,29 @@ def test_a_pulse_without_end_overturns_at_uplift_and_a_sudden_one_by_its_impulse
     shape: str,
 ) -> None:
     if shape in ("rectangle", "triangle", "versed-sine", "decaying-ramp"):
-        assert overturning_threshold(shape, 0.01) == pytest.approx(1.0, abs=0.01)
+        assert overturning_amplitude(shape, 0.01) == pytest.approx(1.0, abs=0.01)
     if shape not in ("one-sine", "one-cosine"):  # whose impulse is 0
         area = {"rectangle": 1.0, "half-sine": 2.0 / math.pi}.get(shape, 0.5)
-        a = float(overturning_threshold(shape, 5000.0))
+        a = float(overturning_amplitude(shape, 5000.0))
         assert a * area * math.pi / 5000.0 == pytest.approx(1.0, rel=1e-3)
 
 
 def test_the_shape_of_the_ratios_is_kept() -> None:
     grid = np.array([[1.0, 2.0], [3.0, 4.0]])
-    found = overturning_threshold("half-sine", grid)
+    found = overturning_amplitude("half-sine", grid)
     assert found.shape == grid.shape
-    assert found[1, 0] == overturning_threshold("half-sine", 3.0)
-    assert overturning_threshold("one-sine", 2).shape == ()
+    assert found[1, 0] == overturning_amplitude("half-sine", 3.0)
+    assert overturning_amplitude("one-sine", 2).shape == ()
 
 
 def test_what_has_no_closed_form_is_refused() -> None:
     with pytest.raises(InputError, match="no closed form"):
-        overturning_threshold("ricker", 1.0)
+        overturning_amplitude("ricker", 1.0)
     for ratio in (0.0, -1.0, math.nan, 1e5):
         with pytest.raises(InputError, match="frequency_ratio"):
-            overturning_threshold("half-sine", [1.0, ratio])
+            overturning_amplitude("half-sine", [1.0, ratio])
     with pytest.raises(InputError, match="real number"):
-        overturning_threshold("half-sine", "2")
+        overturning_amplitude("half-sine", "2")
 
 
 def test_i1_the_toppling_impulse() -> None:

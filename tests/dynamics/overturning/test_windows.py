@@ -11,19 +11,18 @@ import pytest
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    InputError,
-    ModelError,
-    OverturningWindows,
+    Execution,
     Pulse,
-    Run,
     Status,
     Store,
     find_overturning_windows,
-    overturning_threshold,
     simulate,
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Linear
+from rocksteady.overturning import OverturningWindows
 from tests.every import every
 
 BLOCK = DimensionlessBlock(restitution=0.9)
@@ -75,7 +74,7 @@ def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float)
 @every("shape", THRESHOLDS)
 def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> None:
     ratios = np.geomspace(0.3, 12.0, 9)
-    expected = overturning_threshold(shape, ratios)
+    expected = overturning_amplitude(shape, ratios)
     found = find_overturning_windows(BLOCK, shape, ratios, within=(1.0, 400.0))
     for index, a in enumerate(expected.tolist()):
         last = found.at(index)[-1]
@@ -216,8 +215,8 @@ def test_a_side_that_lifts_sooner_sets_the_range() -> None:
 
 
 @pytest.mark.slow
-@every("how", [Run(workers=1), Run(executor="serial"), Run(workers=2)])
-def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
+@every("how", [Execution(workers=1), Execution(executor="serial"), Execution(workers=2)])
+def test_every_executor_gives_the_same_bits(how: Execution, tmp_path: Path) -> None:
     ratios = np.linspace(1.0, 6.0, 7)
     expected = find_overturning_windows(BLOCK, "one-cosine", ratios).to_dataset()
     found = find_overturning_windows(BLOCK, "one-cosine", ratios, run=how).to_dataset()
@@ -230,7 +229,9 @@ def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
 
 def test_progress_is_told_by_frequency() -> None:
     told: list[int] = []
-    find_overturning_windows(BLOCK, "half-sine", [1.0, 2.0, 3.0], run=Run(progress=told.append))
+    find_overturning_windows(
+        BLOCK, "half-sine", [1.0, 2.0, 3.0], run=Execution(progress=told.append)
+    )
     assert told[0] == 0
     assert sum(told) == 3
 
@@ -298,13 +299,13 @@ def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> 
             BLOCK,
             "one-sine",
             ratios,
-            run=Run(executor="serial", store=path, progress=stopped),
+            run=Execution(executor="serial", store=path, progress=stopped),
             **how,
         )
     told: list[int] = []
     store = Store(path, resume=True)
     found = find_overturning_windows(
-        BLOCK, "one-sine", ratios, run=Run(store=store, progress=told.append), **how
+        BLOCK, "one-sine", ratios, run=Execution(store=store, progress=told.append), **how
     )
     assert told[0] >= 8  # of chunks that are finished
     assert sum(told) == 20

@@ -13,12 +13,12 @@ from rocksteady import (
     Harmonic,
     Linear,
     Nonlinear,
-    OverturningWindows,
     Pulse,
     find_overturning_windows,
-    overturning_threshold,
 )
+from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
+from rocksteady.overturning import OverturningWindows
 from tests.descriptions import as_json, fits
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -70,7 +70,7 @@ def test_a_closed_form_stands_beside_its_windows_in_the_linear_model_alone() -> 
     block = Block.rectangle(width=0.4, height=1.2)
     values = windows_of(block, "rectangle", highest=9.0).to_dict()
     closed = [row["closed_form"] for row in values["windows"]]
-    assert closed == overturning_threshold("rectangle", [1.0, 2.0, 8.0]).tolist()
+    assert closed == overturning_amplitude("rectangle", [1.0, 2.0, 8.0]).tolist()
     assert values["windows"][0]["first"] == pytest.approx(closed[0], rel=1e-9)
     nonlinear = windows_of(block, "rectangle", model=Nonlinear())
     assert {row["closed_form"] for row in nonlinear.to_dict()["windows"]} == {None}

@@ -9,7 +9,6 @@ import pytest
 from rocksteady import (
     Block,
     Harmonic,
-    ModelError,
     Steady,
     find_attractor,
     find_orbits,
@@ -19,6 +18,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
+from rocksteady.errors import ModelError
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.every import every

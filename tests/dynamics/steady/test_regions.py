@@ -8,16 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    InputError,
-    compute_region_map,
-    find_steady_states,
+from rocksteady import find_steady_states
+from rocksteady.errors import InputError
+from rocksteady.formulas import (
     heteroclinic_amplitude,
     melnikov_amplitude,
-    region_boundaries,
     symmetry_breaking_amplitude,
-    symmetry_breaking_frequency,
+    symmetry_breaking_frequencies,
 )
+from rocksteady.orbits import compute_region_boundaries, compute_region_map
 from tests.dynamics.formulae import printed_boundaries
 from tests.every import every
 from tests.strategies import logarithmic
@@ -35,7 +34,7 @@ TABLE = [
 def test_tw2_boundaries(
     r: float, n: int, w: float, existence: float, kind: float, sign: float
 ) -> None:
-    curves = region_boundaries(w, r, order=n)
+    curves = compute_region_boundaries(w, r, order=n)
     assert curves.existence == pytest.approx(existence, abs=5.1e-6)
     assert curves.kind == pytest.approx(kind, abs=5.1e-6)
     assert curves.sign == pytest.approx(sign, abs=5.1e-6)
@@ -69,7 +68,7 @@ def test_every_region_occurs_in_figure_4a() -> None:
 
 @given(logarithmic(0.1, 100.0), st.floats(0.05, 0.999), orders)
 def test_boundaries_are_the_printed_formulae(w: float, r: float, n: int) -> None:
-    curves = region_boundaries(w, r, order=n)
+    curves = compute_region_boundaries(w, r, order=n)
     assert (curves.existence, curves.sign, curves.kind) == pytest.approx(
         printed_boundaries(w, r, n), rel=1e-13
     )
@@ -77,7 +76,7 @@ def test_boundaries_are_the_printed_formulae(w: float, r: float, n: int) -> None
 
 @given(logarithmic(0.1, 100.0), st.floats(0.05, 0.999), orders)
 def test_e8_region_3_never_disappears(w: float, r: float, n: int) -> None:
-    curves = region_boundaries(w, r, order=n)
+    curves = compute_region_boundaries(w, r, order=n)
     p = (1.0 - r) / (1.0 + r) * math.tanh(n * math.pi / (2.0 * w)) * w
     assert curves.existence / curves.kind == pytest.approx(1.0 / math.sqrt(1.0 + p * p))
     assert curves.existence < curves.kind
@@ -90,7 +89,7 @@ def test_b1_heteroclinic_amplitude(w: float, amplitude: float) -> None:
 
 def test_the_heteroclinic_curve_is_the_existence_curve_of_long_half_cycles() -> None:
     w = np.geomspace(0.1, 20.0, 15)
-    long = region_boundaries(w, 0.8, order=999).existence
+    long = compute_region_boundaries(w, 0.8, order=999).existence
     np.testing.assert_allclose(heteroclinic_amplitude(w, 0.8), long, rtol=1e-14)
 
 
@@ -120,7 +119,7 @@ def test_melnikovs_estimate_is_the_first_order_of_the_heteroclinic_amplitude(w: 
     ],
 )
 def test_tw6_symmetry_breaking(order: int, amplitude: float, expected: float) -> None:
-    found = symmetry_breaking_frequency(amplitude, 0.8, order=order)
+    found = symmetry_breaking_frequencies(amplitude, 0.8, order=order)
     assert np.abs(found - expected).min() < 5.1e-7
     for ratio in found:
         assert symmetry_breaking_amplitude(ratio, 0.8, order=order) == pytest.approx(amplitude)
@@ -130,7 +129,7 @@ def test_tw6_symmetry_breaking(order: int, amplitude: float, expected: float) ->
 
 def test_symmetry_breaking_frequencies_ascend_and_none_is_left_out() -> None:
     for amplitude in (0.5, 2.0, 5.0):
-        found = symmetry_breaking_frequency(amplitude, 0.8, order=3)
+        found = symmetry_breaking_frequencies(amplitude, 0.8, order=3)
         assert (np.diff(found) > 0.0).all()
         w = np.geomspace(0.011, 900.0, 20_000)
         above = symmetry_breaking_amplitude(w, 0.8, order=3) > amplitude
@@ -159,14 +158,14 @@ def test_branch_1_is_stable_just_below_symmetry_breaking_and_not_above(
 @every(
     ("function", "arguments"),
     [
-        (region_boundaries, (0.0, 0.8)),
-        (region_boundaries, (4.0, 1.2)),
+        (compute_region_boundaries, (0.0, 0.8)),
+        (compute_region_boundaries, (4.0, 1.2)),
         (heteroclinic_amplitude, (math.nan, 0.8)),
         (heteroclinic_amplitude, (1.0, 0.0)),
         (melnikov_amplitude, (-1.0, 0.8)),
         (symmetry_breaking_amplitude, (4.0, "0.8")),
-        (symmetry_breaking_frequency, (0.0, 0.8)),
-        (symmetry_breaking_frequency, (2.0, 1.5)),
+        (symmetry_breaking_frequencies, (0.0, 0.8)),
+        (symmetry_breaking_frequencies, (2.0, 1.5)),
     ],
 )
 def test_bad_arguments_are_refused(function: Any, arguments: tuple[Any, ...]) -> None:
@@ -174,19 +173,19 @@ def test_bad_arguments_are_refused(function: Any, arguments: tuple[Any, ...]) ->
         function(*arguments)
 
 
-@every("function", [region_boundaries, symmetry_breaking_amplitude, compute_region_map])
+@every("function", [compute_region_boundaries, symmetry_breaking_amplitude, compute_region_map])
 def test_an_even_order_is_refused_with_the_reason(function: Any) -> None:
     with pytest.raises(InputError, match="odd number of half periods"):
         function(4.0, 0.8, order=2)
     with pytest.raises(InputError, match="odd number of half periods"):
-        symmetry_breaking_frequency(2.0, 0.8, order=2)
+        symmetry_breaking_frequencies(2.0, 0.8, order=2)
 
 
 def test_a_region_map_holds_every_curve() -> None:
     w = np.linspace(1.0, 10.0, 19)
     curves = compute_region_map(w, 0.8, order=3)
     assert (curves.restitution, curves.order) == (0.8, 3)
-    parts = region_boundaries(w, 0.8, order=3)
+    parts = compute_region_boundaries(w, 0.8, order=3)
     np.testing.assert_array_equal(curves.frequency_ratio, w)
     np.testing.assert_array_equal(curves.existence, parts.existence)
     np.testing.assert_array_equal(curves.sign, parts.sign)

@@ -6,14 +6,8 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    InputError,
-    ModelError,
-    compute_response_curve,
-    find_steady_states,
-)
+from rocksteady import Block, DimensionlessBlock, compute_response_curve, find_steady_states
+from rocksteady.errors import InputError, ModelError
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)

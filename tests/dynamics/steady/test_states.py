@@ -7,9 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import (
-    find_steady_states,
-)
+from rocksteady import find_steady_states
 from tests.dynamics.formulae import (
     half_cycle,
     numbers,

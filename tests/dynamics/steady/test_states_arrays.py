@@ -8,10 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    InputError,
-    find_steady_states,
-)
+from rocksteady import find_steady_states
+from rocksteady.errors import InputError
 from tests.dynamics.points import checked, orders
 from tests.every import every
 from tests.strategies import logarithmic

@@ -8,16 +8,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    State,
-    Steady,
-    compute_steady_orbit,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, State, Steady, find_steady_states, simulate
+from rocksteady.errors import InputError
+from rocksteady.orbits import compute_steady_orbit
 from tests.dynamics.formulae import (
     printed_trace,
 )

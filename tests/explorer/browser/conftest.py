@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, sync_playwright
 
-from rocksteady import MissingKernelsError, write_explorer
+from rocksteady import write_explorer
+from rocksteady.errors import MissingKernelsError
 from tests.explorer.browser.watched import Explorer, Watch
 from tests.strategies import PLAIN
 

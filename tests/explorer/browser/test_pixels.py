@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import AttractorKind, DimensionlessBlock, Harmonic, find_attractor
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor
+from rocksteady.outcomes import AttractorKind
 from rocksteady.show.style import palette
 from tests.explorer.browser.test_touch import MAP, at
 from tests.explorer.browser.watched import Explorer, drawn, turn_to, until

@@ -9,9 +9,7 @@ import pytest
 from rocksteady import (
     Block,
     Harmonic,
-    ImpactState,
     Linear,
-    ModelError,
     Nonlinear,
     Rest,
     State,
@@ -19,6 +17,8 @@ from rocksteady import (
     find_attractor,
     simulate,
 )
+from rocksteady.errors import ModelError
+from rocksteady.histories import ImpactState
 from tests.explorer.browser.watched import Explorer, turn_to, values
 
 READOUT = "[data-panel='readout']"

@@ -149,8 +149,9 @@ def test_errors_and_constants_in_memory_have_the_real_numbers() -> None:
 
 def test_the_package_is_imported_without_cuda() -> None:
     script = (
-        "import sys, rocksteady; from rocksteady import Run, map_fates, evaluate;"
-        "import rocksteady.sweep.executors.choice; Run(executor='gpu');"
+        "import sys, rocksteady; from rocksteady import Execution, map_fates;"
+        "from rocksteady.sweeps import evaluate;"
+        "import rocksteady.sweep.executors.choice; Execution(executor='gpu');"
         "print([name for name in sys.modules if name.startswith('cuda.')])"
     )
     printed = subprocess.run(

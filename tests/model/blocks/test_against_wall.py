@@ -10,7 +10,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rocksteady import Block, DimensionlessBlock, InputError, ModelError, named_block
+from rocksteady import Block, DimensionlessBlock
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.facts import block_text, block_values, case_text, restitution_values
 from tests.every import every
 from tests.model.blocks.test_asymmetric import cloud, distances, heights, momentum, turned
@@ -81,7 +82,7 @@ def test_a_slender_rectangle_keeps_half_and_the_stockiest_that_turns_back_nothin
     )
 
 
-@every("free", [FACADE, LEANING, named_block("gas-cylinder")])
+@every("free", [FACADE, LEANING, Block.named("gas-cylinder")])
 def test_a_wall_changes_nothing_but_side_and_restitution(free: Block) -> None:
     block = free.against_wall(0.4)
     assert (block.alpha, block.radius, block.p) == (free.alpha, free.radius, free.p)

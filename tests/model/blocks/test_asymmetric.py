@@ -10,15 +10,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    InputError,
-    ModelError,
-    Side,
-    housner_restitution,
-    impact_restitution,
-)
+from rocksteady import Block, DimensionlessBlock
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import Side, housner_restitution, impact_restitution
 from tests.every import every
 from tests.strategies import logarithmic
 

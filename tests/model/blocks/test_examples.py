@@ -6,40 +6,41 @@ import re
 import numpy as np
 import pytest
 
-from rocksteady import InputError, named_block
+from rocksteady import Block
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.examples import SOURCES
 from tests.every import every
 
 
 @every("name", SOURCES)
 def test_every_named_block_can_be_made_and_cites_its_year(name: str) -> None:
-    block = named_block(name)
+    block = Block.named(name)
     assert 0.0 < block.restitution <= 1.0
     assert re.search(r"\((19|20)\d\d\)", SOURCES[name])
-    assert named_block(name, restitution=0.5).restitution == 0.5
-    housner = named_block(name, restitution="housner")
+    assert Block.named(name, restitution=0.5).restitution == 0.5
+    housner = Block.named(name, restitution="housner")
     for one, other in ((housner.positive, housner.negative), (housner.negative, housner.positive)):
         # Angular momentum about the edge that is struck; 1 - 1.5 sin^2 alpha of a rectangle.
         gyration = housner.gravity * one.radius / one.p**2 - one.radius**2
         apart = one.radius * other.radius * math.cos(one.alpha + other.alpha)
         ratio = (gyration + apart) / (gyration + other.radius**2)
         assert one.restitution == pytest.approx(ratio)
-    assert named_block(name, gravity=5.0).gravity == 5.0
+    assert Block.named(name, gravity=5.0).gravity == 5.0
 
 
 def test_the_numbers_of_the_sources() -> None:
-    paper = named_block("tso-wong-1989")
+    paper = Block.named("tso-wong-1989")
     assert (paper.p, paper.restitution) == (2.0 * math.pi, 0.8)
-    makris = named_block("makris-roussos-2000")
+    makris = Block.named("makris-roussos-2000")
     assert (makris.width, makris.height, makris.restitution) == pytest.approx((1.0, 3.0, 0.85))
-    zhang = named_block("zhang-makris-2001")
+    zhang = Block.named("zhang-makris-2001")
     assert (zhang.p, zhang.alpha, zhang.restitution) == (2.14, 0.25, 0.9)
-    cabinet = named_block("fema-p58-cabinet")
+    cabinet = Block.named("fema-p58-cabinet")
     assert (cabinet.width, cabinet.height) == pytest.approx((0.47244, 1.72085))
-    rack = named_block("server-rack")
+    rack = Block.named("server-rack")
     assert (rack.width, rack.height) == pytest.approx((0.6, 2.0))
     assert rack.height > 42 * 0.04445, "42 units fit"
-    cylinder = named_block("gas-cylinder")
+    cylinder = Block.named("gas-cylinder")
     assert (cylinder.width, cylinder.height) == pytest.approx((0.229, 1.64))
     assert math.pi / 4.0 * 0.229**2 * 1.64 > 0.05, "50 litres fit"
     assert cabinet.restitution == pytest.approx(1.0 - 1.5 * math.sin(cabinet.alpha) ** 2)
@@ -48,7 +49,7 @@ def test_the_numbers_of_the_sources() -> None:
 @every("name", ["", "tso", "Tso-Wong-1989", None])
 def test_an_unknown_name_is_answered_with_the_known_ones(name: str) -> None:
     with pytest.raises(InputError) as caught:
-        named_block(name)
+        Block.named(name)
     for known in SOURCES:
         assert known in str(caught.value)
 
@@ -62,7 +63,7 @@ def test_the_statue_has_the_mass_centre_and_the_inertia_of_a_fine_grid_of_points
         masses.append(np.full(x.size, mass / x.size))
     where, weight = np.concatenate(points, axis=1), np.concatenate(masses)
     centre = (where * weight).sum(axis=1) / weight.sum()
-    statue = named_block("statue-on-plinth")
+    statue = Block.named("statue-on-plinth")
     assert statue.positive.distance == pytest.approx(centre[0], rel=1e-12)
     assert statue.width == pytest.approx(0.6)
     assert statue.height == pytest.approx(2.0 * centre[1])
@@ -78,7 +79,7 @@ def test_the_gas_cylinder_has_the_inertia_of_points_on_a_thin_tube() -> None:
         2.0 * np.pi * np.arange(100) / 100, 1.64 * (np.arange(1000) + 0.5) / 1000
     )
     from_middle = (0.5 * 0.229 * np.cos(angle)) ** 2 + (height - 0.82) ** 2
-    cylinder = named_block("gas-cylinder")
+    cylinder = Block.named("gas-cylinder")
     side = cylinder.positive
     found = cylinder.gravity * side.radius / side.p**2 - side.radius**2
     assert found == pytest.approx(from_middle.mean(), rel=2e-6)

@@ -4,7 +4,9 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, InputError, housner_restitution, impact_restitution, named_block
+from rocksteady import Block
+from rocksteady.errors import InputError
+from rocksteady.formulas import housner_restitution, impact_restitution
 from rocksteady.model.blocks.housner_forms import form_of_text, ratio_words
 from tests.every import every
 
@@ -21,8 +23,8 @@ MEASURED: Any = ("housner", 0.965)
         lambda e: Block.asymmetric(left=0.2, right=0.2, height=1.6, restitution=e),
         lambda e: Block.asymmetric(left=0.2, right=0.3, height=1.6, restitution=e),
         lambda e: Block.from_alphas(positive=0.2, negative=0.3, p=2.0, restitution=e),
-        lambda e: named_block("statue-on-plinth", restitution=e),
-        lambda e: named_block("makris-roussos-2000", restitution=e),
+        lambda e: Block.named("statue-on-plinth", restitution=e),
+        lambda e: Block.named("makris-roussos-2000", restitution=e),
     ],
 )
 def test_each_impact_keeps_the_factor_of_its_own_value(make: Any) -> None:

@@ -17,27 +17,27 @@ from numpy.typing import ArrayLike, NDArray
 
 import rocksteady
 from rocksteady import (
-    Axis,
     Block,
     DimensionlessBlock,
-    ExplorerView,
     Harmonic,
-    InputError,
     Record,
     Rest,
-    add_motions,
-    compute_response_spectrum,
     compute_rocking_spectrum,
     find_steady_states,
-    housner_restitution,
-    impact_restitution,
     simulate,
 )
+from rocksteady.errors import InputError
+from rocksteady.export import ExplorerView
+from rocksteady.formulas import housner_restitution, impact_restitution
+from rocksteady.measures import compute_response_spectrum
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import guard_result
 from rocksteady.model.checks.bounds import Bounds, Whole
+from rocksteady.motions import add
+from rocksteady.sweeps import Axis
 from tests.every import every
 from tests.public.junk import Quantity
+from tools.namespace import THINGS
 
 BLOCK = Block.rectangle(width=0.4, height=1.2)
 BARE = DimensionlessBlock(restitution=0.8)
@@ -68,7 +68,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             lambda: compute_rocking_spectrum(RECORD, alpha=[], periods_s=1.0),
             ["alpha = ", "one value"],
         ),
-        (lambda: add_motions(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
+        (lambda: add(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
         (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),
         (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),
         (lambda: impact_restitution((0.2, 0.3), (1.0, 1.1), gyration=-0.5), ["gyration = -0.5"]),
@@ -92,7 +92,7 @@ def test_what_is_no_such_thing_is_refused_in_one_line(call: Any, words: list[str
     [
         lambda x: Record(acceleration_m_s2=x, dt_s=0.01),
         lambda x: find_steady_states(x, 4.0, 0.8),
-        lambda x: rocksteady.Axis(name="amplitude", values=x),
+        lambda x: rocksteady.sweeps.Axis(name="amplitude", values=x),
         lambda x: compute_response_spectrum(RECORD, x),
         lambda x: simulate(BLOCK, SHAKING, cycles=1).at_time(x),
         lambda x: simulate(BLOCK, SHAKING, cycles=1).base_acceleration(x),
@@ -227,9 +227,8 @@ def test_types_come_before_rules_and_a_call_that_does_not_fit_before_both() -> N
 def test_every_public_function_is_checked() -> None:
     bare = {
         name
-        for name in rocksteady.__all__
-        if inspect.isfunction(getattr(rocksteady, name))
-        and not hasattr(getattr(rocksteady, name), "__wrapped__")
+        for name, thing in THINGS.items()
+        if inspect.isfunction(thing) and not hasattr(thing, "__wrapped__")
     }
     assert bare == set()
 

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from scipy.stats import binomtest
 
-from rocksteady import Bands, InputError
+from rocksteady.errors import InputError
 from rocksteady.model.checks.confidence import (
     CONFIDENCE,
     CONFIDENCE_TEXT,
     share_interval,
 )
+from rocksteady.risk import BandOptions
 
 
 def test_it_is_the_interval_of_scipy() -> None:
@@ -26,7 +27,7 @@ def test_it_is_the_interval_of_scipy() -> None:
 
 def test_the_default_is_90_per_cent_and_others_lie_between_0_and_1() -> None:
     assert (CONFIDENCE, CONFIDENCE_TEXT) == (0.9, "90 % interval")
-    assert Bands(confidence=0.5).confidence == 0.5
+    assert BandOptions(confidence=0.5).confidence == 0.5
     for wrong in (0.0, 1.0, -0.1, 95, "0.9", None):
         with pytest.raises(InputError, match="confidence"):
-            Bands(confidence=wrong)  # type: ignore[arg-type]
+            BandOptions(confidence=wrong)  # type: ignore[arg-type]

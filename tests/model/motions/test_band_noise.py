@@ -8,22 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    BandNoise,
-    BaseMotion,
-    Block,
-    Harmonic,
-    Impulses,
-    InputError,
-    ModelError,
-    Piecewise,
-    Pulse,
-    Record,
-    Still,
-    add_noise,
-)
+from rocksteady import BaseMotion, Block, Harmonic, Piecewise, Pulse, Record, Still
 from rocksteady.dynamics.history.base_motion import base_acceleration, impulses
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import BandNoise, Impulses, add_noise
 from tests.every import every
 
 NOISE = BandNoise(rms=0.2, band=(1.0, 10.0), duration=30.0, seed=1)

@@ -3,19 +3,9 @@
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BaseMotion,
-    Block,
-    Harmonic,
-    InputError,
-    Linear,
-    ModelError,
-    Nonlinear,
-    Piecewise,
-    Record,
-    Segment,
-    simulate,
-)
+from rocksteady import BaseMotion, Block, Harmonic, Linear, Nonlinear, Piecewise, Record, simulate
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import Segment
 
 BLOCK = Block.from_p(alpha=0.3, p=2.0, restitution=0.8)
 TIME = np.arange(0.0, 3.0, 0.02)

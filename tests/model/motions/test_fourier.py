@@ -19,7 +19,7 @@ WAVES = st.lists(
 ).filter(lambda waves: sum(abs(size) for _, size, _ in waves) > 1e-3)
 
 
-def by_hand(motion: rs.FourierSeries, pt: np.ndarray) -> np.ndarray:
+def by_hand(motion: rs.motions.FourierSeries, pt: np.ndarray) -> np.ndarray:
     turned = motion.frequency_ratio * pt + motion.phase
     waves = [a * np.sin(k * turned + phi) for k, a, phi in motion.harmonics]
     return np.asarray(motion.amplitude * np.sum(waves, axis=0))
@@ -29,7 +29,7 @@ def by_hand(motion: rs.FourierSeries, pt: np.ndarray) -> np.ndarray:
 def test_the_peak_is_that_of_many_samples_and_is_reached(
     waves: list[tuple[int, float, float]],
 ) -> None:
-    motion = rs.FourierSeries(amplitude=1.7, frequency_ratio=2.0, harmonics=tuple(waves))
+    motion = rs.motions.FourierSeries(amplitude=1.7, frequency_ratio=2.0, harmonics=tuple(waves))
     samples = np.abs(motion.acceleration(np.linspace(0.0, 2.0 * math.pi, 4_001)))
     bend = 1.7 * sum(abs(a) * k * k for k, a, _ in waves) * (math.pi / 4_000) ** 2
     assert samples.max() <= motion.peak * (1.0 + 1e-14)
@@ -38,27 +38,27 @@ def test_the_peak_is_that_of_many_samples_and_is_reached(
 
 
 def test_samples_give_the_series_that_they_are_of() -> None:
-    motion = rs.FourierSeries(
+    motion = rs.motions.FourierSeries(
         amplitude=2.0,
         frequency_ratio=3.0,
         harmonics=((1, 1.0, 0.4), (3, -0.5, 1.0), (7, 0.2, -2.0)),
     )
     phases = np.arange(64) * (2.0 * math.pi / 64)
-    again = rs.FourierSeries.from_samples(
+    again = rs.motions.FourierSeries.from_samples(
         5.0 + motion.acceleration(phases), frequency_ratio=3.0, orders=20
     )
     assert again.orders == (1, 3, 7)
     assert again.misfit(5.0 + motion.acceleration(phases)) < 1e-13
     fine = np.linspace(0.0, 7.0, 333)
     assert again.acceleration(fine) == pytest.approx(motion.acceleration(fine), abs=1e-13)
-    fewer = rs.FourierSeries.from_samples(
+    fewer = rs.motions.FourierSeries.from_samples(
         motion.acceleration(phases), frequency_ratio=3.0, orders=3
     )
     assert fewer.misfit(motion.acceleration(phases)) == pytest.approx(0.4, rel=0.05)
 
 
 def test_a_motion_is_one_segment_with_its_own_acceleration_and_displacement() -> None:
-    motion = rs.FourierSeries(
+    motion = rs.motions.FourierSeries(
         amplitude=1.2, frequency_ratio=2.5, harmonics=((1, 1.0, 0.4), (4, -0.7, 1.0)), phase=0.3
     )
     run = rs.simulate(rs.DimensionlessBlock(restitution=0.8), motion, cycles=3)
@@ -69,7 +69,7 @@ def test_a_motion_is_one_segment_with_its_own_acceleration_and_displacement() ->
     place = [run.base_displacement(inner + shift) for shift in (-h, 0.0, h)]
     second = (place[0] - 2.0 * place[1] + place[2]) / (h * h)
     assert second == pytest.approx(by_hand(motion, inner), abs=1e-5)
-    turned = rs.scale_motion(motion, -2.0)
+    turned = rs.motions.scale(motion, -2.0)
     (segment,) = turned.segments()
     assert segment.amplitude > 0.0
     reverse = rs.simulate(rs.DimensionlessBlock(restitution=0.8), turned, cycles=1)
@@ -79,23 +79,25 @@ def test_a_motion_is_one_segment_with_its_own_acceleration_and_displacement() ->
 
 def test_a_sum_of_two_harmonics_is_one_segment() -> None:
     one, other = (
-        rs.Piecewise(pieces=(rs.Segment(duration=60.0, amplitude=a, frequency=w, phase=phase),))
+        rs.Piecewise(
+            pieces=(rs.motions.Segment(duration=60.0, amplitude=a, frequency=w, phase=phase),)
+        )
         for a, w, phase in ((1.2, 4.0, 0.3), (0.6, 6.0, -0.4))
     )
-    total = rs.add_motions(one, other)
+    total = rs.motions.add(one, other)
     (segment,) = total.segments()
     assert [wave[0] for wave in segment.harmonics] == [2, 3]
     run = rs.simulate(rs.DimensionlessBlock(restitution=0.8), total)
     pt = np.linspace(0.0, 59.9, 400)
     expected = 1.2 * np.sin(4.0 * pt + 0.3) + 0.6 * np.sin(6.0 * pt - 0.4)
     assert run.base_acceleration(pt) == pytest.approx(expected, abs=1e-12)
-    endless = rs.add_motions(
+    endless = rs.motions.add(
         rs.Harmonic(amplitude=1.2, frequency_ratio=4.0),
         rs.Harmonic(amplitude=0.6, frequency_ratio=6.0),
     )
     assert len(endless.segments()) == 1
-    with pytest.raises(rs.ModelError, match="whole multiples of one frequency"):
-        rs.add_motions(
+    with pytest.raises(rs.errors.ModelError, match="whole multiples of one frequency"):
+        rs.motions.add(
             rs.Harmonic(amplitude=1.2, frequency_ratio=4.0),
             rs.Harmonic(amplitude=0.6, frequency_ratio=4.0 * math.sqrt(2.0)),
         )
@@ -114,32 +116,36 @@ def test_a_sum_of_two_harmonics_is_one_segment() -> None:
     ],
 )
 def test_what_is_no_series_is_refused(harmonics: Any, words: str) -> None:
-    with pytest.raises(rs.InputError, match=words):
-        rs.FourierSeries(amplitude=1.0, frequency_ratio=2.0, harmonics=harmonics)
+    with pytest.raises(rs.errors.InputError, match=words):
+        rs.motions.FourierSeries(amplitude=1.0, frequency_ratio=2.0, harmonics=harmonics)
 
 
 def test_what_one_sinusoid_alone_has_is_refused_by_name() -> None:
     block = rs.DimensionlessBlock(restitution=0.8)
-    motion = rs.FourierSeries(amplitude=2.0, frequency_ratio=4.0, harmonics=((1, 1.0, 0.0),))
-    with pytest.raises(rs.ModelError, match="a steady state needs harmonic shaking"):
+    motion = rs.motions.FourierSeries(
+        amplitude=2.0, frequency_ratio=4.0, harmonics=((1, 1.0, 0.0),)
+    )
+    with pytest.raises(rs.errors.ModelError, match="a steady state needs harmonic shaking"):
         rs.simulate(block, motion, start=rs.Steady())
-    with pytest.raises(rs.ModelError, match="single sinusoid"):
+    with pytest.raises(rs.errors.ModelError, match="single sinusoid"):
         rs.map_fates(block, motion, axes={"phase": [0.0, 1.0]}, start=rs.Steady())
-    with pytest.raises(rs.ModelError, match="no vertical motion goes with a Fourier series"):
+    with pytest.raises(rs.errors.ModelError, match="no vertical motion goes with a Fourier series"):
         rs.simulate(
             rs.Block.from_p(alpha=0.2, p=2.0),
-            rs.BaseMotion(motion, rs.Piecewise(pieces=(rs.Segment(duration=1.0, constant=0.1),))),
+            rs.BaseMotion(
+                motion, rs.Piecewise(pieces=(rs.motions.Segment(duration=1.0, constant=0.1),))
+            ),
         )
-    with pytest.raises(rs.ModelError, match="no constant and no slope"):
-        rs.Segment(duration=1.0, constant=1.0, frequency=1.0, harmonics=((1, 1.0, 0.0),))
-    with pytest.raises(rs.InputError, match="order 64"):
-        rs.FourierSeries(amplitude=1.0, frequency_ratio=200.0, harmonics=((64, 1.0, 0.0),))
+    with pytest.raises(rs.errors.ModelError, match="no constant and no slope"):
+        rs.motions.Segment(duration=1.0, constant=1.0, frequency=1.0, harmonics=((1, 1.0, 0.0),))
+    with pytest.raises(rs.errors.InputError, match="order 64"):
+        rs.motions.FourierSeries(amplitude=1.0, frequency_ratio=200.0, harmonics=((64, 1.0, 0.0),))
 
 
 def test_few_samples_have_the_orders_that_they_allow() -> None:
-    few = rs.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0)
+    few = rs.motions.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0)
     ((order, size, phase),) = few.harmonics
     assert order == 1
     assert (size, phase) == pytest.approx((1.0, 0.0), abs=1e-15)
-    with pytest.raises(rs.InputError, match="at most 1 orders"):
-        rs.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0, orders=2)
+    with pytest.raises(rs.errors.InputError, match="at most 1 orders"):
+        rs.motions.FourierSeries.from_samples([0.0, 1.0, 0.0, -1.0], frequency_ratio=2.0, orders=2)

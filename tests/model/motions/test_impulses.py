@@ -6,9 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, Impulses, InputError, Segment
+from rocksteady import Block
 from rocksteady.dynamics.history.base_motion import displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError
+from rocksteady.motions import Impulses, Segment
 from tests.every import every
 
 BLOCK = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)

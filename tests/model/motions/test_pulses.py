@@ -10,12 +10,14 @@ from hypothesis import given, settings
 from numpy.polynomial.hermite_e import hermeroots
 from numpy.typing import NDArray
 
-from rocksteady import Block, InputError, ModelError, Pulse, scale_motion
+from rocksteady import Block, Pulse
 from rocksteady.dynamics.history.base_motion import base_acceleration, displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.motions import ANTISYMMETRIC_BENDS, BENDS, BEYOND
 from rocksteady.model.motions._pulse_shapes import peak_of_unit_velocity
 from rocksteady.model.motions.pulses import PULSES
+from rocksteady.motions import scale
 from tests.every import every
 from tests.model.motions.formulae_of_pulses import FORMULAE, GAMMA, NU, centred, type_c_phase
 from tests.strategies import logarithmic
@@ -228,7 +230,7 @@ def test_a_wavelet_that_would_need_too_many_lines_says_what_would_do() -> None:
 def test_a_reversed_pulse_is_its_mirror_image(shape: str) -> None:
     pulse = Pulse(shape=shape, amplitude=2.0, frequency_ratio=3.0)
     turned = dataclasses.replace(pulse, reverse=True)
-    assert turned.segments() == scale_motion(pulse, -1.0).segments()
+    assert turned.segments() == scale(pulse, -1.0).segments()
     assert (turned.duration, turned.amplitude) == (pulse.duration, pulse.amplitude)
     with pytest.raises(InputError, match="reverse = 'yes' is not valid: it must be True or False"):
         Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, reverse="yes")  # type: ignore[arg-type]

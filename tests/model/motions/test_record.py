@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import InputError, Record
+from rocksteady import Record
+from rocksteady.errors import InputError
 from tests.every import every
 
 VALUES = [0.0, 1.5, -3.0, 0.5]

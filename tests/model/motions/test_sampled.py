@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rocksteady import InputError, Piecewise
+from rocksteady import Piecewise
+from rocksteady.errors import InputError
 from rocksteady.model.motions._sampled import polyline, straight_lines
 from tests.model.motions.test_pulses import acceleration
 from tests.strategies import logarithmic

@@ -8,7 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import Block, Harmonic, InputError, ModelError, Piecewise, Segment, Still
+from rocksteady import Block, Harmonic, Piecewise, Still
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import Segment
 from tests.every import every
 from tests.strategies import logarithmic
 

@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, InputError, SyntheticMotion
+from rocksteady import Block, SyntheticMotion
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.errors import InputError
 from tests.every import every
 from tests.model.motions.test_pulses import Floats
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import RecordFileError
+from rocksteady.errors import RecordFileError
 from tests.every import every
 from tests.records.tables import THREE, G, read
 

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import RecordFileError, Recording, read_recordings
+from rocksteady.errors import RecordFileError
+from rocksteady.records import Recording, read_recordings
 from tests.every import every
 from tests.records import FOLDER
 from tests.records.writers import (

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import RecordSet, pair_records, read_recordings
+from rocksteady.records import RecordSet, pair_records, read_recordings
 from rocksteady.records.core.directions import pointing, pointing_of_name
 from rocksteady.records.pairing import pair_doubts
 from tests.every import every

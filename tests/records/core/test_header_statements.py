@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import RecordFileError, Recording, read_record, read_recordings
+from rocksteady import read_record
+from rocksteady.errors import RecordFileError
+from rocksteady.records import Recording, read_recordings
 from tests.every import every
 from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Recording
+from rocksteady.records import Recording
 from tests.cli.motion_files import samples
 from tests.records import recording
 

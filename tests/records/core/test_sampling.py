@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rocksteady import RecordFileError, Recording, read_recordings
+from rocksteady.errors import RecordFileError
+from rocksteady.records import Recording, read_recordings
 from rocksteady.records.core.sampling import places
 from tests.every import every
 

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import RecordFileError, read_recordings
+from rocksteady.errors import RecordFileError
+from rocksteady.records import read_recordings
 from rocksteady.records.core.text import LARGEST_FILE
 from tests.every import every
 from tests.records.writers import at2, samples

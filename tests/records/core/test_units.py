@@ -2,7 +2,7 @@
 
 import pytest
 
-from rocksteady import InputError
+from rocksteady.errors import InputError
 from rocksteady.records.core.directions import direction
 from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2, in_seconds
 from tests.every import every

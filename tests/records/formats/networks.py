@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import Recording, read_recordings
+from rocksteady.records import Recording, read_recordings
 from tests.records.writers import samples
 
 CM = samples(403, peak=150.0)

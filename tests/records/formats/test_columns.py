@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import InputError, RecordFileError, read_record
+from rocksteady import read_record
+from rocksteady.errors import InputError, RecordFileError
 from tests.every import every
 from tests.records.tables import THREE, G, read
 from tests.records.writers import csv, samples

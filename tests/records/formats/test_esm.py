@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import RecordFileError
+from rocksteady.errors import RecordFileError
 from tests.every import every
 from tests.records.formats.networks import CM, close, read
 from tests.records.writers import esm

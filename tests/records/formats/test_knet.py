@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import RecordFileError
+from rocksteady.errors import RecordFileError
 from tests.every import every
 from tests.records.formats.networks import close, read
 from tests.records.writers import knet, samples

@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import RecordFileError, read_record, read_recordings
+from rocksteady import read_record
+from rocksteady.errors import RecordFileError
+from rocksteady.records import read_recordings
 from tests.every import every
 from tests.records.writers import at2, samples
 

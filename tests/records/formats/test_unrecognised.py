@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rocksteady import RecordFileError
+from rocksteady.errors import RecordFileError
 from tests.every import every
 from tests.records.formats.networks import CM, read
 from tests.records.writers import at2, cosmos_channel, csmip_v2_channel, esm, knet, samples, smc

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import RecordFileError, read_recordings
+from rocksteady.errors import RecordFileError
+from rocksteady.records import read_recordings
 from tests.records.writers import samples
 
 

@@ -20,15 +20,15 @@ from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import case_of, parameter_words, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, _curve_over, assess_object
-from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
+from rocksteady.risk.assess.described.objects import EXAMPLE, DescribedObject, read_object
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.friction import first_motion
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.many import simulate_many
 from rocksteady.show.assessment._assessment_tables import answer_rows
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.risk.assess.levels import level_of
 
 SUITE = make_synthetic_suite(12)
@@ -36,7 +36,7 @@ PGV = 0.45
 FEW = {"damage_states": ["overturned"], "draws": 2, "levels": 6, "replicates": 0}
 
 
-def described(assessment: dict[str, Any] | None = None, **keys: Any) -> ObjectFile:
+def described(assessment: dict[str, Any] | None = None, **keys: Any) -> DescribedObject:
     values: dict[str, Any] = {
         "name": "statue",
         "friction": 0.5,
@@ -44,7 +44,7 @@ def described(assessment: dict[str, Any] | None = None, **keys: Any) -> ObjectFi
         "demand": {"pga_g": 0.4, "pgv_m_s": PGV},
         "assessment": {**FEW, **(assessment or {})},
     }
-    return ObjectFile(values={**values, **keys})
+    return DescribedObject(values={**values, **keys})
 
 
 def fallen(block: Block, pgv_m_s: float, ratios: tuple[float, ...] = ()) -> int:
@@ -53,7 +53,7 @@ def fallen(block: Block, pgv_m_s: float, ratios: tuple[float, ...] = ()) -> int:
     for ratio in ratios or (block.restitution,):
         body = block.with_restitution(ratio)
         for record in SUITE:
-            factor = pgv_m_s / measure_scalar(record, Intensity("pgv_m_s"))
+            factor = pgv_m_s / compute_measure(record, Measure("pgv_m_s"))
             found = simulate_many(body, record, scales=factor)
             count += int(found["status"] == Status.OVERTURNED)
     return count
@@ -72,7 +72,7 @@ def _found() -> Assessment:
 def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessment) -> None:
     assert found.fragility is not None
     assert found.curve is not None
-    assert found.fragility.measure == Intensity("pgv_m_s")
+    assert found.fragility.measure == Measure("pgv_m_s")
     assert found.curve is found.fragility.states[-1].two_stage.given_uplift  # type: ignore[union-attr]
     expected = float(found.curve.probability(np.array([PGV]))[0])
     assert found.probability == pytest.approx(expected, rel=1e-9)
@@ -250,7 +250,7 @@ def test_the_first_line_has_the_number_that_the_verdict_follows(found: Assessmen
 
 @pytest.mark.slow
 def test_no_number_depends_on_the_workers(found: Assessment) -> None:
-    again = assess_object(described({"replicates": 200}), SUITE, run=Run(executor="serial"))
+    again = assess_object(described({"replicates": 200}), SUITE, run=Execution(executor="serial"))
     first, second = found.to_dict(), again.to_dict()
     for key in ("probability", "cases", "tornado", "remedies", "median", "probability_band"):
         assert first[key] == second[key], key
@@ -294,7 +294,7 @@ def test_a_target_that_is_met_needs_no_remedy() -> None:
 
 def test_without_a_demand_the_motions_as_they_are_give_it() -> None:
     found = assess_object(described(demand={}), SUITE)
-    median = np.median([measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE])
+    median = np.median([compute_measure(each, Measure("pgv_m_s")) for each in SUITE])
     assert f"{median:.3g} m/s, the median of the motions" in found.demand
 
 
@@ -339,8 +339,8 @@ def test_risk_is_of_the_curve_that_is_shown(found: Assessment) -> None:
 
 def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
     """The share counted at the demand, the misfit of the curve, and an unusual pair of peaks."""
-    pgv = np.array([measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE])
-    pga = np.array([measure_scalar(each, Intensity("pga_g")) for each in SUITE])
+    pgv = np.array([compute_measure(each, Measure("pgv_m_s")) for each in SUITE])
+    pga = np.array([compute_measure(each, Measure("pga_g")) for each in SUITE])
     below = float(np.mean(pgv * 0.4 / pga < PGV))
     assert found.pgv_percentile == pytest.approx(100.0 * below)
     assert f"percentile {100.0 * below:.0f} of the motions" in found.summary(more=True).replace(
@@ -467,7 +467,7 @@ def test_an_object_against_a_wall_falls_as_runs_of_its_own_with_both_signs_do() 
     (base, *cases) = vary(wall, SUITE, level_of(wall, SUITE))
     count = 0
     for record, reverse in product(SUITE, (False, True)):
-        factor = PGV / measure_scalar(record, Intensity("pgv_m_s"))
+        factor = PGV / compute_measure(record, Measure("pgv_m_s"))
         found = simulate_many(wall.block, record, scales=factor, reverse=reverse)
         count += int(found["status"] == Status.OVERTURNED)
     assert (base.fell, base.trials) == (count, 2 * len(SUITE))
@@ -503,7 +503,7 @@ def test_a_stocky_object_has_an_answer_though_no_wider_one_rocks() -> None:
     """Three times its width has no restitution by Housner: the assessment ended in an error."""
     geometry = {"width_m": 0.4, "height_m": 1.0}
     options = {"draws": 1, "replicates": 0}
-    chest = ObjectFile(
+    chest = DescribedObject(
         values={
             "name": "chest",
             "geometry": geometry,
@@ -524,7 +524,7 @@ def test_a_curve_that_is_nearly_flat_has_infinite_quantiles_and_an_answer() -> N
         "demand": {"pga_g": 0.3, "pgv_m_s": 0.2},
         "assessment": {"draws": 3, "levels": 6, "replicates": 0, "target_probability": 0.3},
     }
-    found = assess_object(ObjectFile(values=values), make_synthetic_suite(2, seed=2))
+    found = assess_object(DescribedObject(values=values), make_synthetic_suite(2, seed=2))
     assert found.verdict in ("below target", "above target")
 
 
@@ -535,7 +535,7 @@ def test_an_object_whose_nominal_size_stays_is_told_so() -> None:
         "demand": {"pga_g": 0.24, "pgv_m_s": 0.5},
         "assessment": {"draws": 1, "levels": 6, "replicates": 0},
     }
-    found = assess_object(ObjectFile(values=values), make_synthetic_suite(4))
+    found = assess_object(DescribedObject(values=values), make_synthetic_suite(4))
     assert found.cases[0].basis == "statics"
     assert found.verdict == "above target"
     (width,) = (each for each in found.remedies if each.name == "width")

@@ -9,11 +9,11 @@ from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess._remedies import Remedy
 from rocksteady.risk.assess.assessment import assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
-from rocksteady.risk.assess.two_numbers import assess_two_numbers
+from rocksteady.risk.assess.two_numbers import assess_by_formula
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.many import simulate_many
 
 SUITE = make_synthetic_suite(12)
@@ -21,9 +21,9 @@ FEW = {"assessment": {"draws": 2, "levels": 6}}
 SIZES = {f"object {b} {h}": (b, h) for b in (0.2, 0.3, 0.4) for h in (1.2, 1.6, 2.0)}
 
 
-def objects() -> list[ObjectFile]:
+def objects() -> list[DescribedObject]:
     plain = [
-        ObjectFile(
+        DescribedObject(
             values={"name": name, "geometry": {"width_m": b, "height_m": h}, **FEW},
             extra={"room": "4", "name": "again"},
         )
@@ -33,9 +33,11 @@ def objects() -> list[ObjectFile]:
     smooth = {"width_m": 0.3, "height_m": 1.8}
     return [
         *plain,
-        ObjectFile(values={"name": "off centre", "geometry": geometry, **FEW}),
-        ObjectFile(values={"name": "smooth", "geometry": smooth, "friction": 0.1, **FEW}),
-        ObjectFile(values={"name": "chest", "geometry": {"width_m": 1.0, "height_m": 1.2}, **FEW}),
+        DescribedObject(values={"name": "off centre", "geometry": geometry, **FEW}),
+        DescribedObject(values={"name": "smooth", "geometry": smooth, "friction": 0.1, **FEW}),
+        DescribedObject(
+            values={"name": "chest", "geometry": {"width_m": 1.0, "height_m": 1.2}, **FEW}
+        ),
     ]
 
 
@@ -45,7 +47,7 @@ def _table() -> ObjectsTable:
 
 
 def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
-    factors = [0.45 / measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE]
+    factors = [0.45 / compute_measure(each, Measure("pgv_m_s")) for each in SUITE]
     rows = {row["name"]: row for row in table.rows}
     fallen = 0
     for described in objects():
@@ -68,7 +70,7 @@ def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
 def test_the_curve_is_near_the_count_and_the_closed_form_stands_beside(table: ObjectsTable) -> None:
     shares = []
     for described, row in zip(objects(), table.rows, strict=True):
-        closed = assess_two_numbers(described.block, 0.4, 0.45).probability
+        closed = assess_by_formula(described.block, 0.4, 0.45).probability
         assert row["closed_form"] == closed
         if row["basis"] == "curve":
             assert row["method"].startswith("curve through the runs at 6 levels, 2 restitutions")
@@ -104,7 +106,7 @@ def met(remedy: Remedy, target: float) -> bool:
 def test_no_object_meets_its_target_where_far_more_runs_fall_than_its_curve_allows() -> None:
     """Of few records a curve was amber, at 4 %, where 2 of 4 runs fall at the demand."""
     bodies = [
-        ObjectFile(
+        DescribedObject(
             values={
                 "name": f"{h:g}",
                 "geometry": {"width_m": b, "height_m": h},
@@ -173,7 +175,7 @@ def test_an_acceleration_alone_counts_and_has_no_closed_form() -> None:
     block = Block.rectangle(width=0.3, height=1.6)
     few = {"assessment": {"draws": 1, "levels": 6}}
     geometry = {"width_m": 0.3, "height_m": 1.6}
-    described = ObjectFile(values={"name": "x", "geometry": geometry, **few})
+    described = DescribedObject(values={"name": "x", "geometry": geometry, **few})
     (row,) = assess_objects([described], SUITE, pga_g=0.6).rows
     found = simulate_many(block, SUITE, pga_g=0.6)
     assert row["fell"] == int((found["status"] == Status.OVERTURNED).sum())
@@ -194,9 +196,11 @@ def test_what_is_missing_is_named() -> None:
 def test_an_object_against_a_wall_counts_both_signs() -> None:
     geometry = {"width_m": 0.2, "height_m": 1.6}
     few = {"assessment": {"draws": 1, "levels": 6}}
-    wall = ObjectFile(values={"name": "wall", "geometry": geometry, "against_wall": True, **few})
+    wall = DescribedObject(
+        values={"name": "wall", "geometry": geometry, "against_wall": True, **few}
+    )
     (row,) = assess_objects([wall], SUITE, pga_g=0.4, pgv_m_s=0.45).rows
-    factors = [0.45 / measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE]
+    factors = [0.45 / compute_measure(each, Measure("pgv_m_s")) for each in SUITE]
     fell = sum(
         int(simulate_many(wall.block, each, scales=factor, reverse=sign)["status"])
         == Status.OVERTURNED
@@ -213,7 +217,7 @@ def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
     sizes = {f"rack {n}": (0.2 + 0.02 * (7 * n % 30), 1.8) for n in range(30)}
     table = assess_objects(
         [
-            ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}, **FEW})
+            DescribedObject(values={"name": name, "geometry": {"width_m": b, "height_m": h}, **FEW})
             for name, (b, h) in sizes.items()
         ],
         SUITE,
@@ -242,12 +246,12 @@ def test_objects_without_an_answer_stand_before_those_that_are_safe() -> None:
     wide = {"width_m": 0.9, "height_m": 1.8}
     slim = {"width_m": 0.2, "height_m": 1.8}
     made = [
-        *(ObjectFile(values={"name": f"safe {n}", "geometry": wide}) for n in range(3)),
+        *(DescribedObject(values={"name": f"safe {n}", "geometry": wide}) for n in range(3)),
         *(
-            ObjectFile(values={"name": f"slides {n}", "geometry": slim, "friction": 0.05})
+            DescribedObject(values={"name": f"slides {n}", "geometry": slim, "friction": 0.05})
             for n in range(30)
         ),
-        ObjectFile(values={"name": "falls", "geometry": slim}),
+        DescribedObject(values={"name": "falls", "geometry": slim}),
     ]
     table = assess_objects(made, SUITE, pga_g=0.4, pgv_m_s=0.45)
     (shown,) = table.describe().tables

@@ -10,13 +10,13 @@ from rocksteady.errors import InputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess._probability import onset_of
 from rocksteady.risk.assess.assessment import assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import assess_objects
-from rocksteady.risk.assess.two_numbers import assess_two_numbers
+from rocksteady.risk.assess.two_numbers import assess_by_formula
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import MODES
 from rocksteady.risk.screens.screens import screen_block
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 SUITE = make_synthetic_suite(3)
 FEW = {"draws": 2, "levels": 4, "replicates": 0, "target_probability": 0.95}
@@ -25,9 +25,9 @@ PEAKS = {"pga_g": 0.24, "pgv_m_s": 0.6}
 GREENER = ("green", "amber", "red", "grey")
 
 
-def described(name: str = "cabinet", **keys: Any) -> ObjectFile:
+def described(name: str = "cabinet", **keys: Any) -> DescribedObject:
     values: dict[str, Any] = {"name": name, "friction": 0.9, "geometry": CABINET, "demand": PEAKS}
-    return ObjectFile(values={**values, "assessment": FEW, **keys})
+    return DescribedObject(values={**values, "assessment": FEW, **keys})
 
 
 def never_falls(values: list[Any]) -> bool:
@@ -44,7 +44,7 @@ def test_vertical_motion_makes_the_cabinet_safer_by_no_door() -> None:
             cabinet = described(demand=demand)
             file = assess_object(cabinet, SUITE)
             (row,) = assess_objects([cabinet], SUITE, pga_g=pga, pgv_m_s=0.6).rows
-            two = assess_two_numbers(cabinet.block, pga, 0.6, 0.9, vertical_g=vertical)
+            two = assess_by_formula(cabinet.block, pga, 0.6, 0.9, vertical_g=vertical)
             screens = screen_block(cabinet.block, Demand(**demand), friction=0.9)
             shares.append([file.probability, row["probability"], two.probability])
             colours.append([GREENER.index(each) for each in (file.colour, row["colour"])])
@@ -111,7 +111,7 @@ def test_no_object_is_safer_for_more_of_what_drives_it_or_less_of_what_holds_it(
                 onset = onset_of(thing)
                 assert onset.motion is not None
                 ranks.append(MODES.index(onset.motion))
-                two = assess_two_numbers(thing.block, **demand)
+                two = assess_by_formula(thing.block, **demand)
                 shares.append(two.probability)
                 uplifts.append(-two.uplift_pga_g)
                 mirrored = described(
@@ -153,7 +153,7 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
         described("vertical", demand={**PEAKS, "vertical_g": 0.3, "vertical_share": 0.4}),
         described("few levels", assessment={**FEW, "levels": 2, "draws": 1}),
     ]
-    run = Run(store=tmp_path / "s.zarr")
+    run = Execution(store=tmp_path / "s.zarr")
     peaks: dict[str, Any] = {"pga_g": 0.24, "pgv_m_s": 0.6, "target_probability": 0.95}
     table = assess_objects(objects, SUITE, run=run, **peaks)
     assert (tmp_path / "s-2.zarr").is_dir()

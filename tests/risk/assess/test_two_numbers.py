@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import Block, InputError, assess_two_numbers
+from rocksteady import Block
+from rocksteady.errors import InputError
+from rocksteady.risk import assess_by_formula
 from rocksteady.risk.assess.two_numbers import share_words
 from tests.descriptions import as_json, fits
 from tests.every import every
@@ -16,7 +18,7 @@ BLOCK = Block.rectangle(width=0.32, height=1.8)
 
 
 def test_the_worked_case() -> None:
-    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    found = assess_by_formula(BLOCK, 0.35, 0.4)
     assert found.probability == pytest.approx(0.3992, abs=5e-5)
     assert found.median_pgv_m_s == pytest.approx(0.4653, abs=5e-5)
     assert found.uplift_pga_g == pytest.approx(0.1778, abs=5e-5)
@@ -32,7 +34,7 @@ def test_the_worked_case() -> None:
 def test_the_other_probability_is_that_of_our_own_runs() -> None:
     from scipy.stats import norm
 
-    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    found = assess_by_formula(BLOCK, 0.35, 0.4)
     number = BLOCK.p * 0.4 / (9.80665 * 0.32 / 1.8)
     assert found.other_probability == pytest.approx(norm.cdf(math.log(number / 0.672) / 0.462))
     assert found.probability == pytest.approx(norm.cdf(math.log(number / 0.757) / 0.592))
@@ -47,9 +49,9 @@ def test_the_other_probability_is_that_of_our_own_runs() -> None:
 @given(st.floats(0.05, 0.4), st.floats(0.2, 6.0))
 def test_at_the_median_half_fall_and_below_uplift_none(slope: float, height: float) -> None:
     block = Block.rectangle(width=slope * height, height=height)
-    median = assess_two_numbers(block, 2.0 * slope, 0.3).median_pgv_m_s
-    assert assess_two_numbers(block, 2.0 * slope, median).probability == pytest.approx(0.5)
-    resting = assess_two_numbers(block, 0.999 * slope, 9.0 * median)
+    median = assess_by_formula(block, 2.0 * slope, 0.3).median_pgv_m_s
+    assert assess_by_formula(block, 2.0 * slope, median).probability == pytest.approx(0.5)
+    resting = assess_by_formula(block, 0.999 * slope, 9.0 * median)
     assert (resting.probability, resting.other_probability) == (0.0, 0.0)
     assert resting.verdict == "rest"
     assert "does not lift it" in resting.sentence
@@ -61,14 +63,14 @@ def test_larger_blocks_of_one_shape_need_velocities_with_the_root_of_their_size(
 ) -> None:
     small = Block.rectangle(width=slope * height, height=height)
     large = Block.rectangle(width=slope * height * scale, height=height * scale)
-    one = assess_two_numbers(small, 1.0, pgv)
-    other = assess_two_numbers(large, 1.0, pgv * math.sqrt(scale))
+    one = assess_by_formula(small, 1.0, pgv)
+    other = assess_by_formula(large, 1.0, pgv * math.sqrt(scale))
     assert other.probability == pytest.approx(one.probability, abs=1e-12)
 
 
 @pytest.mark.parametrize(("friction", "words"), [(0.1, "It slides"), (0.2, "It also slides")])
 def test_where_friction_governs_rocking_is_no_answer(friction: float, words: str) -> None:
-    found = assess_two_numbers(BLOCK, 0.35, 0.4, friction)
+    found = assess_by_formula(BLOCK, 0.35, 0.4, friction)
     assert (found.probability, found.other_probability) == (None, None)
     assert found.verdict == "slides"
     assert found.sentence.startswith(words)
@@ -78,7 +80,7 @@ def test_where_friction_governs_rocking_is_no_answer(friction: float, words: str
 
 
 def test_enough_friction_and_none_give_the_same_probability() -> None:
-    known, unknown = (assess_two_numbers(BLOCK, 0.35, 0.4, mu) for mu in (0.3, None))
+    known, unknown = (assess_by_formula(BLOCK, 0.35, 0.4, mu) for mu in (0.3, None))
     assert known.probability == unknown.probability
     assert known.remarks == ()
     assert "friction is not given" in unknown.remarks[0]
@@ -86,15 +88,15 @@ def test_enough_friction_and_none_give_the_same_probability() -> None:
 
 @every(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01), (35.0, 40.0)])
 def test_a_ratio_that_no_ground_has_is_remarked_on(pga: float, pgv: float) -> None:
-    found = assess_two_numbers(BLOCK, pga, pgv, 99.0)
+    found = assess_by_formula(BLOCK, pga, pgv, 99.0)
     assert any("are the units right?" in remark for remark in found.remarks)
 
 
 def test_a_block_beyond_our_own_runs_and_one_whose_sides_differ_are_remarked_on() -> None:
-    tiny = assess_two_numbers(Block.rectangle(width=0.02, height=0.1), 0.35, 0.4, 1.0)
+    tiny = assess_by_formula(Block.rectangle(width=0.02, height=0.1), 0.35, 0.4, 1.0)
     assert "p 12" in tiny.remarks[0]
     block = Block.asymmetric(left=0.1, right=0.3, height=1.8)
-    found = assess_two_numbers(block, 0.35, 0.4, 1.0)
+    found = assess_by_formula(block, 0.35, 0.4, 1.0)
     assert any("sides differ" in remark for remark in found.remarks)
     assert found.uplift_pga_g == pytest.approx(0.1 / 0.9)
     side = block.positive
@@ -114,7 +116,7 @@ def test_words_of_shares_are_the_nearest_odds_and_never_0_or_1() -> None:
 
 
 def test_json_has_the_keys_of_the_contract_and_the_text_fits_a_page() -> None:
-    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    found = assess_by_formula(BLOCK, 0.35, 0.4)
     values = as_json(found.to_dict())
     keys = ["probability", "median_pgv_m_s", "beta", "uplift_pga_g", "friction_needed", "sentence"]
     for key in keys:
@@ -134,26 +136,26 @@ def test_json_has_the_keys_of_the_contract_and_the_text_fits_a_page() -> None:
 def test_what_is_no_peak_is_refused(changed: dict[str, Any], name: str) -> None:
     arguments: dict[str, Any] = {"block": BLOCK, "pga_g": 0.35, "pgv_m_s": 0.4} | changed
     with pytest.raises(InputError) as refusal:
-        assess_two_numbers(**arguments)
+        assess_by_formula(**arguments)
     assert refusal.value.name == name
 
 
 def test_vertical_motion_lowers_uplift_and_is_printed() -> None:
-    plain = assess_two_numbers(BLOCK, 0.17, 0.4)
+    plain = assess_by_formula(BLOCK, 0.17, 0.4)
     assert (plain.probability, plain.verdict) == (0.0, "rest")
-    shaken = assess_two_numbers(BLOCK, 0.17, 0.4, vertical_g=0.5, vertical_share=0.4)
+    shaken = assess_by_formula(BLOCK, 0.17, 0.4, vertical_g=0.5, vertical_share=0.4)
     assert shaken.uplift_pga_g == pytest.approx(0.8 * 0.32 / 1.8)
-    assert shaken.probability == assess_two_numbers(BLOCK, 0.35, 0.4).probability
+    assert shaken.probability == assess_by_formula(BLOCK, 0.35, 0.4).probability
     assert shaken.sentence.endswith("with 0.4 of 0.5 g of vertical motion downwards at the peak.")
     assert "vertical" not in plain.sentence
     for wrong in ({"vertical_g": -0.1}, {"vertical_share": 1.5}, {"vertical_g": 1.0}):
         with pytest.raises(InputError, match="vertical"):
-            assess_two_numbers(BLOCK, 0.35, 0.4, **wrong)
+            assess_by_formula(BLOCK, 0.35, 0.4, **wrong)
 
 
 def test_friction_that_impacts_need_is_named() -> None:
     soft = Block.rectangle(width=0.32, height=1.8, restitution=0.8)
-    found = assess_two_numbers(soft, 0.35, 0.4, friction=0.5)
+    found = assess_by_formula(soft, 0.35, 0.4, friction=0.5)
     assert (found.friction_cause, found.probability) == ("impacts", None)
     assert found.friction_needed == pytest.approx(1.8 / 0.32 * 0.2 / 1.8)
     assert "0.625 for impacts" in found.sentence

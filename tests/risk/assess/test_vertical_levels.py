@@ -5,15 +5,18 @@ import pytest
 
 import rocksteady as rs
 from rocksteady.risk.assess._vertical_levels import contact_levels, levels_of
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 STATUE = rs.Block.asymmetric(left=0.17, right=0.27, height=1.6)
-MEASURE = Intensity("p_pgv_per_uplift")
+MEASURE = Measure("p_pgv_per_uplift")
 
 
 def suite(vertical: float) -> list[rs.BaseMotion]:
     """Motions with a vertical component that is a part of another horizontal one."""
-    across, up = rs.make_synthetic_suite(12, seed=1), rs.make_synthetic_suite(12, seed=2)
+    across, up = (
+        rs.motions.make_synthetic_suite(12, seed=1),
+        rs.motions.make_synthetic_suite(12, seed=2),
+    )
     return [rs.BaseMotion(a, b.scaled(vertical)) for a, b in zip(across, up, strict=True)]
 
 
@@ -25,7 +28,7 @@ def test_contact_is_lost_exactly_above_the_contact_level() -> None:
         assert isinstance(up, rs.Record)
         assert isinstance(pair.horizontal, rs.Record)
         factor = 9.80665 / -min(up.acceleration_m_s2)
-        at_one = rs.measure_scalar(pair.horizontal, MEASURE, STATUE)
+        at_one = rs.measures.compute_measure(pair.horizontal, MEASURE, STATUE)
         assert level == pytest.approx(factor * at_one, rel=1e-12)
         gentle = pair.horizontal.scaled(1e-3)  # it lifts the statue only where its base falls
         below, above = (
@@ -37,15 +40,17 @@ def test_contact_is_lost_exactly_above_the_contact_level() -> None:
 
 
 def test_levels_without_vertical_motion_are_the_usual_ones() -> None:
-    assert levels_of(MEASURE, STATUE, suite(0.5), 20) != rs.Stripes(MEASURE)
-    assert levels_of(MEASURE, STATUE, rs.make_synthetic_suite(3), 20) == rs.Stripes(MEASURE)
-    assert np.isinf(contact_levels(MEASURE, STATUE, rs.make_synthetic_suite(3))).all()
+    assert levels_of(MEASURE, STATUE, suite(0.5), 20) != rs.risk.Levels(MEASURE)
+    assert levels_of(MEASURE, STATUE, rs.motions.make_synthetic_suite(3), 20) == rs.risk.Levels(
+        MEASURE
+    )
+    assert np.isinf(contact_levels(MEASURE, STATUE, rs.motions.make_synthetic_suite(3))).all()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("vertical", [0.3, 0.6])
 def test_an_assessment_with_strong_vertical_motion_has_an_answer(vertical: float) -> None:
-    statue = rs.ObjectFile(
+    statue = rs.risk.DescribedObject(
         values={
             "name": "statue",
             "geometry": {"left_m": 0.17, "right_m": 0.27, "mass_centre_height_m": 0.8},

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import ndtr
 
-from rocksteady import Scan
+from rocksteady.calibration import ScanOptions
 from rocksteady.errors import InputError
 from rocksteady.risk.back_analysis._analysis import analyse
 from tests.risk.back_analysis.toys import noise, toy_survey, toy_tried
@@ -16,7 +16,7 @@ AT_ONE = np.stack([np.linspace(0.2, 0.6, 12), np.linspace(0.2, 0.6, 12) * RATIOS
 THRESHOLDS = np.repeat(np.linspace(0.15, 0.9, 9)[:, np.newaxis], 12, axis=1)
 FELL = [True, True, False, True, False, False, False, False, False]
 ERRORS = noise(0.25, 0.04)
-PLAIN = Scan(temper=1.0, trials=0)
+PLAIN = ScanOptions(temper=1.0, trials=0)
 
 
 def test_the_posterior_is_that_of_a_threshold_with_a_lognormal_error() -> None:
@@ -39,7 +39,7 @@ def test_the_posterior_is_that_of_a_threshold_with_a_lognormal_error() -> None:
 def test_a_temper_is_an_exponent_of_the_likelihood() -> None:
     tried = toy_tried(THRESHOLDS, AT_ONE, ERRORS)
     whole = analyse(toy_survey(FELL), tried, ERRORS, PLAIN)
-    half = analyse(toy_survey(FELL), tried, ERRORS, Scan(temper=0.5, trials=0))
+    half = analyse(toy_survey(FELL), tried, ERRORS, ScanOptions(temper=0.5, trials=0))
     root = np.sqrt(whole.weights)
     assert half.weights == pytest.approx(root / root.sum(), rel=1e-9)
     assert half.region.sum() > whole.region.sum()
@@ -49,13 +49,13 @@ def test_a_temper_is_an_exponent_of_the_likelihood() -> None:
 
 def test_stronger_objects_by_a_factor_move_the_result_by_it() -> None:
     factor = 1.7
-    first = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, Scan())
+    first = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, ScanOptions())
     limits = (factor * 0.05, factor * 2.0)
     other = analyse(
         toy_survey(FELL),
         toy_tried(factor * THRESHOLDS, AT_ONE, ERRORS, limits=limits),
         ERRORS,
-        Scan(),
+        ScanOptions(),
     )
     for name in ("lows", "medians", "highs"):
         assert getattr(other, name) == pytest.approx(factor * getattr(first, name), rel=1e-6)
@@ -63,8 +63,10 @@ def test_stronger_objects_by_a_factor_move_the_result_by_it() -> None:
 
 
 def test_records_that_are_filed_larger_by_a_factor_change_scales_alone() -> None:
-    first = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, Scan())
-    other = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, 4.0 * AT_ONE, ERRORS), ERRORS, Scan())
+    first = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, ScanOptions())
+    other = analyse(
+        toy_survey(FELL), toy_tried(THRESHOLDS, 4.0 * AT_ONE, ERRORS), ERRORS, ScanOptions()
+    )
     assert other.medians == pytest.approx(first.medians, rel=1e-12)
     scales = [[row["scale"] for row in found.record_rows()] for found in (first, other)]
     assert scales[0] == pytest.approx([4.0 * scale for scale in scales[1]], rel=1e-12)
@@ -95,7 +97,7 @@ def test_measures_in_the_other_order_give_the_same_region_but_for_its_grid() -> 
 
 def test_where_nothing_fell_there_is_no_lower_bound() -> None:
     found = analyse(
-        toy_survey([False] * 9), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, Scan(seed=3)
+        toy_survey([False] * 9), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, ScanOptions(seed=3)
     )
     assert found.bound == "upper bound"
     assert np.isnan(found.lows).all()
@@ -112,7 +114,7 @@ def test_records_that_leave_a_standing_object_at_any_scale_give_no_upper_bound()
     thresholds = THRESHOLDS.copy()
     thresholds[:, :4] = 50.0  # a third of the records topples nothing below the limit
     found = analyse(
-        toy_survey([False] * 9), toy_tried(thresholds, AT_ONE, ERRORS), ERRORS, Scan(seed=3)
+        toy_survey([False] * 9), toy_tried(thresholds, AT_ONE, ERRORS), ERRORS, ScanOptions(seed=3)
     )
     assert np.isnan(found.highs[0])
     assert "without a bound" in found.describe().headline
@@ -122,7 +124,7 @@ def test_where_all_fell_there_is_a_lower_bound_whatever_the_upper_limit() -> Non
     bounds = []
     for top in (2.0, 8.0):
         tried = toy_tried(THRESHOLDS, AT_ONE, ERRORS, limits=(0.05, top), count=120)
-        found = analyse(toy_survey([True] * 9), tried, ERRORS, Scan())
+        found = analyse(toy_survey([True] * 9), tried, ERRORS, ScanOptions())
         assert found.bound == "lower bound"
         assert np.isnan(found.highs).all()
         bounds.append(found.lows)
@@ -136,7 +138,7 @@ def test_where_all_fell_there_is_a_lower_bound_whatever_the_upper_limit() -> Non
 def test_one_object_gives_a_bound_at_its_threshold(fell: bool) -> None:
     thresholds = np.full((1, 12), 0.4)
     exact = noise(0.1, 0.02)
-    found = analyse(toy_survey([fell]), toy_tried(thresholds, AT_ONE, exact), exact, Scan())
+    found = analyse(toy_survey([fell]), toy_tried(thresholds, AT_ONE, exact), exact, ScanOptions())
     # Where the chance is 0.1: 1.3 standard deviations of the error off the threshold.
     z = 0.1 * 1.3652
     wanted = 0.4 * math.exp(-z if fell else z)
@@ -151,7 +153,7 @@ def test_more_objects_narrow_the_region_and_the_interval() -> None:
         fell = (thresholds < 0.4).tolist()
         fell[0], fell[-1] = True, False
         tried = toy_tried(np.repeat(thresholds[:, np.newaxis], 12, axis=1), AT_ONE, ERRORS)
-        found = analyse(toy_survey(fell), tried, ERRORS, Scan(temper=1.0))
+        found = analyse(toy_survey(fell), tried, ERRORS, ScanOptions(temper=1.0))
         areas.append(found.region.sum())
         widths.append(found.highs[0] / found.lows[0])
     assert areas[1] < areas[0]
@@ -160,9 +162,12 @@ def test_more_objects_narrow_the_region_and_the_interval() -> None:
 
 def test_a_result_at_a_limit_and_few_records_are_remarked_on() -> None:
     found = analyse(
-        toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS, limits=(0.3, 2.0)), ERRORS, Scan()
+        toy_survey(FELL),
+        toy_tried(THRESHOLDS, AT_ONE, ERRORS, limits=(0.3, 2.0)),
+        ERRORS,
+        ScanOptions(),
     )
     assert any("reaches the lower limit of PGA" in text for text in found.warnings)
     assert any("12 records: fewer than 20" in text for text in found.warnings)
-    free = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, Scan())
+    free = analyse(toy_survey(FELL), toy_tried(THRESHOLDS, AT_ONE, ERRORS), ERRORS, ScanOptions())
     assert not any("limit" in text for text in free.warnings)

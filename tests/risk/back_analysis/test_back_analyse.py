@@ -7,25 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BackAnalysis,
-    BaseMotion,
-    Block,
-    InputError,
-    Intensity,
-    Linear,
-    ObjectPrior,
-    Prior,
-    Record,
-    Run,
-    Scan,
-    Status,
-    Survey,
-    back_analyse,
-    simulate,
-)
-from rocksteady.risk.observations.prior import Noise
-from rocksteady.risk.observations.spread import Spread
+from rocksteady import BaseMotion, Block, Execution, Linear, Record, Status, back_analyse, simulate
+from rocksteady.calibration import BackAnalysis, ObjectPrior, Prior, ScanOptions, Survey
+from rocksteady.errors import InputError
+from rocksteady.measures import Measure
+from rocksteady.risk.observations.prior import OutcomeErrors
+from rocksteady.risk.observations.spread import PriorRange
 from tests.seismic.grounds import ground
 
 RECORDS = [
@@ -41,7 +28,7 @@ OBJECTS = [
     for k in range(5)
 ]
 SURVEY = Survey(objects=OBJECTS, fell=[True, True, False, True, False])
-FEW = Scan(levels=8, draws=2, trials=2)
+FEW = ScanOptions(levels=8, draws=2, trials=2)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +37,7 @@ def found() -> BackAnalysis:
 
 
 def test_workers_and_executors_give_the_same_bits(found: BackAnalysis) -> None:
-    for run in (Run(executor="serial"), Run(workers=3)):
+    for run in (Execution(executor="serial"), Execution(workers=3)):
         again = back_analyse(SURVEY, RECORDS, scan=FEW, run=run)
         assert again.weights.tobytes() == found.weights.tobytes()
         assert again.density.tobytes() == found.density.tobytes()
@@ -70,8 +57,10 @@ def test_an_exact_object_falls_where_simulate_says_so() -> None:
         housner_factor=1.0,
         scatter=0.0,
     )
-    prior = Prior(noise=Noise(sigma_ln=Spread.exactly(0.0), outliers=Spread.exactly(0.0)))
-    scan = Scan(levels=10, draws=2, temper=1.0, trials=0, limits=(0.2, 2.0))
+    prior = Prior(
+        noise=OutcomeErrors(sigma_ln=PriorRange.exactly(0.0), outliers=PriorRange.exactly(0.0))
+    )
+    scan = ScanOptions(levels=10, draws=2, temper=1.0, trials=0, limits=(0.2, 2.0))
     survey = Survey(objects=[exact], fell=[True])
     result = back_analyse(survey, RECORDS, prior=prior, scan=scan)
     levels = result.first_values[::3]
@@ -105,7 +94,7 @@ def test_all_objects_the_other_way_round_are_the_shaking_with_the_other_sign() -
         for k in range(3)
     ]  # fmt: skip
     fell = [True, False, False]
-    fixed = Scan(levels=8, draws=2, temper=0.7, trials=0)
+    fixed = ScanOptions(levels=8, draws=2, temper=0.7, trials=0)
     results = [
         back_analyse(Survey(objects=leaning, fell=fell, reversed=facing), RECORDS, scan=fixed)
         for facing in ([False] * 3, [True] * 3, [False, True, False], None)
@@ -118,7 +107,7 @@ def test_all_objects_the_other_way_round_are_the_shaking_with_the_other_sign() -
 
 
 def test_other_measures_and_limits(found: BackAnalysis) -> None:
-    measures = (Intensity("pgv_m_s"), Intensity("sa_g", 0.5), "pga_g")
+    measures = (Measure("pgv_m_s"), Measure("sa_g", 0.5), "pga_g")
     scan = replace(FEW, limits=(0.05, 3.0))
     other = back_analyse(SURVEY, RECORDS, measures=measures, scan=scan)
     assert other.limits == pytest.approx((0.05, 3.0))
@@ -154,12 +143,12 @@ def test_what_is_not_valid_is_refused_in_one_line() -> None:
             lambda: back_analyse(SURVEY, RECORDS, measures=["pga_g", "significant_5_75_s"]),
             "does not grow",
         ),
-        (lambda: Scan(limits=(2.0, 1.0)), "below the second"),
-        (lambda: Scan(trials=0), "chosen by simulated surveys"),
-        (lambda: Scan(temper=0.0), "temper = 0"),
-        (lambda: Scan(draws=1), "draws"),
-        (lambda: Scan(draws=10_001), "to 10000;"),
-        (lambda: Scan(levels=201), "to 200;"),
+        (lambda: ScanOptions(limits=(2.0, 1.0)), "below the second"),
+        (lambda: ScanOptions(trials=0), "chosen by simulated surveys"),
+        (lambda: ScanOptions(temper=0.0), "temper = 0"),
+        (lambda: ScanOptions(draws=1), "draws"),
+        (lambda: ScanOptions(draws=10_001), "to 10000;"),
+        (lambda: ScanOptions(levels=201), "to 200;"),
         (lambda: Survey(objects=OBJECTS, fell=[True]), "there are 5 objects"),
         (lambda: Survey(objects=[*OBJECTS, OBJECTS[0]], fell=[True] * 6), "two objects"),
         (lambda: Survey(objects=[], fell=[]), "a survey has 1"),

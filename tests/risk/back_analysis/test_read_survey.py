@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, RocksteadyError, read_survey
+from rocksteady import RocksteadyError, read_survey
+from rocksteady.errors import InputError
 from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 from tests.every import every
 

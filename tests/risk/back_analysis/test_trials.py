@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import Run
+from rocksteady import Execution
 from tests.risk.back_analysis.test_back_analyse import RECORDS
 from tests.risk.back_analysis.trials import cemetery, report, run_trial, try_all
 
@@ -14,7 +14,7 @@ TRIALS = 30
 def test_the_truth_lies_in_most_regions() -> None:
     objects = cemetery(10)
     records = [record.scaled(1.0 + 0.1 * k) for k, record in enumerate(RECORDS * 2)]
-    tried = try_all(objects, records, levels=12, draws=4, run=Run())
+    tried = try_all(objects, records, levels=12, draws=4, run=Execution())
     done = [
         run_trial(objects, records, tried, count=8, number=number, trials=3)
         for number in range(TRIALS)

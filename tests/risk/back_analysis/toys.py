@@ -3,20 +3,23 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Intensity, ObjectPrior, Survey
+from rocksteady.calibration import ObjectPrior, Survey
+from rocksteady.measures import Measure
 from rocksteady.risk.back_analysis._analysis import Tried
 from rocksteady.risk.back_analysis._chances import Levels
-from rocksteady.risk.observations.prior import Noise
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.prior import OutcomeErrors
+from rocksteady.risk.observations.spread import PriorRange
 
 Floats = NDArray[np.float64]
 
-MEASURES = (Intensity("pga_g"), Intensity("pgv_m_s"))
+MEASURES = (Measure("pga_g"), Measure("pgv_m_s"))
 
 
-def noise(sigma_ln: float, outliers: float) -> Noise:
+def noise(sigma_ln: float, outliers: float) -> OutcomeErrors:
     """Return errors that are known exactly."""
-    return Noise(sigma_ln=Spread.exactly(sigma_ln), outliers=Spread.exactly(outliers))
+    return OutcomeErrors(
+        sigma_ln=PriorRange.exactly(sigma_ln), outliers=PriorRange.exactly(outliers)
+    )
 
 
 def toy_survey(fell: list[bool]) -> Survey:
@@ -31,7 +34,7 @@ def toy_survey(fell: list[bool]) -> Survey:
 def toy_tried(
     thresholds: Floats,
     at_one: Floats,
-    errors: Noise,
+    errors: OutcomeErrors,
     *,
     limits: tuple[float, float] = (0.05, 2.0),
     count: int = 60,

@@ -16,17 +16,18 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Nonlinear, Record, Run, Status, make_synthetic_suite, read_record
+from rocksteady import Execution, Nonlinear, Record, Status, read_record
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk.back_analysis._analysis import Tried, analyse
 from rocksteady.risk.back_analysis._chances import Levels
 from rocksteady.risk.back_analysis._fall_shares import POOL, draw_objects, fall_shares
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
-from rocksteady.risk.back_analysis.scan import Scan
+from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.prior import Noise
-from rocksteady.risk.observations.spread import Spread
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.risk.observations.prior import OutcomeErrors
+from rocksteady.risk.observations.spread import PriorRange
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.batch import (
     GroundShaking,
     scattered_sides,
@@ -38,10 +39,10 @@ from tests.records import FOLDER
 Floats = NDArray[np.float64]
 
 GAIN_ERROR = 0.2
-NOISE = Noise(sigma_ln=Spread.between(0.1, 0.3))
+NOISE = OutcomeErrors(sigma_ln=PriorRange.between(0.1, 0.3))
 LIMITS = (0.08, 3.5)
 """Of PGA [g]: of the truth, and of the analysis."""
-MEASURES = (Intensity("pga_g"), Intensity("pgv_m_s"))
+MEASURES = (Measure("pga_g"), Measure("pgv_m_s"))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,22 +79,22 @@ def cemetery(count: int, seed: int = 0) -> list[ObjectPrior]:
     return [
         ObjectPrior(
             name=f"grave {place + 1}",
-            width_m=Spread.between(0.95 * width, 1.05 * width),
-            height_m=Spread.between(0.98 * height, 1.02 * height),
-            base=Spread.between(0.85, 1.0),
+            width_m=PriorRange.between(0.95 * width, 1.05 * width),
+            height_m=PriorRange.between(0.98 * height, 1.02 * height),
+            base=PriorRange.between(0.85, 1.0),
         )
         for place, (width, height) in enumerate(zip(widths.tolist(), heights.tolist(), strict=True))
     ]
 
 
 def try_all(
-    objects: list[ObjectPrior], records: list[Record], *, levels: int, draws: int, run: Run
+    objects: list[ObjectPrior], records: list[Record], *, levels: int, draws: int, run: Execution
 ) -> Tried:
     """Return the runs that all trials share."""
     model = Nonlinear()
     survey = Survey(objects=objects, fell=[False] * len(objects))
     grounds = [GroundShaking(record=record) for record in records]
-    at_one = np.array([[measure_scalar(record, each) for each in MEASURES] for record in records])
+    at_one = np.array([[compute_measure(record, each) for each in MEASURES] for record in records])
     spans = Levels.between(*LIMITS, levels, NOISE)
     begun = time.perf_counter()
     shares = fall_shares(
@@ -139,7 +140,7 @@ def run_trial(
         shares=tried.shares[:, chosen][:, :, :, others],
     )
     survey = Survey(objects=[objects[k] for k in chosen], fell=fell)
-    found = analyse(survey, seen, NOISE, Scan(trials=trials, seed=number))
+    found = analyse(survey, seen, NOISE, ScanOptions(trials=trials, seed=number))
     ratio = tried.at_one[record, 1] / tried.at_one[record, 0]
     return Trial(record=record, pga_g=pga, pgv_m_s=float(pga * ratio), found=found)
 
@@ -156,7 +157,7 @@ def _outcomes(
         key = np.array([random.integers(2**50)])
         sides.append(scattered_sides(own, each.scatter_of(values), key)[0])
     gains = np.exp(GAIN_ERROR * random.standard_normal(len(objects)))
-    scale = pga * gains / measure_scalar(record, "pga_g")
+    scale = pga * gains / compute_measure(record, "pga_g")
     found = shaken_fates(
         [GroundShaking(record=record)],
         ground=np.zeros(len(objects), dtype=np.int64),
@@ -218,7 +219,7 @@ def main() -> None:
         records,
         levels=given.levels,
         draws=given.draws,
-        run=Run(store=given.store),
+        run=Execution(store=given.store),
     )
     say(f"{tried.draws * tried.shares[0].size:,} runs in {tried.seconds:.0f} s")
     for count in counts:

@@ -12,21 +12,16 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from rocksteady import (
-    Linear,
-    Noise,
-    Nonlinear,
+from rocksteady import Execution, Linear, Nonlinear, Status, calibrate, plots
+from rocksteady.calibration import (
+    DrawOptions,
     ObjectPrior,
     Observations,
+    OutcomeErrors,
     Prior,
-    Run,
-    Sampling,
+    PriorRange,
     ShakingTest,
-    Spread,
-    Status,
-    calibrate,
-    fates_on_records,
-    plot_posterior,
+    compute_test_fates,
 )
 from rocksteady.errors import InputError
 from rocksteady.risk.calibration._identified import LIMIT
@@ -35,7 +30,7 @@ from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
 
-FEW = Sampling(draws=90, gains=3, rounds=3)
+FEW = DrawOptions(draws=90, gains=3, rounds=3)
 LINEAR = Linear()
 
 
@@ -91,7 +86,7 @@ def test_held_out_scores_beat_the_base_rate(found: Calibration) -> None:
 def test_the_same_seed_gives_the_same_bits_with_any_workers(
     tests: Observations, found: Calibration
 ) -> None:
-    again = calibrate(tests, sampling=FEW, model=LINEAR, run=Run(executor="serial"))
+    again = calibrate(tests, sampling=FEW, model=LINEAR, run=Execution(executor="serial"))
     assert again.to_dict() == found.to_dict()
     other = calibrate(tests, sampling=replace(FEW, seed=1), model=LINEAR)
     assert other.validation.predictions.p.tolist() != found.validation.predictions.p.tolist()
@@ -99,7 +94,7 @@ def test_the_same_seed_gives_the_same_bits_with_any_workers(
 
 def test_a_training_test_is_predicted_without_its_group(tests: Observations) -> None:
     """Other outcomes of a group, in one round at a fixed temper: the same predictions of it."""
-    once = Sampling(draws=60, gains=3, rounds=1)
+    once = DrawOptions(draws=60, gains=3, rounds=1)
     changed = [
         replace(test, fell=not test.fell) if test.group == tests.tests[0].group else test
         for test in tests.tests
@@ -128,7 +123,7 @@ def test_predict_holds_training_tests_out_and_others_not(found: Calibration) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize(("fell", "side", "gain"), [(True, "upper", 0.8), (False, "lower", 1.2)])
 def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -> None:
-    many = Sampling(draws=1500, gains=3, rounds=3)
+    many = DrawOptions(draws=1500, gains=3, rounds=3)
     found = calibrate(shaken([fell] * 12, gain=gain), sampling=many, model=LINEAR)
     row = row_of(found, "alpha_rad")
     assert (row["verdict"], row["bound_side"]) == ("bound", side)
@@ -142,13 +137,15 @@ def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -
 ALONE = ObjectPrior(
     name="block", alpha_rad="0.17:0.33", p_rad_s=4.0, housner_factor=1.0, scatter=0.0
 )
-EXACT = Prior(noise=Noise(sigma_ln=Spread.exactly(0.2), outliers=Spread.exactly(0.03)))
+EXACT = Prior(
+    noise=OutcomeErrors(sigma_ln=PriorRange.exactly(0.2), outliers=PriorRange.exactly(0.03))
+)
 
 
 def on_a_grid(tests: Observations) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return 100 alphas, and the probability of a fall of each test there, by 40 gains."""
     alphas = 0.17 + 0.16 * (np.arange(100) + 0.5) / 100
-    found = fates_on_records(
+    found = compute_test_fates(
         ALONE.blocks(alphas[:, np.newaxis]),
         tests,
         gains=np.exp(0.2 * ndtri((np.arange(40) + 0.5) / 40)),
@@ -164,7 +161,7 @@ def test_posterior_and_predictions_are_those_of_a_dense_grid() -> None:
     tests = replace(make_tests(Case("16 tests", tests=16), 4)[0], objects={"block": ALONE})
     alphas, p = on_a_grid(tests)
     logs = np.where(tests.fell > 0.0, np.log(p), np.log(1.0 - p))
-    found = calibrate(tests, EXACT, sampling=Sampling(draws=450), model=LINEAR, temper=1.0)
+    found = calibrate(tests, EXACT, sampling=DrawOptions(draws=450), model=LINEAR, temper=1.0)
     weights = np.exp(logs.sum(axis=1))
     ends = np.interp([0.5, 0.05, 0.95], np.cumsum(weights) / weights.sum(), alphas + 0.0008)
     assert found.posteriors["block"].interval("alpha_rad") == pytest.approx(ends, abs=0.01)
@@ -183,7 +180,7 @@ def test_the_bound_of_outcomes_of_one_kind_is_that_of_a_grid(
     alphas, p = on_a_grid(tests)
     weights = np.prod(p if fell else 1.0 - p, axis=1)
     exact = float(np.interp(share, np.cumsum(weights) / weights.sum(), alphas + 0.0008))
-    found = calibrate(tests, EXACT, sampling=Sampling(draws=450), model=LINEAR, temper=1.0)
+    found = calibrate(tests, EXACT, sampling=DrawOptions(draws=450), model=LINEAR, temper=1.0)
     bound = row_of(found, "alpha_rad")["bound"]
     assert bound == pytest.approx(exact, abs=0.008)
     prior = 0.17 + 0.16 * share
@@ -217,7 +214,7 @@ def test_tests_that_lift_nothing_say_nothing() -> None:
 
 def test_an_object_that_is_known_exactly_is_calibrated() -> None:
     block = ObjectPrior(name="block", alpha_rad=0.25, p_rad_s=4.0, housner_factor=1.0, scatter=0.0)
-    noise = Noise(sigma_ln=Spread.exactly(0.2), outliers=Spread.exactly(0.02))
+    noise = OutcomeErrors(sigma_ln=PriorRange.exactly(0.2), outliers=PriorRange.exactly(0.02))
     prior = Prior(noise=noise)
     found = calibrate(shaken([True, False, True], block=block), prior, sampling=FEW, model=LINEAR)
     posterior = found.posteriors["block"]
@@ -271,7 +268,7 @@ def test_a_measured_peak_narrows_alpha() -> None:
     widths = []
     for test in tests:
         shaken_once = Observations(tests=[test], objects={"block": given})
-        found = calibrate(shaken_once, sampling=Sampling(draws=300, gains=1), model=LINEAR)
+        found = calibrate(shaken_once, sampling=DrawOptions(draws=300, gains=1), model=LINEAR)
         posterior = found.posteriors["block"]
         values, weights = posterior.of("alpha_rad")[:, np.newaxis], posterior.weights[:, np.newaxis]
         low, high = weighted_quantiles(values, weights, (0.05, 0.95))[:, 0]
@@ -283,14 +280,14 @@ def test_numbers_of_runs_have_their_ranges() -> None:
     for name, low, high in (("draws", 30, 100_000), ("gains", 1, 1000)):
         for value in (low - 1, high + 1):
             with pytest.raises(InputError, match=f"^{name} = .* from {low} to {high}"):
-                Sampling(**{name: value})
+                DrawOptions(**{name: value})
     for draws, rounds in ((30, 1), (250, 2), (1500, 6)):
-        assert len(Sampling(draws=draws).per_round) == rounds
+        assert len(DrawOptions(draws=draws).per_round) == rounds
 
 
 def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) -> None:
     """Of the draws of a concentrated posterior a handful count: no number follows from them."""
-    once = Sampling(draws=40, gains=2, rounds=1)
+    once = DrawOptions(draws=40, gains=2, rounds=1)
     found = calibrate(tests, EXACT, sampling=once, model=LINEAR, temper=1.0)
     posterior = found.posteriors["block"]
     assert posterior.effective_draws < 50.0
@@ -306,12 +303,12 @@ def test_below_fifty_effective_draws_nothing_is_identified(tests: Observations) 
     assert low.any()
     assert np.isnan(predicted.low[low]).all()
     assert all(row["low"] is None for row, few in zip(predicted.rows, low, strict=True) if few)
-    drawn = plot_posterior(found, Figure().add_subplot())
+    drawn = plots.posterior(found, Figure().add_subplot())
     assert "not identified" in drawn.get_legend_handles_labels()[1]
 
 
 def test_full_equations_count_flips_of_their_tolerance() -> None:
-    found = calibrate(shaken([True, False]), sampling=Sampling(draws=30, gains=1, rounds=1))
+    found = calibrate(shaken([True, False]), sampling=DrawOptions(draws=30, gains=1, rounds=1))
     assert isinstance(found.model, Nonlinear)
     assert "tolerance 1e-06" in found.flips
 
@@ -320,7 +317,7 @@ def test_full_equations_count_flips_of_their_tolerance() -> None:
 def test_intervals_of_alpha_cover_at_their_rate() -> None:
     """Forty tests, gain error .2: 10 trials, whose share has a standard error of .095."""
     case = next(case for case in CASES if case.sigma == "0.2")
-    assert coverage(case, 10, sampling=Sampling(draws=450))["covered"] >= 0.6
+    assert coverage(case, 10, sampling=DrawOptions(draws=450))["covered"] >= 0.6
 
 
 def test_a_limit_is_said_of_the_object_that_meets_it() -> None:

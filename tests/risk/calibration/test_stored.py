@@ -7,15 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Calibration,
-    Linear,
-    Sampling,
-    calibrate,
-    read_posterior,
-    write_calibration,
-)
+from rocksteady import Linear, calibrate
+from rocksteady.calibration import Calibration, DrawOptions, read_posterior
 from rocksteady.errors import InputError
+from rocksteady.export import write_calibration
 from tests.risk.calibration.trials import Case, make_records, make_tests
 from tests.show.calibrated import without_pictures
 
@@ -23,7 +18,7 @@ from tests.show.calibrated import without_pictures
 @pytest.fixture(scope="module")
 def found() -> Calibration:
     tests, _ = make_tests(Case("20 tests", tests=20), 1)
-    return calibrate(tests, sampling=Sampling(draws=60, gains=3, rounds=2), model=Linear())
+    return calibrate(tests, sampling=DrawOptions(draws=60, gains=3, rounds=2), model=Linear())
 
 
 @pytest.fixture(scope="module")

@@ -6,23 +6,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rocksteady import (
-    Linear,
-    Noise,
-    Nonlinear,
+from rocksteady import Linear, Nonlinear, Record, Status, calibrate
+from rocksteady.calibration import (
+    DrawOptions,
     ObjectPrior,
     Observations,
+    OutcomeErrors,
     Prior,
-    Record,
-    Sampling,
+    PriorRange,
     ShakingTest,
-    Spread,
-    Status,
-    calibrate,
 )
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibrate import _fit, _Plan, _posterior
-from rocksteady.risk.observations.fates import Scatter, fates_on_records
+from rocksteady.risk.observations.fates import Scatter, compute_test_fates
 
 ALPHA, RATE = 0.25, 4.0
 LINEAR = Linear()
@@ -101,7 +97,7 @@ def make_tests(case: Case, seed: int) -> tuple[Observations, float]:
         for k, g in enumerate(row)
     ]
     error = np.exp(case.gain_error * rng.normal(size=(len(tests), 1)))
-    found = fates_on_records(
+    found = compute_test_fates(
         truth_block,
         tests,
         gains=error,
@@ -119,10 +115,10 @@ def prior_of(case: Case) -> Prior:
     """Return what is known of the errors."""
     if case.sigma is None:
         return Prior()
-    return Prior(noise=Noise(sigma_ln=Spread.parse(case.sigma)))
+    return Prior(noise=OutcomeErrors(sigma_ln=PriorRange.parse(case.sigma)))
 
 
-def coverage(case: Case, trials: int, *, sampling: Sampling) -> dict[str, float]:
+def coverage(case: Case, trials: int, *, sampling: DrawOptions) -> dict[str, float]:
     """Return how often the 90 % interval of alpha holds the truth, and how wide it is."""
     hits, widths, effective = [], [], []
     for seed in range(trials):
@@ -140,7 +136,7 @@ def coverage(case: Case, trials: int, *, sampling: Sampling) -> dict[str, float]
 
 
 def interval_of(
-    tests: Observations, prior: Prior, sampling: Sampling, case: Case
+    tests: Observations, prior: Prior, sampling: DrawOptions, case: Case
 ) -> tuple[float, float, float]:
     """Return the 90 % interval of alpha without tempering, and the effective draws."""
     space = Space(block=tests.objects["block"], noise=prior.noise)
@@ -158,7 +154,7 @@ def seed_difference(case: Case, seeds: int, *, draws: int) -> list[float]:
     found = []
     for seed in range(seeds):
         made = calibrate(
-            tests, prior_of(case), sampling=Sampling(draws=draws, seed=seed), model=case.model
+            tests, prior_of(case), sampling=DrawOptions(draws=draws, seed=seed), model=case.model
         )
         assert made.validation is not None
         found.append(made.validation.rows["calibrated"].accuracy[0])
@@ -171,7 +167,7 @@ if __name__ == "__main__":  # python -m tests.risk.calibration.trials 200: figur
         if wanted and case.name not in wanted:
             continue
         began = time.perf_counter()
-        shares = coverage(case, int(sys.argv[1]), sampling=Sampling(draws=450))
+        shares = coverage(case, int(sys.argv[1]), sampling=DrawOptions(draws=450))
         text = {name: round(share, 3) for name, share in shares.items()}
         sys.stdout.write(f"{case.name}: {text} in {time.perf_counter() - began:.0f} s\n")
         sys.stdout.flush()

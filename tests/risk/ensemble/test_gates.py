@@ -5,24 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Fitting,
-    Record,
-    RestitutionBand,
-    Stripes,
-    compute_fragility,
-    fit_curve,
-    fit_fragility,
-    read_record,
-    run_ensemble,
-)
+from rocksteady import Block, Record, compute_fragility, read_record, run_ensemble
+from rocksteady.risk import FitOptions, Levels, RestitutionBand, fit_curve, fit_fragility
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)
 OTHER = Block.asymmetric(left=0.25, right=0.4, height=2.4)
-PLAIN = Fitting(bands=None)
+PLAIN = FitOptions(bands=None)
 SUITE = tuple(
     Record(
         acceleration_m_s2=ground(seed).acceleration_m_s2,
@@ -39,9 +29,9 @@ def test_a_known_gate_makes_the_second_stage_one_of_the_excess() -> None:
         found = compute_fragility(
             BLOCK,
             SUITE,
-            stripes=Stripes(name, level * np.array([0.6, 1.3, 1.8, 2.5, 3.5, 5.0]), beside=()),
+            stripes=Levels(name, level * np.array([0.6, 1.3, 1.8, 2.5, 3.5, 5.0]), beside=()),
             restitution=RestitutionBand(draws=1),
-            fitting=Fitting(states=[0.5], bands=None),
+            fitting=FitOptions(states=[0.5], bands=None),
         )
         two = found.states[0].two_stage
         assert two is not None
@@ -64,9 +54,9 @@ def test_a_gate_is_known_below_the_lowest_level_too() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Stripes("pga_g", [1.5 * gate, 3.0 * gate, 6.0 * gate], beside=()),
+        stripes=Levels("pga_g", [1.5 * gate, 3.0 * gate, 6.0 * gate], beside=()),
         restitution=RestitutionBand(draws=1),
-        fitting=Fitting(states=["overturned"], bands=None),
+        fitting=FitOptions(states=["overturned"], bands=None),
     )
     curve = found.states[0].curve
     assert found.states[0].points[0][1] == found.states[0].points[0][2]
@@ -78,9 +68,9 @@ def test_unequal_sides_and_unequal_blocks_have_no_one_gate(blocks: list[Block]) 
     found = compute_fragility(
         blocks,
         SUITE,
-        stripes=Stripes("pga_g", [0.05, 0.3, 0.6, 1.2], beside=()),
+        stripes=Levels("pga_g", [0.05, 0.3, 0.6, 1.2], beside=()),
         restitution=RestitutionBand(draws=1),
-        fitting=Fitting(states=["overturned"], bands=None),
+        fitting=FitOptions(states=["overturned"], bands=None),
     )
     two = found.states[0].two_stage
     assert two is not None
@@ -90,7 +80,7 @@ def test_unequal_sides_and_unequal_blocks_have_no_one_gate(blocks: list[Block]) 
 def test_a_block_against_a_wall_has_no_gate_in_the_peak_of_either_sign() -> None:
     gate = math.tan(BLOCK.alpha)
     levels = [0.9 * gate, 1.05 * gate, 1.2 * gate, 1.5 * gate, 4.0 * gate]
-    stripes = Stripes("pga_g", levels, beside=())
+    stripes = Levels("pga_g", levels, beside=())
     band = RestitutionBand(draws=1)
     found = compute_fragility(
         BLOCK.against_wall(), SUITE, stripes=stripes, restitution=band, fitting=PLAIN
@@ -116,7 +106,7 @@ def test_a_block_against_a_wall_has_no_gate_in_the_peak_of_either_sign() -> None
 
 def test_a_gate_that_a_run_contradicts_is_not_known() -> None:
     gate = math.tan(BLOCK.alpha)
-    stripes = Stripes("pga_g", [0.8 * gate, 2.0 * gate, 4.0 * gate], beside=())
+    stripes = Levels("pga_g", [0.8 * gate, 2.0 * gate, 4.0 * gate], beside=())
     runs = run_ensemble(BLOCK, SUITE, stripes=stripes, restitution=RestitutionBand(draws=1))
     runs["peak_angle"].values[..., 0].flat[0] = 0.01
     two = fit_fragility(runs, fitting=PLAIN).state("overturned").two_stage
@@ -128,7 +118,7 @@ def test_few_records_are_a_whole_sentence_and_come_once() -> None:
     runs = run_ensemble(
         BLOCK,
         SUITE[:7],
-        stripes=Stripes("pga_g", [0.1, 0.3, 0.6, 1.2], beside=()),
+        stripes=Levels("pga_g", [0.1, 0.3, 0.6, 1.2], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     sentences = [text for text in fit_fragility(runs).warnings if "7 records" in text]
@@ -147,7 +137,7 @@ def test_a_statue_in_pga_is_described_by_two_stages() -> None:
     found = compute_fragility(
         Block.from_radius(alpha=0.27, radius=0.9),
         [read_record(file) for file in files],
-        stripes=Stripes("pga_g", np.linspace(0.1, 1.5, 29), beside=()),
+        stripes=Levels("pga_g", np.linspace(0.1, 1.5, 29), beside=()),
         restitution=RestitutionBand(draws=3),
         fitting=PLAIN,
     )

@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, InputError, RestitutionBand
+from rocksteady import Block
+from rocksteady.errors import InputError
+from rocksteady.risk import RestitutionBand
 from tests.every import every
 
 BLOCK = Block.rectangle(width=0.4, height=1.6)

@@ -12,22 +12,20 @@ import xarray
 from rocksteady import (
     BaseMotion,
     Block,
-    InputError,
-    ModelError,
+    Execution,
     Record,
-    RestitutionBand,
-    Run,
     Status,
     Store,
-    Stripes,
-    evaluate,
-    measure_scalar,
     run_ensemble,
     simulate,
     simulate_many,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.measures import compute_measure
 from rocksteady.model.equations import Linear
 from rocksteady.results.gridded import described
+from rocksteady.risk import Levels, RestitutionBand
+from rocksteady.sweeps import evaluate
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
@@ -50,7 +48,7 @@ def ensemble() -> xarray.Dataset:
     return run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Stripes("pga_per_uplift", LEVELS),
+        stripes=Levels("pga_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -69,7 +67,7 @@ def test_each_cell_is_a_time_history() -> None:
         base = BaseMotion(motion) if isinstance(motion, Record) else motion
         assert isinstance(base.horizontal, Record)
         for k, level in enumerate(LEVELS):
-            factor = level / measure_scalar(base.horizontal, "pga_per_uplift", block)
+            factor = level / compute_measure(base.horizontal, "pga_per_uplift", block)
             assert float(found.scale[i, j, k]) == pytest.approx(factor, rel=1e-14)
             for direction, lift, draw in product((0, 1), (0, 1), (0, 1)):
                 cell = found.isel(
@@ -97,7 +95,7 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
     block = OFF_CENTRE.against_wall()
     motions = MOTIONS if model is None else SUITE
     for band in (RestitutionBand(draws=2), RestitutionBand(low=0.0, high="housner", draws=3)):
-        stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+        stripes = Levels("pga_per_uplift", LEVELS, beside=())
         found = run_ensemble(block, motions, stripes=stripes, restitution=band, model=model)
         ways = (4 if model is None else 3) * 2
         assert found.attrs["runs"] == ways * band.draws * len(LEVELS)  # no mirror images
@@ -107,7 +105,7 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(model: Linear | N
             base = BaseMotion(motion) if isinstance(motion, Record) else motion
             assert isinstance(base.horizontal, Record)
             shaken = base.scaled(
-                LEVELS[k] / measure_scalar(base.horizontal, "pga_per_uplift", block)
+                LEVELS[k] / compute_measure(base.horizontal, "pga_per_uplift", block)
             )
             run = simulate(
                 block.with_restitution(float(band.ratios(block)[draw, 0])),
@@ -132,7 +130,7 @@ def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
         found = run_ensemble(
             walls,
             SUITE,
-            stripes=Stripes("scale", levels, beside=()),
+            stripes=Levels("scale", levels, beside=()),
             restitution=RestitutionBand(draws=1),
             model=model,
         )
@@ -151,7 +149,7 @@ def test_one_sided_uplift_is_that_of_the_peak_of_one_sign() -> None:
 
 def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_executor() -> None:
     wall = SYMMETRIC.against_wall(0.5)
-    stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+    stripes = Levels("pga_per_uplift", LEVELS, beside=())
     plain, still = (
         run_ensemble(
             wall,
@@ -160,14 +158,14 @@ def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_e
             restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=scatter),
             run=run,
         )
-        for scatter, run in ((0.1, Run(executor="serial")), (0.0, None))
+        for scatter, run in ((0.1, Execution(executor="serial")), (0.0, None))
     )
     threads = run_ensemble(
         wall,
         SUITE,
         stripes=stripes,
         restitution=RestitutionBand(low=0.5, high=0.5, draws=4, scatter=0.1),
-        run=Run(executor="threads", workers=3),
+        run=Execution(executor="threads", workers=3),
     )
     for name in NAMES:
         np.testing.assert_array_equal(plain[name], threads[name])
@@ -181,7 +179,7 @@ def test_scatter_at_a_wall_is_that_of_the_wall_alone_and_has_the_bits_of_every_e
 
 
 def test_a_mirror_image_has_the_bits_of_its_run() -> None:
-    stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+    stripes = Levels("pga_per_uplift", LEVELS, beside=())
     band = RestitutionBand(draws=2)
     both = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band)
     one = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band, reverse=True)
@@ -203,7 +201,7 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Stripes("scale", factors, beside=()),
+        stripes=Levels("scale", factors, beside=()),
         restitution=RestitutionBand(draws=1),
         vertical=True,
     )
@@ -214,13 +212,16 @@ def test_plain_factors_are_the_runs_of_simulate_many() -> None:
 
 @every(
     "run",
-    [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
+    [
+        Execution(executor="serial"),
+        *(Execution(executor="threads", workers=count) for count in (1, 2, 3)),
+    ],
 )
-def test_every_executor_gives_the_same_bits(run: Run) -> None:
+def test_every_executor_gives_the_same_bits(run: Execution) -> None:
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Stripes("pga_per_uplift", LEVELS),
+        stripes=Levels("pga_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
         run=run,
     )
@@ -235,7 +236,7 @@ def test_small_batches_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> No
     found = run_ensemble(
         BLOCKS,
         MOTIONS,
-        stripes=Stripes("pga_per_uplift", LEVELS, beside=()),
+        stripes=Levels("pga_per_uplift", LEVELS, beside=()),
         restitution=RestitutionBand(draws=2),
     )
     for name in NAMES:
@@ -251,19 +252,19 @@ def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
         if sum(kept) > 30:
             raise KeyboardInterrupt
 
-    def go(run: Run) -> xarray.Dataset:
+    def go(run: Execution) -> xarray.Dataset:
         return run_ensemble(
             BLOCKS,
             MOTIONS,
-            stripes=Stripes("pga_per_uplift", LEVELS),
+            stripes=Levels("pga_per_uplift", LEVELS),
             restitution=RestitutionBand(draws=2),
             run=run,
         )
 
     with pytest.raises(KeyboardInterrupt):
-        go(Run(executor="serial", store=Store(place, chunk=16), progress=stop))
+        go(Execution(executor="serial", store=Store(place, chunk=16), progress=stop))
     kept.clear()
-    found = go(Run(store=Store(place, resume=True, chunk=16), progress=kept.append))
+    found = go(Execution(store=Store(place, resume=True, chunk=16), progress=kept.append))
     assert kept[0] >= 16  # what was there already
     for name in NAMES:
         np.testing.assert_array_equal(found[name], ensemble()[name])
@@ -272,7 +273,7 @@ def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
 def test_measures_stand_beside_the_runs_as_they_are_measured() -> None:
     found = ensemble()
     for name in ("pga_g", "pgv_m_s", "p_pgv_per_uplift", "sa_g", "sa_avg_g", "pgv_per_pga_s"):
-        values = [[measure_scalar(record, name, block) for record in SUITE] for block in BLOCKS]
+        values = [[compute_measure(record, name, block) for record in SUITE] for block in BLOCKS]
         np.testing.assert_allclose(found[f"im_{name}"], values, rtol=1e-14)
     # What the levels are in, at each of them.
     reached = found.im_pga_per_uplift * found.scale
@@ -287,7 +288,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     found = run_ensemble(
         SYMMETRIC,
         [SUITE[0], again, BaseMotion(SUITE[1], down)],
-        stripes=Stripes("scale", [1.0, 30.0], beside=()),
+        stripes=Levels("scale", [1.0, 30.0], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     alike, large, lost = json.loads(found.attrs["warnings"])
@@ -297,7 +298,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     count = int((found.status == Status.LOST_CONTACT).sum())
     assert lost.startswith(f"{count} of 24 runs")
     assert count > 0
-    clean = run_ensemble(SYMMETRIC, SUITE, stripes=Stripes("scale", [1.0], beside=()))
+    clean = run_ensemble(SYMMETRIC, SUITE, stripes=Levels("scale", [1.0], beside=()))
     assert json.loads(clean.attrs["warnings"]) == []
 
 
@@ -307,7 +308,7 @@ def test_vertical_motion_needs_a_record_and_full_equations() -> None:
     with pytest.raises(ModelError, match="vertical"):
         run_ensemble(SYMMETRIC, MOTIONS, model=Linear())
     flat = run_ensemble(
-        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, stripes=Stripes(levels=[1.0])
+        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, stripes=Levels(levels=[1.0])
     )
     assert flat.attrs["model"] == "linear"
     assert flat.vertical.values.tolist() == ["without"]
@@ -320,7 +321,7 @@ def test_a_linear_block_lifts_above_alpha_g() -> None:
         block,
         shock,
         model=Linear(),
-        stripes=Stripes("scale", [1.0], beside=()),
+        stripes=Levels("scale", [1.0], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(

@@ -5,7 +5,8 @@ import functools
 import numpy as np
 import xarray
 
-from rocksteady import Block, RestitutionBand, Run, Stripes, run_ensemble
+from rocksteady import Block, Execution, run_ensemble
+from rocksteady.risk import Levels, RestitutionBand
 from tests.every import every
 from tests.seismic.grounds import ground
 
@@ -22,8 +23,8 @@ def scattered(scatter: float = 0.05, seed: int = 0) -> xarray.Dataset:
     return computed(RestitutionBand(low=0.9, high=0.9, draws=6, scatter=scatter, seed=seed))
 
 
-def computed(band: RestitutionBand, run: Run | None = None) -> xarray.Dataset:
-    stripes = Stripes("scale", [0.8, 1.6], beside=())
+def computed(band: RestitutionBand, run: Execution | None = None) -> xarray.Dataset:
+    stripes = Levels("scale", [0.8, 1.6], beside=())
     return run_ensemble(BLOCKS, SUITE, stripes=stripes, restitution=band, run=run)
 
 
@@ -61,9 +62,12 @@ def test_a_seed_gives_its_own_draws_and_the_same_again() -> None:
 
 @every(
     "run",
-    [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
+    [
+        Execution(executor="serial"),
+        *(Execution(executor="threads", workers=count) for count in (1, 2, 3)),
+    ],
 )
-def test_workers_do_not_change_a_bit(run: Run) -> None:
+def test_workers_do_not_change_a_bit(run: Execution) -> None:
     found = computed(RestitutionBand(low=0.9, high=0.9, draws=6, scatter=0.05), run)
     for name in NAMES:
         np.testing.assert_array_equal(found[name], scattered()[name])

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from rocksteady import Facade, Record
+from rocksteady import Record
+from rocksteady.codes import Facade
 
 G = 9.80665
 STILL = 1e-9

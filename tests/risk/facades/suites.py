@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from rocksteady import Facade, Load, PushingMass, Record, Tie
+from rocksteady import Record
+from rocksteady.codes import Facade, Load, PushingMass, Tie
 
 BARE = Facade(name="bare", thickness_m=0.4, height_m=3.0, confidence_factor=1.0)
 LOADED = Facade(

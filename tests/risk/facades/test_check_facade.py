@@ -17,7 +17,7 @@ from rocksteady.risk.facades.actions import PushingMass, Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import KAPPA, KAPPA_GABLE, Facade
-from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.risk.facades.facade_demand import FacadeDemand
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
@@ -51,7 +51,7 @@ def runs(share: list[float], limit_state: str = "SLV", facade: Facade = WALL) ->
     )
 
 
-def line(check: FacadeCheck, state: str, method: str) -> Check:
+def line(check: FacadeCheck, state: str, method: str) -> LimitStateCheck:
     (found,) = [each for each in check.checks if (each.limit_state, each.method) == (state, method)]
     return found
 

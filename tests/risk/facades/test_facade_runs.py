@@ -7,22 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BaseMotion,
-    Facade,
-    FacadeRuns,
-    InputError,
-    Linear,
-    ModelError,
-    Nonlinear,
-    Record,
-    RecordDemand,
-    Run,
-    Status,
-    make_synthetic_suite,
-    run_facade,
-    simulate,
-)
+from rocksteady import BaseMotion, Execution, Linear, Nonlinear, Record, Status, simulate
+from rocksteady.codes import Facade, FacadeRuns, RecordDemand, run_facade
+from rocksteady.errors import InputError, ModelError
+from rocksteady.motions import make_synthetic_suite
 from tests.every import every
 from tests.risk.facades.lagrange import largest_tilt
 from tests.risk.facades.suites import BARE, LOADED, motion, motions
@@ -208,8 +196,8 @@ def test_a_base_that_falls_away_counts_as_beyond() -> None:
     assert "could not be decided" in found.summary()
 
 
-@every("run", [Run(executor="serial"), Run(workers=1), Run(workers=3)])
-def test_the_same_bits_for_any_workers(run: Run) -> None:
+@every("run", [Execution(executor="serial"), Execution(workers=1), Execution(workers=3)])
+def test_the_same_bits_for_any_workers(run: Execution) -> None:
     suite = motions(7, 0.3 * G)
     first, again = run_facade(LOADED, suite), run_facade(LOADED, suite, run=run)
     assert first.share.tobytes() == again.share.tobytes()

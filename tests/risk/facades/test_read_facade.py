@@ -10,7 +10,7 @@ from rocksteady.risk.facades.actions import Load, PushingMass, Thrust, Tie
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.risk.facades.facade_demand import FacadeDemand
-from rocksteady.risk.facades.read_facade import EXAMPLE, FacadeFile, read_facade
+from rocksteady.risk.facades.read_facade import EXAMPLE, DescribedFacade, read_facade
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
 from tests.every import every
 
@@ -19,7 +19,7 @@ HEAD = f'[facade]\nname = "x"\n{SIZES}'
 SITE = "ag_g = 0.2\nf0 = 2.5\ntc_star_s = 0.3\n"
 
 
-def read(text: str, folder: Path) -> FacadeFile:
+def read(text: str, folder: Path) -> DescribedFacade:
     file = folder / "wall.toml"
     file.write_text(text, encoding="utf-8")
     return read_facade(file)

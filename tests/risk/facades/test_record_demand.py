@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 from scipy.signal import lsim
 
-from rocksteady import InputError, Record, RecordDemand
+from rocksteady import Record
+from rocksteady.codes import RecordDemand
+from rocksteady.errors import InputError
 from tests.every import every
 from tests.risk.facades.suites import motion, motions
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-from rocksteady import Bands, fit_curve
+from rocksteady.risk import BandOptions, fit_curve
 
 MEDIAN, TOTAL_BETA = 0.7, 0.5
 LEVELS = np.geomspace(0.1, 4.0, 20)
@@ -48,7 +48,7 @@ def coverage(records: int, suites: int, *, draws: int = 1, within: float = 0.0) 
     for seed in range(suites):
         suite = make_suite(records, seed=seed, draws=draws, within=within)
         counts = (suite.intensity, suite.failures, suite.trials)
-        found = fit_curve(*counts, groups=suite.record, bands=Bands(seed=seed))
+        found = fit_curve(*counts, groups=suite.record, bands=BandOptions(seed=seed))
         band = found.probability_band(at)
         if found.median_band is None or found.beta_band is None or band is None:
             continue

@@ -7,18 +7,20 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady import Bands, FragilityCurve, fit_curve
+from rocksteady.risk import BandOptions, FragilityCurve, fit_curve
 from tests.every import every
 from tests.risk.fits.suites import MEDIAN, TOTAL_BETA, coverage, make_suite
 
 
-def fitted(records: int, *, seed: int = 0, bands: Bands | None = None) -> FragilityCurve:
+def fitted(records: int, *, seed: int = 0, bands: BandOptions | None = None) -> FragilityCurve:
     suite = make_suite(records, seed=seed)
-    return fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=bands or Bands())
+    return fit_curve(
+        suite.intensity, suite.failures, groups=suite.record, bands=bands or BandOptions()
+    )
 
 
 def test_a_seed_has_one_band_and_another_seed_nearly_the_same() -> None:
-    first, again, other = fitted(30), fitted(30), fitted(30, bands=Bands(seed=1))
+    first, again, other = fitted(30), fitted(30), fitted(30, bands=BandOptions(seed=1))
     assert first.median_band == again.median_band
     assert first.beta_band == again.beta_band
     assert first.median_band != other.median_band
@@ -37,7 +39,7 @@ def test_a_band_of_independent_trials_is_as_wide_as_fishers_information_has_it()
     at = np.geomspace(0.2, 3.0, 12)
     trials = np.full(12, 400)
     failures = np.random.default_rng(0).binomial(trials, stats.norm.cdf(np.log(at / 0.7) / 0.5))
-    found = fit_curve(at, failures, trials, bands=Bands(replicates=2000))
+    found = fit_curve(at, failures, trials, bands=BandOptions(replicates=2000))
     binomial = sm.families.Binomial(sm.families.links.Probit())
     counts = np.column_stack([failures, trials - failures])
     glm = sm.GLM(counts, sm.add_constant(np.log(at)), family=binomial).fit()
@@ -56,11 +58,11 @@ def test_records_and_not_trials_make_a_band() -> None:
     """Ten equal copies of each trial of a record tell no more than one."""
     suite = make_suite(30, seed=2)
     many = (np.tile(suite.intensity, 10), np.tile(suite.failures, 10))
-    once = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())
-    ten = fit_curve(*many, groups=np.tile(suite.record, 10), bands=Bands())
+    once = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=BandOptions())
+    ten = fit_curve(*many, groups=np.tile(suite.record, 10), bands=BandOptions())
     assert ten.median_band == pytest.approx(once.median_band, rel=1e-8)
     assert ten.beta_band == pytest.approx(once.beta_band, rel=1e-8)
-    loose = fit_curve(*many, bands=Bands())
+    loose = fit_curve(*many, bands=BandOptions())
     assert loose.median_band is not None
     assert once.median_band is not None
     assert np.ptp(loose.median_band) < 0.5 * np.ptp(once.median_band)
@@ -70,9 +72,9 @@ def test_names_of_records_and_the_order_of_rows_do_not_matter() -> None:
     suite = make_suite(25, seed=3)
     order = np.random.default_rng(0).permutation(len(suite.record))
     names = np.array([f"record {number:03d}" for number in suite.record])
-    first = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())
+    first = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=BandOptions())
     other = fit_curve(
-        suite.intensity[order], suite.failures[order], groups=names[order], bands=Bands()
+        suite.intensity[order], suite.failures[order], groups=names[order], bands=BandOptions()
     )
     assert (first.median_band, first.beta_band) == (other.median_band, other.beta_band)
 
@@ -81,8 +83,10 @@ def test_names_of_records_and_the_order_of_rows_do_not_matter() -> None:
 @pytest.mark.parametrize("factor", [1e-6, 1e6])
 def test_a_unit_scales_the_band(factor: float) -> None:
     suite = make_suite(25, seed=4)
-    first = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())
-    other = fit_curve(factor * suite.intensity, suite.failures, groups=suite.record, bands=Bands())
+    first = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=BandOptions())
+    other = fit_curve(
+        factor * suite.intensity, suite.failures, groups=suite.record, bands=BandOptions()
+    )
     assert first.median_band is not None
     assert first.beta_band == pytest.approx(other.beta_band, rel=1e-7)
     scaled = [factor * end for end in first.median_band]
@@ -93,7 +97,7 @@ def test_a_unit_scales_the_band(factor: float) -> None:
 
 
 def test_a_band_holds_the_curve_and_a_higher_confidence_holds_a_lower_one() -> None:
-    found, wider = fitted(40), fitted(40, bands=Bands(confidence=0.99))
+    found, wider = fitted(40), fitted(40, bands=BandOptions(confidence=0.99))
     at = np.geomspace(0.2, 2.0, 9)
     low, high = found.probability_band(at) or (at, at)
     lower, higher = wider.probability_band(at) or (at, at)
@@ -119,7 +123,7 @@ def overlapping_by(few: int) -> FragilityCurve:
     at = np.tile([1.0, 2.0, 3.0, 4.0], 24)
     records = np.repeat(np.arange(24), 4)
     capacity = np.where(records < few, 1.5, np.where(records < 2 * few, 3.5, 2.5))
-    return fit_curve(at, (at > capacity).astype(int), groups=records, bands=Bands())
+    return fit_curve(at, (at > capacity).astype(int), groups=records, bands=BandOptions())
 
 
 def test_redrawn_suites_without_a_curve_are_counted() -> None:
@@ -155,7 +159,7 @@ def test_a_curve_without_a_slope_is_bounded_as_clopper_and_pearson_have_it() -> 
     ):
         groups = np.repeat(np.arange(12), 2)
         curve = fit_curve(
-            levels.ravel(), 1.0 * fell.ravel(), groups=groups, bands=Bands(confidence=0.95)
+            levels.ravel(), 1.0 * fell.ravel(), groups=groups, bands=BandOptions(confidence=0.95)
         )
         band = curve.probability_band(at)
         assert band is not None
@@ -164,7 +168,7 @@ def test_a_curve_without_a_slope_is_bounded_as_clopper_and_pearson_have_it() -> 
 
 def test_scattered_intensities_have_a_band_too() -> None:
     suite = make_suite(40, seed=5, scatter=0.4)
-    found = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())
+    found = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=BandOptions())
     assert found.median_band is not None
     assert found.median_band[0] < MEDIAN < found.median_band[1]
     assert 0.1 < np.ptp(np.log(found.median_band)) < 0.6
@@ -196,4 +200,4 @@ def test_bands_of_56_records_cover_what_they_promise(
 )
 def test_options_out_of_range_are_refused(options: dict[str, Any], name: str) -> None:
     with pytest.raises(ValueError, match=name):
-        Bands(**options)
+        BandOptions(**options)

@@ -8,7 +8,8 @@ import pytest
 import statsmodels.api as sm
 from scipy import stats
 
-from rocksteady import Bands, FragilityCurve, InputError, fit_curve
+from rocksteady.errors import InputError
+from rocksteady.risk import BandOptions, FragilityCurve, fit_curve
 from tests.every import every
 
 DISTRIBUTIONS: dict[str, Any] = {"lognormal": stats.norm, "logistic": stats.logistic}
@@ -151,7 +152,7 @@ STEPS: list[tuple[list[float], list[int], str, tuple[float, float] | None]] = [
 def test_data_without_a_curve_have_a_status(
     at: list[float], failures: list[int], status: str, step: Any, family: Any
 ) -> None:
-    found = fit_curve(at, failures, family=family, bands=Bands(replicates=100))
+    found = fit_curve(at, failures, family=family, bands=BandOptions(replicates=100))
     assert (found.status, found.step) == (status, step)
     assert found.sampled == (min(at), max(at))
     assert found.summary()
@@ -174,7 +175,7 @@ def test_data_without_a_curve_have_a_status(
 
 def test_one_sided_data_bound_the_probability() -> None:
     at, groups = np.tile([0.5, 1.0], 20), np.repeat(np.arange(20), 2)
-    never = fit_curve(at, 0 * groups, groups=groups, bands=Bands(replicates=100))
+    never = fit_curve(at, 0 * groups, groups=groups, bands=BandOptions(replicates=100))
     assert never.probability([0.2, 1.0]).tolist() == [0.0, 0.0]
     assert np.isnan(never.probability(1.01))
     band = never.probability_band([0.7, 1.0, 1.1])
@@ -182,7 +183,7 @@ def test_one_sided_data_bound_the_probability() -> None:
     # With this probability no failure among 20 records has a chance of 10 %.
     assert (1.0 - band[1][0]) ** 20 == pytest.approx(0.1)
     assert band[1][2] == 1.0
-    always = fit_curve(at, 0 * groups + 1, groups=groups, bands=Bands(replicates=100))
+    always = fit_curve(at, 0 * groups + 1, groups=groups, bands=BandOptions(replicates=100))
     assert always.probability([0.5, 2.0]).tolist() == [1.0, 1.0]
     low = always.probability_band([0.4, 0.5])
     assert low is not None

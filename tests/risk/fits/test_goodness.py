@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from rocksteady import fit_curve
+from rocksteady.risk import fit_curve
 from tests.risk.fits.suites import MEDIAN, TOTAL_BETA, Suite, make_suite
 
 

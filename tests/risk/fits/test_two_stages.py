@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
-from rocksteady import Bands, InputError, TwoStageCurve, fit_curve, fit_two_stages
+from rocksteady.errors import InputError
+from rocksteady.risk import BandOptions, TwoStageCurve, fit_curve, fit_two_stages
 from tests.every import every
 
 AT = np.geomspace(0.1, 4.0, 20)
@@ -98,7 +99,7 @@ def test_a_quantile_is_a_root_of_the_product(gate_beta: float) -> None:
 
 @pytest.mark.parametrize("gate_beta", [0.0, 0.3])
 def test_the_band_holds_the_curve_and_the_median(gate_beta: float) -> None:
-    found = fitted(gate_beta=gate_beta, bands=Bands(replicates=400))
+    found = fitted(gate_beta=gate_beta, bands=BandOptions(replicates=400))
     at = AT[AT > 1.2 * GATE]
     low, high = found.probability_band(at) or (at, at)
     curve = found.probability(at)
@@ -111,14 +112,17 @@ def test_the_band_holds_the_curve_and_the_median(gate_beta: float) -> None:
     assert ends[1][0] == pytest.approx(0.5, abs=1e-6) or least == pytest.approx(
         (found.uplift.step or (0.0, 0.0))[0]
     )
-    assert found.median_band == fitted(gate_beta=gate_beta, bands=Bands(replicates=400)).median_band
+    assert (
+        found.median_band
+        == fitted(gate_beta=gate_beta, bands=BandOptions(replicates=400)).median_band
+    )
 
 
 def test_a_gate_far_below_leaves_the_band_of_the_second_stage() -> None:
     at, _, failures, record = made(40, 2, gate_beta=0.0)
     always = np.ones_like(failures)
-    found = fit_two_stages(at, always, failures, groups=record, bands=Bands(replicates=300))
-    alone = fit_curve(at, failures, groups=record, bands=Bands(replicates=300))
+    found = fit_two_stages(at, always, failures, groups=record, bands=BandOptions(replicates=300))
+    alone = fit_curve(at, failures, groups=record, bands=BandOptions(replicates=300))
     assert found.uplift.status == "always"
     assert found.median == pytest.approx(alone.median)
     assert found.probability(0.5) == alone.probability(0.5)
@@ -139,7 +143,7 @@ def test_bands_of_two_fitted_stages_cover_the_truth() -> None:
     for seed in range(15):
         level, uplifted, failures, record = made(40, 100 + seed, gate_beta=0.3)
         counts = (level, uplifted, failures)
-        found = fit_two_stages(*counts, groups=record, bands=Bands(replicates=200))
+        found = fit_two_stages(*counts, groups=record, bands=BandOptions(replicates=200))
         low, high = found.probability_band(at) or (1.0, 0.0)
         missed += not low <= truth <= high
     assert missed <= 6
@@ -165,7 +169,7 @@ def test_stages_are_used_where_they_are_likelier_than_one_curve() -> None:
 
 def test_no_uplift_is_no_failure() -> None:
     none = [0, 0, 0]
-    found = fit_two_stages([1.0, 2.0, 3.0], none, none, bands=Bands())
+    found = fit_two_stages([1.0, 2.0, 3.0], none, none, bands=BandOptions())
     assert (found.uplift.status, found.given_uplift.status) == ("never", "never")
     assert (found.given_uplift.trials, found.given_uplift.sampled) == (0, (0.0, 0.0))
     assert found.probability([1.0, 3.0]).tolist() == [0.0, 0.0]
@@ -178,8 +182,8 @@ def test_single_trials_are_as_grouped_ones() -> None:
     at, uplifted, failures, _ = made(30, 4, gate_beta=0.2)
     sums = [np.bincount(np.searchsorted(AT, at), weights=w) for w in (uplifted, failures)]
     thirty = np.full(len(AT), 30)
-    grouped = fit_two_stages(AT, sums[0], sums[1], thirty, bands=Bands(replicates=100))
-    single = fit_two_stages(at, uplifted, failures, bands=Bands(replicates=100))
+    grouped = fit_two_stages(AT, sums[0], sums[1], thirty, bands=BandOptions(replicates=100))
+    single = fit_two_stages(at, uplifted, failures, bands=BandOptions(replicates=100))
     assert grouped.to_dict() == single.to_dict()
 
 
@@ -209,7 +213,7 @@ def behind(
 def test_an_exact_gate_recovers_the_excess_that_was_drawn() -> None:
     gate, median, beta = EXCESS
     at, failures, record = behind(*EXCESS, records=400)
-    found = fit_two_stages(at, gate, failures, groups=record, bands=Bands(replicates=200))
+    found = fit_two_stages(at, gate, failures, groups=record, bands=BandOptions(replicates=200))
     given = found.given_uplift
     assert (found.gate, found.offset) == (gate, gate)
     # 400 capacities: five standard errors of the mean, and of the spread, of their logarithm.
@@ -245,7 +249,7 @@ def test_the_second_stage_is_the_glm_of_the_logarithm_of_the_excess(family: Any)
 def test_the_uplift_stage_is_the_exact_step() -> None:
     gate = EXCESS[0]
     at, failures, record = behind(*EXCESS)
-    found = fit_two_stages(at, gate, failures, groups=record, bands=Bands(replicates=100))
+    found = fit_two_stages(at, gate, failures, groups=record, bands=BandOptions(replicates=100))
     assert (found.uplift.status, found.uplift.step) == ("separated", (gate, gate))
     assert (found.uplift.median, found.uplift.failures) == (gate, int((at > gate).sum()))
     assert found.uplift.log_likelihood == 0.0
@@ -277,7 +281,7 @@ def test_the_likelier_of_both_forms_is_kept() -> None:
     at, failures, record = behind(0.0, 0.6, 0.25, records=200, seed=3)
     gate = 0.277
     found = fit_two_stages(
-        at, gate, failures * (at > gate), groups=record, measure=("PGA", "g"), bands=Bands()
+        at, gate, failures * (at > gate), groups=record, measure=("PGA", "g"), bands=BandOptions()
     )
     lifted = at > gate
     alone = fit_curve(at[lifted], failures[lifted], groups=record[lifted])

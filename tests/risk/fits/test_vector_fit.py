@@ -8,7 +8,8 @@ import pytest
 import statsmodels.api as sm
 from scipy import stats
 
-from rocksteady import InputError, fit_curve, fit_vector
+from rocksteady.errors import InputError
+from rocksteady.risk import fit_curve, fit_vector
 from tests.every import every
 
 

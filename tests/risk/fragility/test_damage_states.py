@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from rocksteady import DamageState, Fitting, InputError, Status
+from rocksteady import Status
+from rocksteady.errors import InputError
+from rocksteady.risk import DamageState, FitOptions
 from rocksteady.risk.fragility.damage_states import exceeding
 from tests.every import every
 
@@ -25,7 +27,7 @@ def test_what_exceeds_a_state(state: DamageState, exceeded: list[bool]) -> None:
 
 
 def test_a_number_is_a_state_of_its_own() -> None:
-    states = Fitting(states=[0.25, "0.5", "uplift"]).damage_states
+    states = FitOptions(states=[0.25, "0.5", "uplift"]).damage_states
     assert states == (
         DamageState("theta/alpha > 0.25", 0.25),
         DamageState("theta/alpha > 0.5", 0.5),
@@ -40,4 +42,4 @@ def test_what_is_no_state_is_refused() -> None:
     wrong: list[list[float | str]] = [[], ["uplift", "uplift"], [0.5, "0.5"], ["nan"]]
     for states in wrong:
         with pytest.raises(InputError):
-            Fitting(states=states)
+            FitOptions(states=states)

@@ -12,26 +12,20 @@ from matplotlib.figure import Figure
 from scipy.optimize import minimize
 from scipy.stats import norm
 
-from rocksteady import (
-    Block,
+from rocksteady import Block, Record, Status, compute_fragility, plots, read_record, run_ensemble
+from rocksteady.errors import InputError
+from rocksteady.measures import Measure
+from rocksteady.results.numbers import number, number_or_none
+from rocksteady.risk import (
     DamageState,
-    Fitting,
+    FitOptions,
     Fragility,
     FragilityCurve,
-    InputError,
-    Intensity,
-    Record,
+    Levels,
     RestitutionBand,
-    Status,
-    Stripes,
-    compute_fragility,
     fit_curve,
     fit_fragility,
-    plot_fragility,
-    read_record,
-    run_ensemble,
 )
-from rocksteady.results.numbers import number, number_or_none
 from rocksteady.risk.fragility._labels_of_runs import kept_measures
 from tests.records import FOLDER
 from tests.seismic.grounds import ground
@@ -39,7 +33,7 @@ from tests.seismic.grounds import ground
 BLOCK = Block.rectangle(width=0.4, height=1.6)
 OTHER = Block.asymmetric(left=0.25, right=0.4, height=2.4)
 LEVELS = (0.3, 0.5, 0.7, 0.9, 1.2, 1.6)
-PLAIN = Fitting(bands=None)
+PLAIN = FitOptions(bands=None)
 SUITE = tuple(
     Record(
         acceleration_m_s2=ground(seed).acceleration_m_s2,
@@ -55,7 +49,7 @@ def ensemble() -> xarray.Dataset:
     return run_ensemble(
         [BLOCK, OTHER],
         SUITE,
-        stripes=Stripes("p_pgv_per_uplift", LEVELS),
+        stripes=Levels("p_pgv_per_uplift", LEVELS),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -144,7 +138,7 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
         found = compute_fragility(
             BLOCK,
             SUITE[:6],
-            stripes=Stripes(measure, levels, beside=kept),
+            stripes=Levels(measure, levels, beside=kept),
             restitution=RestitutionBand(draws=1),
             fitting=PLAIN,
         )
@@ -174,7 +168,7 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
             used.add(type(curve))
             if not single and state is not found.states[-1]:
                 continue
-            drawn = plot_fragility(found, Figure().add_subplot(), state=name).get_lines()
+            drawn = plots.fragility(found, Figure().add_subplot(), state=name).get_lines()
             thick = max(drawn, key=lambda line: float(line.get_linewidth()))
             x, y = np.asarray(thick.get_data(), dtype=np.float64)
             np.testing.assert_allclose(y, curve.probability(x), atol=1e-12)
@@ -187,7 +181,7 @@ def test_a_measure_has_one_curve_in_all_answers() -> None:
 
 def test_over_pgv_a_curve_is_of_the_runs_whose_pga_lifts() -> None:
     """By hand, of runs of a suite whose records differ in PGV/PGA; points and words agree."""
-    stripes = Stripes(levels=[0.15, 0.3, 0.6, 0.9, 1.4, 2.0])
+    stripes = Levels(levels=[0.15, 0.3, 0.6, 0.9, 1.4, 2.0])
     assert stripes.key == "pgv_m_s"
     runs = run_ensemble(BLOCK, SUITE, stripes=stripes, restitution=RestitutionBand(draws=1))
     found = fit_fragility(runs, fitting=PLAIN)
@@ -207,7 +201,7 @@ def test_over_pgv_a_curve_is_of_the_runs_whose_pga_lifts() -> None:
     here = lifts & (at == 1.4)
     assert row["share"] == pytest.approx(fell[here].mean())
     assert "given PGA > g tan alpha" in found.describe().headline
-    axes = plot_fragility(found, Figure().add_subplot())
+    axes = plots.fragility(found, Figure().add_subplot())
     assert axes.get_xlabel() == "PGV [m/s], given PGA > g tan α"
     assert found.state("uplift").plain.trials == lifts.size
     assert ("poor fit" in found.describe().headline) is (state.curve.misfit > 0.1)
@@ -237,9 +231,9 @@ def test_a_step_at_one_level_is_not_refuted_by_that_level() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Stripes("pga_g", [0.8 * gate, 1.2 * gate, 2.4 * gate], beside=()),
+        stripes=Levels("pga_g", [0.8 * gate, 1.2 * gate, 2.4 * gate], beside=()),
         restitution=RestitutionBand(draws=2),
-        fitting=Fitting(states=[0.05], bands=None),
+        fitting=FitOptions(states=[0.05], bands=None),
     )
     (state,) = found.states
     assert state.plain.status == "separated"
@@ -257,7 +251,7 @@ def test_records_are_the_groups_however_many_blocks_are_pooled() -> None:
 
 
 def test_mirror_images_do_not_move_a_curve() -> None:
-    stripes, band = Stripes(levels=LEVELS, beside=()), RestitutionBand(draws=1)
+    stripes, band = Levels(levels=LEVELS, beside=()), RestitutionBand(draws=1)
     both, one = (
         compute_fragility(
             BLOCK, SUITE, stripes=stripes, restitution=band, reverse=reverse, fitting=PLAIN
@@ -276,7 +270,7 @@ def test_uplift_over_pga_is_a_step_at_g_tan_alpha() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Stripes("pga_g", levels, beside=()),
+        stripes=Levels("pga_g", levels, beside=()),
         restitution=RestitutionBand(draws=1),
         fitting=PLAIN,
     )
@@ -357,11 +351,11 @@ def test_curves_of_plain_factors_are_over_the_default_measure() -> None:
     found = compute_fragility(
         BLOCK,
         SUITE,
-        stripes=Stripes("scale", [0.5, 1.0, 2.0, 4.0]),
+        stripes=Levels("scale", [0.5, 1.0, 2.0, 4.0]),
         restitution=RestitutionBand(draws=1),
         fitting=PLAIN,
     )
-    assert found.measure == Intensity("pgv_m_s")
+    assert found.measure == Measure("pgv_m_s")
     assert found.scale_factor_max == 4.0
     reached = found.ensemble.im_pgv_m_s * found.ensemble.scale
     plain = found.states[-1].plain
@@ -375,11 +369,11 @@ def test_a_measure_that_is_not_beside_the_runs_is_named() -> None:
     runs = run_ensemble(
         BLOCK,
         SUITE[:2],
-        stripes=Stripes("pga_g", [0.3, 0.6], beside=()),
+        stripes=Levels("pga_g", [0.3, 0.6], beside=()),
         restitution=RestitutionBand(draws=1),
     )
     with pytest.raises(InputError, match="no such measure beside it; it has pga_g"):
-        fit_fragility(runs, fitting=Fitting(measures=[Intensity("pgv_m_s")], bands=None))
+        fit_fragility(runs, fitting=FitOptions(measures=[Measure("pgv_m_s")], bands=None))
     with pytest.raises(InputError, match="is no ensemble"):
         fit_fragility(runs.drop_attrs())
 
@@ -404,7 +398,7 @@ def test_the_description_has_a_row_for_every_curve() -> None:
 
 def test_a_state_of_ones_own() -> None:
     found = fit_fragility(
-        ensemble(), fitting=Fitting(states=[DamageState("contents", 0.1), 0.3], bands=None)
+        ensemble(), fitting=FitOptions(states=[DamageState("contents", 0.1), 0.3], bands=None)
     )
     assert [each.state.name for each in found.states] == ["contents", "theta/alpha > 0.3"]
     with pytest.raises(InputError, match="the damage states are contents"):
@@ -421,11 +415,11 @@ def test_the_suite_gives_the_published_curve() -> None:
     runs = run_ensemble(
         blocks,
         [read_record(file) for file in files],
-        stripes=Stripes("scale", [1.0, 2.0, 4.0, 8.0, 16.0]),
+        stripes=Levels("scale", [1.0, 2.0, 4.0, 8.0, 16.0]),
         restitution=RestitutionBand(draws=1),
     )
     found = fit_fragility(runs, fitting=PLAIN)
-    assert found.ranking[0].measure[0] == Intensity("p_pgv_per_uplift")
+    assert found.ranking[0].measure[0] == Measure("p_pgv_per_uplift")
     reached = (runs.im_p_pgv_per_uplift * runs.scale).broadcast_like(runs.status)
     reached = reached.transpose(*runs.status.dims).values
     lifted, fell = runs.peak_angle.values > 0.0, runs.status.values == Status.OVERTURNED

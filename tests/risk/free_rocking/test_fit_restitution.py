@@ -8,21 +8,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Block,
-    Harmonic,
-    InputError,
-    Linear,
-    ModelError,
-    Nonlinear,
-    Release,
-    State,
-    Still,
-    fit_restitution,
-    free_rocking_peaks,
-    free_rocking_period,
-    simulate,
-)
+from rocksteady import Block, Harmonic, Linear, Nonlinear, State, Still, fit_restitution, simulate
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import free_rocking_peaks, free_rocking_period
+from rocksteady.histories import Release
 from rocksteady.model.equations import Model
 from rocksteady.risk.free_rocking.restitution_fit import decayed
 from tests.every import every

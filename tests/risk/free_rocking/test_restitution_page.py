@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import Block, Linear, fit_restitution, free_rocking_peaks, housner_restitution
+from rocksteady import Block, Linear, fit_restitution
+from rocksteady.formulas import free_rocking_peaks, housner_restitution
 
 PAGE = (Path(__file__).parents[3] / "docs" / "guides" / "restitution.md").read_text(
     encoding="utf-8"

@@ -9,7 +9,9 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from rocksteady import Block, HazardCurve, InputError, compute_risk, reject_branches
+from rocksteady import Block, compute_risk
+from rocksteady.errors import InputError
+from rocksteady.risk import HazardCurve, check_hazard_branches
 from tests.every import every
 
 K, MEDIAN, BETA = 2.2, 0.4, 0.5
@@ -22,7 +24,7 @@ def branch(size: float, **known: Any) -> HazardCurve:
 
 def test_a_sure_alpha_rejects_at_the_confidence_of_age_and_rate() -> None:
     curves = [branch(1e-5), branch(1e-4), branch(1e-3)]
-    found = reject_branches((MEDIAN, BETA), curves, 2000.0, alpha_cv=0.0)
+    found = check_hazard_branches((MEDIAN, BETA), curves, 2000.0, alpha_cv=0.0)
     rates = [compute_risk((MEDIAN, BETA), curve).annual_rate for curve in curves]
     assert found.annual_rates == pytest.approx(rates, rel=1e-12)
     assert found.confidence == pytest.approx(1.0 - np.exp(-2000.0 * np.array(rates)), rel=1e-9)
@@ -42,7 +44,7 @@ def test_survival_is_averaged_over_alpha(cv: float, age: float) -> None:
         epsabs=1e-14,
         limit=500,
     )
-    found = reject_branches((MEDIAN, BETA), [branch(1e-4).extended()], age, alpha_cv=cv)
+    found = check_hazard_branches((MEDIAN, BETA), [branch(1e-4).extended()], age, alpha_cv=cv)
     assert found.survival == pytest.approx([mean], rel=1e-9, abs=1e-12)
     assert found.annual_rates == pytest.approx([rate * math.exp(0.5 * (K * sigma) ** 2)], rel=1e-9)
     # Survival is convex in the rate: an unsure alpha makes it likelier than at the mean rate.
@@ -51,21 +53,21 @@ def test_survival_is_averaged_over_alpha(cv: float, age: float) -> None:
 
 def test_weights_follow_bayes() -> None:
     curves = [branch(2e-5, weight=0.2, name="a"), branch(1e-4, weight=0.8, name="b")]
-    found = reject_branches((MEDIAN, BETA), curves, 1000.0)
+    found = check_hazard_branches((MEDIAN, BETA), curves, 1000.0)
     assert found.prior.tolist() == [0.2, 0.8]
     joint = found.prior * found.survival
     assert found.posterior == pytest.approx(joint / joint.sum(), rel=1e-12)
     assert found.posterior[0] > 0.2
     equal = [dataclasses.replace(curve, weight=None) for curve in curves]
-    assert reject_branches((MEDIAN, BETA), equal, 1000.0).prior.tolist() == [0.5, 0.5]
+    assert check_hazard_branches((MEDIAN, BETA), equal, 1000.0).prior.tolist() == [0.5, 0.5]
 
 
 def test_a_short_life_tells_nothing_and_an_endless_one_leaves_no_branch() -> None:
     curves = [branch(1e-5, weight=0.5), branch(1e-4, weight=0.5)]
-    young = reject_branches((MEDIAN, BETA), curves, 1e-6)
+    young = check_hazard_branches((MEDIAN, BETA), curves, 1e-6)
     assert young.posterior == pytest.approx([0.5, 0.5], abs=1e-8)
     assert not young.rejected.any()
-    old = reject_branches((MEDIAN, BETA), curves, 1e9)
+    old = check_hazard_branches((MEDIAN, BETA), curves, 1e9)
     assert old.rejected.all()
     assert old.survival == pytest.approx([0.0, 0.0], abs=1e-12)
     assert old.to_dict()["rejected_weight"] == 1.0
@@ -73,16 +75,16 @@ def test_a_short_life_tells_nothing_and_an_endless_one_leaves_no_branch() -> Non
 
 def test_a_fragility_of_the_block_meets_the_hazard_of_the_ground() -> None:
     block = Block.rectangle(width=0.32, height=1.8)
-    of_block = reject_branches(
+    of_block = check_hazard_branches(
         (0.757, BETA), [branch(1e-4)], 1000.0, measure="p_pgv_per_uplift", block=block
     )
     factor = block.positive.p / (9.80665 * 0.32 / 1.8)
-    of_ground = reject_branches((0.757 / factor, BETA), [branch(1e-4)], 1000.0)
+    of_ground = check_hazard_branches((0.757 / factor, BETA), [branch(1e-4)], 1000.0)
     assert of_block.survival == pytest.approx(of_ground.survival, rel=1e-9)
 
 
 def test_the_text_says_what_does_not_follow() -> None:
-    found = reject_branches((MEDIAN, BETA), [branch(1e-3, name="b1"), branch(1e-9)], 2000.0)
+    found = check_hazard_branches((MEDIAN, BETA), [branch(1e-3, name="b1"), branch(1e-9)], 2000.0)
     text = " ".join(found.summary().split())
     assert "No bound on PGA follows from one object" in text
     assert "stands for 2000 years rejects 1 of 2 branches at 95 %" in text
@@ -115,10 +117,10 @@ def test_what_cannot_be_tested_is_refused(changed: dict[str, Any], line: str) ->
         "fragility": (MEDIAN, BETA), "branches": [branch(1e-4)], "age_years": 1000.0,
     }  # fmt: skip
     with pytest.raises(InputError) as refusal:
-        reject_branches(**{**given, **changed})
+        check_hazard_branches(**{**given, **changed})
     assert line in str(refusal.value)
 
 
 def test_an_age_is_required() -> None:
     with pytest.raises(InputError, match="age_years"):
-        reject_branches((MEDIAN, BETA), [branch(1e-4)])  # type: ignore[call-arg]
+        check_hazard_branches((MEDIAN, BETA), [branch(1e-4)])  # type: ignore[call-arg]

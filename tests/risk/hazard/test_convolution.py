@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.special import expit, ndtr
 
-from rocksteady import HazardCurve
+from rocksteady.risk import HazardCurve
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import Converted, Lognormal
 from tests.every import every

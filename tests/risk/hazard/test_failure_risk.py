@@ -11,24 +11,23 @@ import xarray
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
-import rocksteady
-from rocksteady import (
-    Bands,
-    Block,
+from rocksteady import Block, compute_risk
+from rocksteady.errors import InputError
+from rocksteady.measures import Measure
+from rocksteady.risk import (
+    BandOptions,
     DamageState,
-    Fitting,
+    FitOptions,
     Fragility,
     FragilityCurve,
     HazardCurve,
-    InputError,
-    Intensity,
     StateFragility,
     TwoStageCurve,
-    compute_risk,
     fit_curve,
     fit_two_stages,
 )
 from tests.every import every
+from tools.namespace import THINGS
 
 Floats = NDArray[np.float64]
 
@@ -237,14 +236,14 @@ class Banded:
 
 
 def test_what_is_no_fragility_is_refused_by_the_names_of_public_things() -> None:
-    for given in ("x", None, Bands(), Banded(), [0.4, 0.5, 0.6]):
+    for given in ("x", None, BandOptions(), Banded(), [0.4, 0.5, 0.6]):
         with pytest.raises(InputError) as caught:
             compute_risk(given, HAZARD)  # type: ignore[arg-type]
         named = re.findall(
             r"\b[A-Z][a-z]+[A-Z]\w+|\bFragil\w+", str(caught.value).partition(": ")[2]
         )
         assert named
-        assert all(hasattr(rocksteady, name) for name in named), str(caught.value)
+        assert set(named) <= THINGS.keys(), str(caught.value)
 
 
 def test_a_fragility_has_the_risk_of_its_last_state_over_its_own_measure() -> None:
@@ -253,10 +252,10 @@ def test_a_fragility_has_the_risk_of_its_last_state_over_its_own_measure() -> No
     state = StateFragility(state=DamageState("overturned"), plain=curve)
     whole = Fragility(
         ensemble=xarray.Dataset(),
-        measure=Intensity("pgv_m_s"),
+        measure=Measure("pgv_m_s"),
         states=(state,),
         ranking=(),
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
         warnings=(),
         records=20,
         runs=160,
@@ -284,7 +283,7 @@ def test_a_bootstrap_of_records_gives_a_band_around_the_rate() -> None:
     level = np.tile(np.geomspace(0.1, 2.0, 8), 24)
     record = np.repeat(np.arange(24), 8)
     capacity = 0.5 * np.exp(0.4 * rng.normal(size=level.size) + 0.3 * rng.normal(size=24)[record])
-    bands = Bands(replicates=200)
+    bands = BandOptions(replicates=200)
     curve = fit_curve(level, (capacity < level).astype(int), groups=record, bands=bands)
     risk = compute_risk(curve, HAZARD)
     assert risk.annual_rate_band is not None

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import HazardCurve, InputError
+from rocksteady.errors import InputError
+from rocksteady.risk import HazardCurve
 from tests.every import every
 
 LEVELS = [0.05, 0.1, 0.4, 1.2]

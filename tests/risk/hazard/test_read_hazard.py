@@ -10,7 +10,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import HazardCurve, InputError, read_hazard_curves
+from rocksteady import read_hazard_curves
+from rocksteady.errors import InputError
+from rocksteady.risk import HazardCurve
 from tests.every import every
 
 NEW = (

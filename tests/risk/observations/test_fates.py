@@ -9,25 +9,14 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import (
-    BaseMotion,
-    Block,
-    InputError,
-    ModelError,
-    Record,
-    Run,
-    Scatter,
-    ShakingTest,
-    Status,
-    Store,
-    evaluate,
-    fates_on_records,
-    simulate,
-)
+from rocksteady import BaseMotion, Block, Execution, Record, Status, Store, simulate
+from rocksteady.calibration import Scatter, ShakingTest, compute_test_fates
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.risk.observations import fates as module
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
+from rocksteady.sweeps import evaluate
 from tests.every import every
 from tests.seismic.grounds import ground, lifting
 
@@ -83,7 +72,7 @@ def assert_same(one: xarray.Dataset, other: xarray.Dataset) -> None:
 
 @pytest.mark.parametrize(("model", "tests"), [(Linear(), TESTS), (Nonlinear(), LIFTED)])
 def test_each_cell_is_a_time_history(model: Model, tests: tuple[ShakingTest, ...]) -> None:
-    found = fates_on_records(BLOCKS, tests, gains=GAINS, model=model)
+    found = compute_test_fates(BLOCKS, tests, gains=GAINS, model=model)
     assert dict(found.sizes) == {"test": len(tests), "block": 6, "gain": 3, "draw": 1}
     assert found.status.dtype == np.int8
     for (i, test), (j, block), (k, gain) in product(
@@ -105,11 +94,11 @@ def test_each_cell_is_a_time_history(model: Model, tests: tuple[ShakingTest, ...
 def test_observations_are_their_tests() -> None:
     column = ObjectPrior(name="column", width_m=0.3, height_m=1.2)
     known = Observations(tests=TESTS, objects={"column": column})
-    assert_same(fates_on_records(BLOCKS[:2], known), fates_on_records(BLOCKS[:2], TESTS))
+    assert_same(compute_test_fates(BLOCKS[:2], known), compute_test_fates(BLOCKS[:2], TESTS))
 
 
 def test_coordinates_name_the_tests_and_their_objects() -> None:
-    found = fates_on_records(BLOCKS[0], TESTS, outputs=["status"])
+    found = compute_test_fates(BLOCKS[0], TESTS, outputs=["status"])
     assert list(found.data_vars) == ["status"]
     assert found.test.values.tolist() == [test.name for test in TESTS]
     assert found.object.values.tolist() == ["column"] * 4
@@ -121,9 +110,9 @@ def test_coordinates_name_the_tests_and_their_objects() -> None:
 @pytest.mark.parametrize("deviation", [0.0, 0.08])
 def test_what_is_left_out_changes_nothing_else(deviation: float) -> None:
     scatter = Scatter(deviation, draws=2)
-    whole = fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter)
+    whole = compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter)
     for name in NAMES:
-        bare = fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, outputs=[name])
+        bare = compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, outputs=[name])
         np.testing.assert_array_equal(bare[name], whole[name])
 
 
@@ -131,18 +120,18 @@ def test_gains_of_tests_and_of_blocks_are_those_of_single_calls() -> None:
     rng = np.random.default_rng(4)
     gains = rng.uniform(0.5, 2.0, (len(LIFTED), len(BLOCKS), 2))
     scatter = Scatter(0.05, draws=2, seed=5)
-    found = fates_on_records(BLOCKS, LIFTED, gains=gains, scatter=scatter)
+    found = compute_test_fates(BLOCKS, LIFTED, gains=gains, scatter=scatter)
     np.testing.assert_allclose(
         found.scale, gains * np.array([test.gain for test in LIFTED])[:, None, None], rtol=1e-15
     )
     for i, test in enumerate(LIFTED):
         each = np.broadcast_to(gains[i], (1, *gains[i].shape))
-        alone = fates_on_records(BLOCKS, [test], gains=each, scatter=scatter)
+        alone = compute_test_fates(BLOCKS, [test], gains=each, scatter=scatter)
         assert_same(alone, found.isel(test=[i]))
     rows = gains[:, 0]
-    found = fates_on_records(BLOCKS, LIFTED, gains=rows)
+    found = compute_test_fates(BLOCKS, LIFTED, gains=rows)
     for i, test in enumerate(LIFTED):
-        assert_same(fates_on_records(BLOCKS, [test], gains=rows[i]), found.isel(test=[i]))
+        assert_same(compute_test_fates(BLOCKS, [test], gains=rows[i]), found.isel(test=[i]))
 
 
 # ------------------------------------------------------------------------------------- scatter
@@ -150,14 +139,14 @@ def test_gains_of_tests_and_of_blocks_are_those_of_single_calls() -> None:
 
 @functools.cache
 def scattered(model: Model | None = None) -> xarray.Dataset:
-    return fates_on_records(
+    return compute_test_fates(
         BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.08, draws=3, seed=9), model=model
     )
 
 
 def test_without_deviation_all_draws_are_the_run_without_scatter() -> None:
-    still = fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.0, draws=3))
-    plain = fates_on_records(BLOCKS, LIFTED, gains=GAINS)
+    still = compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.0, draws=3))
+    plain = compute_test_fates(BLOCKS, LIFTED, gains=GAINS)
     assert_same(still, plain.isel(draw=[0] * 3))
     impacts = plain.impacts.values[..., 0]
     differ = (scattered().peak_angle.values != plain.peak_angle.values).all(axis=-1)
@@ -167,8 +156,8 @@ def test_without_deviation_all_draws_are_the_run_without_scatter() -> None:
 
 def test_only_blocks_with_a_deviation_scatter() -> None:
     deviation = np.array([0.0, 0.08, 0.0, 0.08, 0.08, 0.0])
-    some = fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(deviation, 3, 9))
-    plain = fates_on_records(BLOCKS, LIFTED, gains=GAINS).isel(draw=[0] * 3)
+    some = compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(deviation, 3, 9))
+    plain = compute_test_fates(BLOCKS, LIFTED, gains=GAINS).isel(draw=[0] * 3)
     places = deviation > 0.0
     assert_same(some.isel(block=places), scattered().isel(block=places))
     assert_same(some.isel(block=~places), plain.isel(block=~places))
@@ -177,20 +166,20 @@ def test_only_blocks_with_a_deviation_scatter() -> None:
 def test_a_draw_keeps_its_bits_when_tests_blocks_gains_or_draws_are_added() -> None:
     scatter, more = Scatter(0.08, draws=2, seed=9), Scatter(0.08, draws=3, seed=9)
     assert_same(
-        fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter),
+        compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter),
         scattered().isel(draw=[0, 1]),
     )
     assert_same(
-        fates_on_records(BLOCKS[:4], LIFTED, gains=GAINS, scatter=more),
+        compute_test_fates(BLOCKS[:4], LIFTED, gains=GAINS, scatter=more),
         scattered().isel(block=slice(4)),
     )
     assert_same(
-        fates_on_records(BLOCKS, LIFTED[3:1:-1], gains=GAINS, scatter=more),
+        compute_test_fates(BLOCKS, LIFTED[3:1:-1], gains=GAINS, scatter=more),
         scattered().isel(test=[3, 2]),
     )
     # All gains of a block meet the same numbers: one gain twice is the same run twice.
     assert_same(
-        fates_on_records(BLOCKS, LIFTED, gains=[1.6, 1.6], scatter=more),
+        compute_test_fates(BLOCKS, LIFTED, gains=[1.6, 1.6], scatter=more),
         scattered().isel(gain=[2, 2]),
     )
 
@@ -198,21 +187,24 @@ def test_a_draw_keeps_its_bits_when_tests_blocks_gains_or_draws_are_added() -> N
 def test_tests_blocks_draws_and_seeds_draw_their_own_numbers() -> None:
     alike = [shaken(name) for name in ("one", "two", "three")]
     lively = Block.from_p(alpha=0.25, p=3.0, restitution=0.9)
-    found = fates_on_records([lively] * 3, alike, scatter=Scatter(0.05, draws=3, seed=1))
+    found = compute_test_fates([lively] * 3, alike, scatter=Scatter(0.05, draws=3, seed=1))
     assert len(set(found.peak_angle.values.ravel().tolist())) == 27
-    other = fates_on_records([lively] * 3, alike, scatter=Scatter(0.05, draws=3, seed=2))
+    other = compute_test_fates([lively] * 3, alike, scatter=Scatter(0.05, draws=3, seed=2))
     assert not set(other.peak_angle.values.ravel()) & set(found.peak_angle.values.ravel())
 
 
 @every(
     "run",
-    [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
+    [
+        Execution(executor="serial"),
+        *(Execution(executor="threads", workers=count) for count in (1, 2, 3)),
+    ],
 )
 @every("model", [Linear(), Nonlinear()])
-def test_workers_do_not_change_a_bit(run: Run, model: Model) -> None:
+def test_workers_do_not_change_a_bit(run: Execution, model: Model) -> None:
     tests = TESTS if isinstance(model, Linear) else LIFTED
     scatter = Scatter(0.08, draws=3, seed=9)
-    found = fates_on_records(BLOCKS, tests, gains=GAINS, scatter=scatter, model=model, run=run)
+    found = compute_test_fates(BLOCKS, tests, gains=GAINS, scatter=scatter, model=model, run=run)
     if isinstance(model, Nonlinear):
         assert_same(found, scattered())
         return
@@ -222,13 +214,13 @@ def test_workers_do_not_change_a_bit(run: Run, model: Model) -> None:
 @functools.cache
 def linear() -> xarray.Dataset:
     scatter = Scatter(0.08, draws=3, seed=9)
-    return fates_on_records(BLOCKS, TESTS, gains=GAINS, scatter=scatter, model=Linear())
+    return compute_test_fates(BLOCKS, TESTS, gains=GAINS, scatter=scatter, model=Linear())
 
 
 def test_small_batches_do_not_change_a_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "evaluate", functools.partial(evaluate, batch=5))
     scatter = Scatter(0.08, draws=3, seed=9)
-    assert_same(fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter), scattered())
+    assert_same(compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter), scattered())
 
 
 def test_a_store_is_resumed_after_an_interruption(tmp_path: Path) -> None:
@@ -240,16 +232,18 @@ def test_a_store_is_resumed_after_an_interruption(tmp_path: Path) -> None:
             raise KeyboardInterrupt
 
     scatter = Scatter(0.08, draws=3, seed=9)
-    run = Run(executor="serial", store=Store(tmp_path / "runs.zarr", chunk=20), progress=stop)
+    run = Execution(executor="serial", store=Store(tmp_path / "runs.zarr", chunk=20), progress=stop)
     with pytest.raises(KeyboardInterrupt):
-        fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, run=run)
+        compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, run=run)
     cells.clear()
-    again = Run(store=Store(tmp_path / "runs.zarr", chunk=20, resume=True), progress=cells.append)
-    found = fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, run=again)
+    again = Execution(
+        store=Store(tmp_path / "runs.zarr", chunk=20, resume=True), progress=cells.append
+    )
+    found = compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=scatter, run=again)
     assert 0 < cells[0] < sum(cells) == found.status.size
     assert_same(found, scattered())
     with pytest.raises(Exception, match="deviation"):
-        fates_on_records(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.07, 3, 9), run=again)
+        compute_test_fates(BLOCKS, LIFTED, gains=GAINS, scatter=Scatter(0.07, 3, 9), run=again)
 
 
 # ------------------------------------------------------------------------------------- objects
@@ -272,10 +266,10 @@ def test_each_object_has_its_own_blocks_and_deviation() -> None:
         "lamp": BLOCKS[:2], "unused": BLOCKS[:1], "chair": BLOCKS[2:4], "vase": BLOCKS[4:],
     }  # fmt: skip
     deviation: dict[str, Any] = {"vase": 0.05, "lamp": np.array([0.0, 0.1]), "chair": 0.0}
-    found = fates_on_records(blocks, tests, gains=GAINS, scatter=Scatter(deviation, 2, 3))
+    found = compute_test_fates(blocks, tests, gains=GAINS, scatter=Scatter(deviation, 2, 3))
     assert found.object.values.tolist() == list(names)
     for place, (test, name) in enumerate(zip(tests, names, strict=True)):
-        alone = fates_on_records(
+        alone = compute_test_fates(
             blocks[name], [test], gains=GAINS, scatter=Scatter(deviation[name], 2, 3)
         )
         assert_same(alone, found.isel(test=[place]))
@@ -319,22 +313,22 @@ def test_wrong_arguments_are_refused_in_one_line(arguments: dict[str, Any], word
     given: dict[str, Any] = {"blocks": COLUMN, "tests": TESTS, **arguments}
     blocks, tests = given.pop("blocks"), given.pop("tests")
     with pytest.raises(InputError, match=words) as refused:
-        fates_on_records(blocks, tests, **given)
+        compute_test_fates(blocks, tests, **given)
     assert "\n" not in str(refused.value)
 
 
 def test_objects_have_as_many_blocks_each() -> None:
     tests = [*TESTS, ShakingTest(name="vase", record=SLOW[0], object="vase")]
     with pytest.raises(InputError, match="2 of 'column' and 3 of 'vase'"):
-        fates_on_records({"column": BLOCKS[:2], "vase": BLOCKS[:3]}, tests)
+        compute_test_fates({"column": BLOCKS[:2], "vase": BLOCKS[:3]}, tests)
     blocks = {"column": BLOCKS[:2], "vase": BLOCKS[:2]}
     with pytest.raises(InputError, match="deviation has no 'vase'"):
-        fates_on_records(blocks, tests, scatter=Scatter({"column": 0.1}))
+        compute_test_fates(blocks, tests, scatter=Scatter({"column": 0.1}))
 
 
 def test_the_linear_model_has_no_vertical_motion() -> None:
     with pytest.raises(ModelError, match="test 'lifted' has vertical motion"):
-        fates_on_records(COLUMN, LIFTED, model=Linear())
+        compute_test_fates(COLUMN, LIFTED, model=Linear())
 
 
 @every(
@@ -363,7 +357,7 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(*, linear: bool) 
     tests = TESTS if linear else LIFTED
     ratios = (0.0, 0.3, 0.6, 0.9, 0.5, 0.4)
     walls = [block.against_wall(ratio) for block, ratio in zip(BLOCKS, ratios, strict=True)]
-    found = fates_on_records(walls, tests, gains=GAINS, model=model)
+    found = compute_test_fates(walls, tests, gains=GAINS, model=model)
     for (j, test), (i, block), (k, gain) in product(
         enumerate(tests), enumerate(walls), enumerate(GAINS)
     ):
@@ -373,5 +367,5 @@ def test_each_cell_of_a_block_against_a_wall_is_a_time_history(*, linear: bool) 
         assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
         assert int(cell.impacts) == run.impact_count
     assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
-    free = fates_on_records(BLOCKS, tests, gains=GAINS, model=model)
+    free = compute_test_fates(BLOCKS, tests, gains=GAINS, model=model)
     assert (free.status != found.status).any()

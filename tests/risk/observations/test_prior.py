@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from rocksteady.errors import InputError, RocksteadyError
 from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.prior import Noise, Prior, read_prior
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.prior import OutcomeErrors, Prior, read_prior
+from rocksteady.risk.observations.spread import PriorRange
 from tests.every import every
 
 
@@ -25,18 +25,18 @@ def test_a_file_gives_noise_and_defaults_and_its_hash(tmp_path: Path) -> None:
         '[noise]\nsigma_ln = "0.1+-0.02"\noutliers = 0\n[object]\nbase = "0.7:0.9"\nscatter = 0\n'
     )
     prior = read_prior(written(tmp_path, "\ufeff" + text))
-    assert prior.noise.sigma_ln == Spread.around(0.1, 0.02, low=0.0, high=3.0)
-    assert prior.noise.outliers == Spread.exactly(0.0)
+    assert prior.noise.sigma_ln == PriorRange.around(0.1, 0.02, low=0.0, high=3.0)
+    assert prior.noise.outliers == PriorRange.exactly(0.0)
     assert list(prior.sources) == ["prior.toml"]
     stone = prior.object_prior(ObjectPrior(name="a", width_m=0.2, height_m=1, scatter=0.05))
-    assert stone.spreads["base"] == Spread.between(0.7, 0.9)
-    assert stone.spreads["scatter"] == Spread.exactly(0.05)  # its own
+    assert stone.spreads["base"] == PriorRange.between(0.7, 0.9)
+    assert stone.spreads["scatter"] == PriorRange.exactly(0.05)  # its own
     assert stone.defaults == ("offset", "housner_factor")
 
 
 def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
     prior = read_prior(written(tmp_path, ""))
-    assert prior.noise == Noise() == Prior().noise
+    assert prior.noise == OutcomeErrors() == Prior().noise
     assert [str(prior.noise.sigma_ln), str(prior.noise.outliers)] == ["0.05:0.2", "0.01:0.05"]
     assert dict(prior.defaults) == {}
 

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, read_peaks
+from rocksteady.calibration import read_peaks
+from rocksteady.errors import InputError
 from tests.every import every
 
 

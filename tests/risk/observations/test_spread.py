@@ -10,14 +10,14 @@ from scipy import stats
 from scipy.integrate import quad
 
 from rocksteady.errors import InputError
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.spread import PriorRange
 from tests.every import every
 
 SHARES = np.linspace(0.0, 1.0, 41)
 
 
 def test_a_uniform_spread_is_that_of_scipy() -> None:
-    spread = Spread.parse("0.6:1.0")
+    spread = PriorRange.parse("0.6:1.0")
     oracle = stats.uniform(0.6, 0.4)
     np.testing.assert_allclose(spread.quantile(SHARES), oracle.ppf(SHARES), rtol=1e-15)
     at = np.array([0.5, 0.6, 0.77, 1.0, 1.01])
@@ -31,7 +31,7 @@ def test_a_uniform_spread_is_that_of_scipy() -> None:
 def test_a_normal_spread_is_cut_off_as_that_of_scipy(
     mean: float, sd: float, low: float, high: float
 ) -> None:
-    spread = Spread.around(mean, sd).within("base", low, high)
+    spread = PriorRange.around(mean, sd).within("base", low, high)
     oracle = stats.truncnorm((low - mean) / sd, (high - mean) / sd, mean, sd)
     np.testing.assert_allclose(spread.quantile(SHARES), oracle.ppf(SHARES), rtol=1e-9, atol=1e-12)
     at = np.array([low - 0.1, low, mean, 0.5 * (mean + high), high, high + 0.1])
@@ -39,10 +39,10 @@ def test_a_normal_spread_is_cut_off_as_that_of_scipy(
 
 
 def test_far_tails_of_a_normal_spread_are_exact_on_both_sides() -> None:
-    spread = Spread.around(0.0, 1.0)
+    spread = PriorRange.around(0.0, 1.0)
     tiny = 1e-15
     assert spread.quantile(tiny) == pytest.approx(stats.norm.ppf(tiny), rel=1e-9)
-    upper = Spread.around(0.0, 1.0, low=0.0).quantile(1.0 - 2.0**-50)
+    upper = PriorRange.around(0.0, 1.0, low=0.0).quantile(1.0 - 2.0**-50)
     assert upper == pytest.approx(stats.norm.isf(2.0**-51), rel=1e-9)
 
 
@@ -52,7 +52,7 @@ def test_far_tails_of_a_normal_spread_are_exact_on_both_sides() -> None:
 def test_a_density_integrates_to_one_and_its_quantiles_rise(
     mean: float, sd: float, below: float, above: float
 ) -> None:
-    spread = Spread.around(mean, sd, low=mean - below - 0.1, high=mean + above + 0.1)
+    spread = PriorRange.around(mean, sd, low=mean - below - 0.1, high=mean + above + 0.1)
     total, _ = quad(lambda x: math.exp(spread.log_density(x)), spread.low, spread.high)
     assert total == pytest.approx(1.0, abs=1e-6)
     values = spread.quantile(SHARES)
@@ -73,9 +73,9 @@ def test_a_density_integrates_to_one_and_its_quantiles_rise(
     ],
 )
 def test_a_text_is_read_and_written_again(text: str, numbers: tuple[float, ...]) -> None:
-    spread = Spread.parse(text)
+    spread = PriorRange.parse(text)
     assert (spread.low, spread.high, spread.mean, spread.sd) == numbers
-    assert Spread.parse(str(spread)) == spread
+    assert PriorRange.parse(str(spread)) == spread
 
 
 @every(
@@ -100,22 +100,22 @@ def test_a_text_is_read_and_written_again(text: str, numbers: tuple[float, ...])
 )
 def test_a_text_that_is_none_is_refused_in_one_line(text: str, line: str) -> None:
     with pytest.raises(InputError) as refusal:
-        Spread.parse(text, name="base")
+        PriorRange.parse(text, name="base")
     assert str(refusal.value).startswith("base = ")
     assert line in str(refusal.value)
     assert len(str(refusal.value)) < 400
 
 
 def test_what_is_impossible_is_cut_off_a_normal_spread_and_refused_of_others() -> None:
-    cut = Spread.parse("0.9+-0.2").within("base", 0.05, 1.0)
+    cut = PriorRange.parse("0.9+-0.2").within("base", 0.05, 1.0)
     assert (cut.low, cut.high) == (0.05, 1.0)
     for text in ("0.9:1.2", "1.2", "1.2+-0.2"):
         with pytest.raises(InputError, match=r"base = 1\.2 is not valid: it must lie in \[0\.05"):
-            Spread.parse(text).within("base", 0.05, 1.0)
+            PriorRange.parse(text).within("base", 0.05, 1.0)
 
 
 def test_a_value_without_spread_has_all_its_mass_there() -> None:
-    spread = Spread.exactly(0.3)
+    spread = PriorRange.exactly(0.3)
     assert spread.fixed
     assert spread.quantile([0.0, 0.4, 1.0]).tolist() == [0.3] * 3
     assert spread.log_density([0.3, 0.31]).tolist() == [0.0, -math.inf]
@@ -124,4 +124,4 @@ def test_a_value_without_spread_has_all_its_mass_there() -> None:
 @every("share", [-0.1, 1.1, math.nan])
 def test_a_share_lies_between_0_and_1(share: float) -> None:
     with pytest.raises(InputError, match="uniforms"):
-        Spread.between(0.0, 1.0).quantile([0.5, share])
+        PriorRange.between(0.0, 1.0).quantile([0.5, share])

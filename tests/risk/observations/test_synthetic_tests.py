@@ -14,7 +14,7 @@ from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.synthetic_tests import make_synthetic_tests
-from rocksteady.seismic.measures.scalar import measure_scalar
+from rocksteady.seismic.measures.scalar import compute_measure
 
 SUITE = make_synthetic_suite(3)
 COLUMN = Block.rectangle(width=0.1, height=0.5)
@@ -63,7 +63,7 @@ def test_default_gains_are_levels_of_velocity_and_make_both_outcomes() -> None:
     assert len(made) == 48
     (prior,) = made.objects.values()
     block = Block.rectangle(width=0.15, height=0.6)
-    levels = [measure_scalar(test.motion, "p_pgv_per_uplift", block) for test in made.tests]
+    levels = [compute_measure(test.motion, "p_pgv_per_uplift", block) for test in made.tests]
     np.testing.assert_allclose(levels, [0.4, 0.6, 0.8, 1.0] * 12, rtol=1e-9)
     assert 0.2 < made.fell.mean() < 0.8
     spreads: Mapping[str, object] = prior.spreads
@@ -106,5 +106,5 @@ def test_gains_for_each_motion_and_what_is_refused() -> None:
 
 
 def test_a_truth_against_a_wall_is_refused() -> None:
-    with pytest.raises(ModelError, match=r"truth stands against a wall.*fates_on_records"):
+    with pytest.raises(ModelError, match=r"truth stands against a wall.*compute_test_fates"):
         make_synthetic_tests(Block.rectangle(width=0.15, height=0.6).against_wall())

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import Block, Demand, InputError, Record, Screens, screen_block
+from rocksteady import Block, Demand, Record, screen_block
+from rocksteady.codes import Screens
+from rocksteady.errors import InputError
 from tests.descriptions import as_json, fits
 from tests.every import every
 

@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, Record, compute_response_spectrum
+from rocksteady import Record
+from rocksteady.errors import InputError
+from rocksteady.measures import compute_response_spectrum
 from rocksteady.risk.screens.spectra import (
     Chain,
     RecordSpectrum,

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import Block, Demand, assess_two_numbers, screen_block
+from rocksteady import Block, Demand, screen_block
 from rocksteady.results.numbers import percent
+from rocksteady.risk import assess_by_formula
 from rocksteady.risk.screens.thresholds import (
     circolare_rectangle,
     impulse_velocity_m_s,
@@ -124,7 +125,7 @@ def test_shares_are_those_of_assess_and_near_the_counts_of_the_bins() -> None:
     """One demand, one probability: `screens` and `assess` have the same two numbers."""
     block = rectangle(0.32, 1.8)
     for pgv in (0.05, 0.2, 0.4, 1.0, 3.0):
-        answer = assess_two_numbers(block, 0.35, pgv)
+        answer = assess_by_formula(block, 0.35, pgv)
         row = screen_block(block, Demand(pga_g=0.35, pgv_m_s=pgv)).row("p PGV/(g tan alpha)")
         values = {name: value for name, value, _ in row.details}
         assert values["published"] == answer.probability
@@ -132,7 +133,7 @@ def test_shares_are_those_of_assess_and_near_the_counts_of_the_bins() -> None:
         for share in (answer.probability, answer.other_probability):
             assert percent(share) in row.verdict
     resting = screen_block(block, Demand(pga_g=0.1, pgv_m_s=0.4)).row("p PGV/(g tan alpha)")
-    assert (resting.passes, assess_two_numbers(block, 0.1, 0.4).probability) == (True, 0.0)
+    assert (resting.passes, assess_by_formula(block, 0.1, 0.4).probability) == (True, 0.0)
     # Shares of runs that rock, by bins: of Chu et al., and of this package.
     for low, high, published, ours in (
         (0.3, 0.4, 0.093, 0.078), (0.4, 0.5, 0.224, 0.156), (0.7, 1.0, 0.565, 0.679),

@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from rocksteady import Record, integrate_record
+from rocksteady import Record
+from rocksteady.measures import integrate_record
 from tests.records import el_centro
 from tests.seismic.sines import noise, refined, sine
 

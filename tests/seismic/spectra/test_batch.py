@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import Block, Record, Status, Trajectory, simulate
+from rocksteady import Block, Record, Status, simulate
 from rocksteady.errors import InputError
+from rocksteady.histories import Trajectory
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.queue import LEFT_OVER
 from rocksteady.kernels.machine_code.device import Form, on_device

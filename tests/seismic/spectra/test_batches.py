@@ -35,7 +35,7 @@ class Cell:
     """What a batch says of a cell, and the single run that has to agree."""
 
     words: str
-    run: rs.Trajectory
+    run: rs.histories.Trajectory
     status: int
     peak: float | None = None
     peak_velocity: float | None = None
@@ -142,7 +142,7 @@ def scaled(motion: rs.Record | rs.BaseMotion, sign: float, scale: float) -> Any:
     return rs.BaseMotion(across.scaled(sign * scale), up.scaled(scale))
 
 
-def cell_of(found: Any, run: rs.Trajectory) -> Cell:
+def cell_of(found: Any, run: rs.histories.Trajectory) -> Cell:
     """Return the cell of a table with the variables of `simulate_many`."""
     numbers = {name: part.item() for name, part in found.data_vars.items()}
     return Cell(
@@ -182,7 +182,7 @@ def ensembles(rng: Draw) -> Iterator[Cell]:
     model = drawn_model(rng)
     grounds = [ground(rng, body.uplift_acceleration, body.p) for _ in range(2)]
     levels = sorted(rng.uniform(0.3, 2.0, 2).tolist())
-    stripes = rs.Stripes(levels=levels, measure="scale")
+    stripes = rs.risk.Levels(levels=levels, measure="scale")
     table = rs.run_ensemble(body, grounds, stripes=stripes, model=model).isel(block=0, vertical=0)
     for draw, ratio in enumerate(table.restitution.values.tolist()):
         drawn = body.with_restitution(ratio)
@@ -207,7 +207,9 @@ def finite_basins(rng: Draw) -> Iterator[Cell]:
         )
     elif kind == 2:
         times = np.cumsum(rng.uniform(0.1, 1.5, 2))
-        motion = rs.Impulses(velocities=rng.normal(0.0, 0.5, 2).tolist(), times=times.tolist())
+        motion = rs.motions.Impulses(
+            velocities=rng.normal(0.0, 0.5, 2).tolist(), times=times.tolist()
+        )
     low = 0.01 if body.one_sided else -0.8
     angles = np.linspace(low, float(rng.uniform(low + 0.1, 0.8)), 3)
     velocities = np.linspace(-0.6, float(rng.uniform(-0.5, 0.6)), 3)

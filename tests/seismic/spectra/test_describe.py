@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many, summarise_spectra
+from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many
+from rocksteady.measures import compute_suite_spectrum
 from rocksteady.results.rendering import as_text
 from rocksteady.seismic.spectra.describe import describe
 from tests.seismic.grounds import ground
@@ -77,7 +78,7 @@ def test_the_table_of_a_suite_has_medians_and_shares() -> None:
     text = as_text(describe(spectrum_of(2)))
     assert max(map(len, text.splitlines())) <= 80
     assert "median of the largest" in text
-    for share in summarise_spectra(spectrum_of(2))["overturned"].values.ravel().tolist():
+    for share in compute_suite_spectrum(spectrum_of(2))["overturned"].values.ravel().tolist():
         assert f", {100.0 * share:.3g} %" in text
 
 

@@ -12,14 +12,12 @@ from rocksteady import (
     DimensionlessBlock,
     Linear,
     Nonlinear,
-    OverturningWindow,
     Pulse,
     Record,
     State,
-    Trajectory,
     compute_fate_basins,
     compute_rocking_spectrum,
-    find_fatal_kick,
+    find_fatal_kicks,
     find_overturning_scales,
     find_overturning_windows,
     map_fates,
@@ -27,6 +25,8 @@ from rocksteady import (
     simulate_many,
 )
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
+from rocksteady.histories import Trajectory
+from rocksteady.overturning import OverturningWindow
 from tests.records import synthetic
 
 BARE = DimensionlessBlock(restitution=0.5)
@@ -89,7 +89,7 @@ def test_windows_count_the_impacts_of_the_run_at_their_lower_end(block: Any) -> 
 
 
 def test_kicks_and_scales_count_the_impacts_of_the_run_at_their_lower_end() -> None:
-    kicks = find_fatal_kick(BARE, motion=LONG, times_pt=0.0)
+    kicks = find_fatal_kicks(BARE, motion=LONG, times_pt=0.0)
     chattered = 0
     for row, sign in enumerate((1.0, -1.0)):
         for window in wide(kicks.at(row)):

@@ -11,16 +11,15 @@ import xarray
 from rocksteady import (
     Block,
     DimensionlessBlock,
-    InputError,
-    ModelError,
+    Execution,
     Record,
-    Run,
     Status,
     open_store,
     simulate,
     simulate_many,
-    summarise_spectra,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
@@ -151,8 +150,8 @@ def test_beside_others_a_block_against_a_wall_has_no_negative_side() -> None:
 
 def test_threads_and_store_change_no_bits_at_a_wall(tmp_path: object) -> None:
     given = {"pga_g": LEVELS, "reverse": "both"}
-    plain = simulate_many(WALLS, SUITE, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
-    for run in (Run(executor="threads", workers=3), Run(store=f"{tmp_path}/kept.zarr")):
+    plain = simulate_many(WALLS, SUITE, **given, run=Execution(executor="serial"))  # type: ignore[arg-type]
+    for run in (Execution(executor="threads", workers=3), Execution(store=f"{tmp_path}/kept.zarr")):
         other = simulate_many(WALLS, SUITE, **given, run=run)  # type: ignore[arg-type]
         for name in NAMES:
             np.testing.assert_array_equal(plain[name], other[name])
@@ -202,9 +201,9 @@ def test_single_things_are_no_dimension_and_blocks_have_their_measures() -> None
 
 def test_executor_store_and_batch_change_nothing(tmp_path: object) -> None:
     given = {"pga_g": LEVELS, "reverse": "both"}
-    plain = simulate_many(BLOCKS, SUITE, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
+    plain = simulate_many(BLOCKS, SUITE, **given, run=Execution(executor="serial"))  # type: ignore[arg-type]
     path = f"{tmp_path}/kept.zarr"
-    kept = simulate_many(BLOCKS, SUITE, **given, run=Run(workers=2, store=path))  # type: ignore[arg-type]
+    kept = simulate_many(BLOCKS, SUITE, **given, run=Execution(workers=2, store=path))  # type: ignore[arg-type]
     for name in NAMES:
         np.testing.assert_array_equal(plain[name], kept[name])
     assert open_store(path).status.size == plain.status.size
@@ -212,7 +211,7 @@ def test_executor_store_and_batch_change_nothing(tmp_path: object) -> None:
 
 def test_the_summary_of_a_suite_counts_those_that_fall() -> None:
     result = simulate_many(BLOCKS, SUITE, pga_g=LEVELS)
-    summary = summarise_spectra(result)
+    summary = compute_suite_spectrum(result)
     fell = (result.status == Status.OVERTURNED).mean("record")
     np.testing.assert_array_equal(summary.overturned, fell)
     assert "scale" not in summary.coords

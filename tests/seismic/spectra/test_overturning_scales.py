@@ -7,17 +7,16 @@ import pytest
 
 from rocksteady import (
     Block,
-    InputError,
+    Execution,
     Linear,
-    ModelError,
     Nonlinear,
     Record,
-    Run,
     Status,
     find_overturning_scales,
     read_record,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from tests.every import every
@@ -165,10 +164,10 @@ def test_a_weak_record_overturns_nothing() -> None:
 
 def test_a_suite_is_its_records_and_workers_do_not_count() -> None:
     suite = [WAVE, SHOCK]
-    both = find_overturning_scales(BLOCK, suite, within=(0.3, 3.0), run=Run(workers=2))
+    both = find_overturning_scales(BLOCK, suite, within=(0.3, 3.0), run=Execution(workers=2))
     for place, record in enumerate(suite):
         alone = find_overturning_scales(
-            BLOCK, record, within=(0.3, 3.0), run=Run(executor="serial")
+            BLOCK, record, within=(0.3, 3.0), run=Execution(executor="serial")
         )
         assert both.intervals(place) == alone.intervals(0)
         assert both.at(both.names[place]) == alone.at(0)

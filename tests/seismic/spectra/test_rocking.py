@@ -11,16 +11,15 @@ import xarray
 
 from rocksteady import (
     Block,
-    InputError,
-    ModelError,
+    Execution,
     Record,
-    Run,
     Status,
     compute_rocking_spectrum,
     open_store,
     read_record,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.pulses import Pulse
@@ -210,10 +209,10 @@ def test_who_computes_it_and_where_it_is_kept_change_nothing(tmp_path: Path) -> 
     grid = {"alpha": ALPHAS, "periods_s": PERIODS, "scales": [0.8, 1.0]}
     records = [BaseMotion(ground(1), lifting()), ground(2), ground(3)]
     given = {**grid, "model": Nonlinear()}
-    plain = compute_rocking_spectrum(records, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
-    same(plain, compute_rocking_spectrum(records, **given, run=Run(workers=3)))  # type: ignore[arg-type]
+    plain = compute_rocking_spectrum(records, **given, run=Execution(executor="serial"))  # type: ignore[arg-type]
+    same(plain, compute_rocking_spectrum(records, **given, run=Execution(workers=3)))  # type: ignore[arg-type]
     path = tmp_path / "suite.zarr"
-    kept = compute_rocking_spectrum(records, **given, run=Run(store=path))  # type: ignore[arg-type]
+    kept = compute_rocking_spectrum(records, **given, run=Execution(store=path))  # type: ignore[arg-type]
     same(plain, kept)
     assert plain.equals(kept.load())
     same(plain, open_store(path))

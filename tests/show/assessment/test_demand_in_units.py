@@ -8,9 +8,9 @@ import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
-from rocksteady.seismic.measures.intensity import measure_intensity
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.seismic.measures.intensity import compute_measures
+from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.show.assessment._demand_in_units import demand_in_measure, unit_of
 
 WIDTH, HEIGHT, G = 0.34, 1.8, 9.80665
@@ -32,12 +32,12 @@ def assessed(**keys: Any) -> Assessment:
         "geometry": {"width_m": WIDTH, "height_m": HEIGHT, "mass_kg": 200.0},
         "assessment": {"draws": 1, "levels": 4, "replicates": 0, "intensity_measure": "pgv_m_s"},
     }
-    return assess_object(ObjectFile(values=values | keys), SUITE)
+    return assess_object(DescribedObject(values=values | keys), SUITE)
 
 
 def measured(found: Assessment, measure: str) -> Assessment:
     assert found.fragility is not None
-    return replace(found, fragility=replace(found.fragility, measure=Intensity(measure)))
+    return replace(found, fragility=replace(found.fragility, measure=Measure(measure)))
 
 
 def test_the_demand_is_the_peak_in_units_of_what_uplift_takes() -> None:
@@ -50,6 +50,6 @@ def test_the_demand_is_the_peak_in_units_of_what_uplift_takes() -> None:
 
 
 def test_without_a_demand_it_is_the_median_of_the_motions() -> None:
-    peaks = sorted(measure_intensity(record).pgv_m_s for record in SUITE)
+    peaks = sorted(compute_measures(record).pgv_m_s for record in SUITE)
     found = measured(assessed(), "p_pgv_per_uplift")
     assert demand_in_measure(found) == pytest.approx(peaks[1] * P / (G * TANGENT))

@@ -14,7 +14,7 @@ from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
@@ -27,8 +27,8 @@ ALONE = ["report.html", "run.json"]
 """Files of an object that slides."""
 
 
-def described(friction: float) -> ObjectFile:
-    return ObjectFile(
+def described(friction: float) -> DescribedObject:
+    return DescribedObject(
         values={
             "name": "Büste, 3 (Saal)",
             "friction": friction,

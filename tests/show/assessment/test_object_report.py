@@ -17,10 +17,10 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.assessment import Assessment, assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.show.assessment._assessment_pictures import tornado_rows
-from rocksteady.show.assessment.object_report import report_html, write_report
+from rocksteady.show.assessment.object_report import report_html, write_assessment_page
 from rocksteady.show.export.manifest import make_manifest
 from tests.show.assessment.pages import Page, check_alone
 
@@ -34,7 +34,7 @@ ALL = {
 }  # fmt: skip
 
 
-def statue(name: str = "statue", **keys: Any) -> ObjectFile:
+def statue(name: str = "statue", **keys: Any) -> DescribedObject:
     values: dict[str, Any] = {
         "name": name,
         "friction": 0.5,
@@ -42,7 +42,7 @@ def statue(name: str = "statue", **keys: Any) -> ObjectFile:
         "demand": {"pga_g": 0.4, "pgv_m_s": 0.45},
         "assessment": {"draws": 2, "levels": 6, "replicates": 100},
     }
-    return ObjectFile(values=values | keys)
+    return DescribedObject(values=values | keys)
 
 
 def page_of(assessment: Assessment, command: str = COMMAND) -> str:
@@ -158,7 +158,7 @@ def test_hashes_versions_seed_and_command_stand_on_it(found: Assessment, page: P
 def test_each_file_that_was_read_has_its_hash(slides: Assessment, tmp_path: Path) -> None:
     file = tmp_path / "a&b.toml"
     file.write_bytes(b"")
-    written = write_report(tmp_path / "report.html", slides, files=[file])
+    written = write_assessment_page(tmp_path / "report.html", slides, files=[file])
     text = Page(written.read_text(encoding="utf-8")).text
     assert "a&b.toml" in text
     # The hash of no bytes, which everyone knows.
@@ -247,7 +247,7 @@ def test_an_object_that_no_run_topples_has_a_page_without_a_median() -> None:
     squat = statue(
         geometry={"width_m": 1.0, "height_m": 0.8}, demand={"pga_g": 0.9, "pgv_m_s": 0.1}
     )
-    found = assess_object(ObjectFile(values={**squat.values, "friction": 2.0}), SUITE[:3])
+    found = assess_object(DescribedObject(values={**squat.values, "friction": 2.0}), SUITE[:3])
     page = Page(page_of(found))
     check_alone(page)
     assert found.verdict == "stands"
@@ -277,4 +277,4 @@ def test_two_sides_that_differ_have_a_table() -> None:
 
 def test_what_cannot_be_written_is_refused(slides: Assessment, tmp_path: Path) -> None:
     with pytest.raises(OutputError):
-        write_report(tmp_path / "missing" / "report.html", slides)
+        write_assessment_page(tmp_path / "missing" / "report.html", slides)

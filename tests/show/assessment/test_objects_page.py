@@ -7,7 +7,7 @@ import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.results.numbers import number
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.manifest import make_manifest
@@ -27,7 +27,7 @@ def _table() -> ObjectsTable:
     for name, (width, height, friction) in SIZES.items():
         values: dict[str, Any] = {"name": name, "geometry": {"width_m": width, "height_m": height}}
         objects.append(
-            ObjectFile(values=values | ({} if friction is None else {"friction": friction}))
+            DescribedObject(values=values | ({} if friction is None else {"friction": friction}))
         )
     return assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
 

@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import OutputError, read_posterior, write_calibration
+from rocksteady.calibration import read_posterior
+from rocksteady.errors import OutputError
+from rocksteady.export import write_calibration
 from tests.show.calibrated import calibrated, unscored, without_pictures
 
 FILES = ["fit.json", "parameters.csv", "posterior.csv", "predictions.csv", "report.html"]

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Calibration
+from rocksteady.calibration import Calibration
 from rocksteady.results.numbers import number
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.manifest import make_manifest

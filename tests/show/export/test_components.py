@@ -13,31 +13,23 @@ import xarray
 from matplotlib.figure import Figure
 from scipy import stats
 
-from rocksteady import (
-    Block,
+from rocksteady import Block, Record, compute_fragility, compute_risk, plots
+from rocksteady.errors import InputError
+from rocksteady.export import LossComponent, LossState, write_openquake, write_pelicun
+from rocksteady.measures import Measure
+from rocksteady.results.numbers import number
+from rocksteady.risk import (
     DamageState,
-    Fitting,
+    FitOptions,
     Fragility,
     FragilityCurve,
     HazardCurve,
-    InputError,
-    Intensity,
-    LossComponent,
-    LossState,
-    Record,
+    Levels,
     RestitutionBand,
     StateFragility,
-    Stripes,
-    compute_fragility,
-    compute_risk,
     fit_curve,
     fit_two_stages,
-    plot_fragility,
-    plot_fragility_states,
-    write_openquake,
-    write_pelicun,
 )
-from rocksteady.results.numbers import number
 from rocksteady.show.export.components import state_name
 from tests.every import every
 from tests.show.export.test_openquake import read as read_nrml
@@ -58,7 +50,7 @@ def fragility(
     fell: Any = FELL,
     family: Any = "lognormal",
 ) -> Fragility:
-    measure = Intensity(name, period)
+    measure = Measure(name, period)
     labels = (measure.label, measure.unit)
     fall = fit_two_stages(LEVELS, LIFTED, fell, [40] * 5, family=family, measure=labels)
     lift = fit_curve(LEVELS, LIFTED, [40] * 5, family=family, measure=labels)
@@ -82,7 +74,7 @@ def fragility(
             ),
         ),
         ranking=(),
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
         warnings=(),
         records=20,
         runs=200,
@@ -154,7 +146,7 @@ def test_a_curve_that_misses_its_shares_says_so_first_in_every_file(tmp_path: Pa
     assert words in companion.read_text(encoding="ascii")
     assert words in write_openquake(tmp_path / "a.xml", [made]).read_text(encoding="utf-8")
     assert words in curve.describe().headline
-    for plot in (plot_fragility, plot_fragility_states):
+    for plot in (plots.fragility, plots.fragility_states):
         axes = plot(found, Figure().add_subplot())
         entries = axes.get_legend_handles_labels()[1]
         assert any(f"poor fit ({curve.misfit:.2f})" in entry for entry in entries)
@@ -190,9 +182,9 @@ def real() -> Fragility:
     return compute_fragility(
         Block.rectangle(width=0.3, height=1.2),
         suite,
-        stripes=Stripes("pgv_m_s", np.geomspace(0.1, 3.0, 8).tolist(), beside=()),
+        stripes=Levels("pgv_m_s", np.geomspace(0.1, 3.0, 8).tolist(), beside=()),
         restitution=RestitutionBand(draws=2),
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
     )
 
 

@@ -14,7 +14,8 @@ import xarray
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import InputError, OutputError, export
+from rocksteady.errors import InputError, OutputError
+from rocksteady.export import write_dataset
 from rocksteady.show.export import _slices, csv_files
 from tests.every import every
 
@@ -74,7 +75,7 @@ def test_netcdf_reads_back_to_the_last_bit(
     shape: tuple[int, ...], engine: Any, tmp_path: Path
 ) -> None:
     data = result(shape)
-    export(data, tmp_path / "x.nc")
+    write_dataset(data, tmp_path / "x.nc")
     found = xarray.load_dataset(tmp_path / "x.nc", engine=engine)
     assert found.drop_vars("half").identical(data.drop_vars("half"))
     assert list(found.data_vars) == list(data.data_vars)
@@ -90,7 +91,7 @@ def test_netcdf_reads_back_to_the_last_bit(
 
 
 def test_netcdf_is_valid_for_every_reader(tmp_path: Path) -> None:
-    export(result(), tmp_path / "x.nc")
+    write_dataset(result(), tmp_path / "x.nc")
     with h5netcdf.File(tmp_path / "x.nc") as file:
         assert file.variables["above"].dtype == np.int8
         assert file.variables["value"].chunks == (3, 2, 4)
@@ -101,10 +102,10 @@ def test_netcdf_is_valid_for_every_reader(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("small_parts")
 def test_coordinates_that_are_no_axes_are_kept(tmp_path: Path) -> None:
     data = result().isel(word=1).assign_coords(twice=("length", [0.0, 2.0, 4.0]))
-    export(data, tmp_path / "x.nc")
+    write_dataset(data, tmp_path / "x.nc")
     found = xarray.load_dataset(tmp_path / "x.nc").drop_vars("half")
     assert found.identical(data.drop_vars("half"))
-    export(data[["kind"]], tmp_path / "x.csv")
+    write_dataset(data[["kind"]], tmp_path / "x.csv")
     header, first, *_, last = table(tmp_path / "x.csv")
     assert header == ["length", "count", "word", "twice", "kind"]
     assert first[1:4] == ["0.0", 'b "c"', "0.0"]
@@ -113,21 +114,21 @@ def test_coordinates_that_are_no_axes_are_kept(tmp_path: Path) -> None:
 
 def test_a_result_of_variables_over_several_axes_is_a_netcdf_file(tmp_path: Path) -> None:
     data = result().assign(names=("order", ["a", "bb"]), alone=((), 2.5))
-    export(data.drop_vars("half"), tmp_path / "x.nc")
+    write_dataset(data.drop_vars("half"), tmp_path / "x.nc")
     assert xarray.load_dataset(tmp_path / "x.nc").identical(data.drop_vars("half"))
     with pytest.raises(InputError, match=r"names = .* a table all outputs are over the same axes"):
-        export(data, tmp_path / "x.csv")
+        write_dataset(data, tmp_path / "x.csv")
 
 
 @every("value", [None, {"a": 1}, [], [[1.0]], 1j])
 def test_attributes_that_netcdf_has_not_are_refused(value: Any, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="extra = "):
-        export(result().assign_attrs(extra=value), tmp_path / "x.nc")
+        write_dataset(result().assign_attrs(extra=value), tmp_path / "x.nc")
     assert not list(tmp_path.iterdir())
 
 
 def test_a_boolean_attribute_is_a_number(tmp_path: Path) -> None:
-    export(result().assign_attrs(extra=True), tmp_path / "x.nc")
+    write_dataset(result().assign_attrs(extra=True), tmp_path / "x.nc")
     assert xarray.load_dataset(tmp_path / "x.nc").attrs["extra"] == 1
 
 
@@ -138,7 +139,7 @@ def test_a_boolean_attribute_is_a_number(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("small_parts")
 def test_a_table_has_every_cell_in_order(shape: tuple[int, ...], tmp_path: Path) -> None:
     data = result(shape)
-    export(data, tmp_path / "x.csv")
+    write_dataset(data, tmp_path / "x.csv")
     header, *rows = table(tmp_path / "x.csv")
     assert header == [*data.kind.dims, *data.data_vars]
     assert len(rows) == math.prod(shape)
@@ -158,17 +159,17 @@ def test_a_table_has_every_cell_in_order(shape: tuple[int, ...], tmp_path: Path)
 def test_a_class_without_a_word_is_its_number(tmp_path: Path) -> None:
     data = result((5,))[["kind", "small"]]
     data["kind"][1] = -128
-    export(data, tmp_path / "x.csv")
+    write_dataset(data, tmp_path / "x.csv")
     assert [row[1] for row in table(tmp_path / "x.csv")[1:]] == [
         "over", "-128", "at_rest", "over", "at_rest",
     ]  # fmt: skip
     data.kind.attrs["flag_meanings"] = "too many words"
-    export(data, tmp_path / "x.csv")
+    write_dataset(data, tmp_path / "x.csv")
     assert table(tmp_path / "x.csv")[1][1] == "2"
 
 
 def test_an_axis_without_coordinates_is_numbered(tmp_path: Path) -> None:
-    export(result((3, 2)).drop_vars("length")[["small"]], tmp_path / "x.csv")
+    write_dataset(result((3, 2)).drop_vars("length")[["small"]], tmp_path / "x.csv")
     assert [row[0] for row in table(tmp_path / "x.csv")[1:]] == ["0", "0", "1", "1", "2", "2"]
 
 
@@ -178,7 +179,7 @@ def test_every_float_reads_back(values: list[float]) -> None:
 
     data = xarray.Dataset({"value": ("x", values)})
     with TemporaryDirectory() as folder:
-        export(data, Path(folder) / "x.csv")
+        write_dataset(data, Path(folder) / "x.csv")
         read = [float(row[1]) for row in table(Path(folder) / "x.csv")[1:]]
     assert np.array_equal(read, values, equal_nan=True)
 
@@ -189,7 +190,7 @@ def test_every_float_reads_back(values: list[float]) -> None:
 @every("ending", ["xlsx", "zarr", ""])
 def test_another_ending_is_refused(ending: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"its extension sets the format: .nc or .csv"):
-        export(result(), tmp_path / f"x.{ending}")
+        write_dataset(result(), tmp_path / f"x.{ending}")
 
 
 @every("ending", ["nc", "csv"])
@@ -203,7 +204,7 @@ def test_what_no_sweep_returns_is_refused_in_one_line(
     dataset: Any, ending: str, tmp_path: Path
 ) -> None:
     with pytest.raises(InputError, match=r"dataset = |bad = ") as caught:
-        export(dataset, tmp_path / f"x.{ending}")
+        write_dataset(dataset, tmp_path / f"x.{ending}")
     assert "\n" not in str(caught.value)
     assert not list(tmp_path.iterdir())
 
@@ -212,7 +213,7 @@ def test_what_no_sweep_returns_is_refused_in_one_line(
 def test_a_file_that_is_there_is_replaced(ending: str, tmp_path: Path) -> None:
     file = tmp_path / f"x.{ending}"
     file.write_text("old", encoding="utf-8")
-    export(result(), str(file))
+    write_dataset(result(), str(file))
     assert file.stat().st_size > 1000
     assert list(tmp_path.iterdir()) == [file]
 
@@ -220,13 +221,14 @@ def test_a_file_that_is_there_is_replaced(ending: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("ending", ["nc", "csv"])
 def test_a_folder_that_is_not_there_is_an_error_of_output(ending: str, tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="its folder does not exist; create the folder"):
-        export(result(), tmp_path / "nowhere" / f"x.{ending}")
+        write_dataset(result(), tmp_path / "nowhere" / f"x.{ending}")
 
 
 LIMITED = """
 import resource, sys
 import numpy as np, xarray
-from rocksteady import OutputError, export
+from rocksteady.errors import OutputError
+from rocksteady.export import write_dataset
 data = xarray.Dataset({"value": (("a", "b"), np.random.default_rng(0).random((500, 1000)))})
 resource.setrlimit(resource.RLIMIT_FSIZE, (1_000_000, 1_000_000))
 try:
@@ -252,13 +254,15 @@ MEASURED = """
 import resource, sys
 from pathlib import Path
 import numpy as np
-from rocksteady import Axis, Grid, Output, Run, evaluate, export, open_store
+from rocksteady import Execution, open_store
+from rocksteady.export import write_dataset
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 sys.path.insert(0, sys.argv[2])
 from cases_of_a_large_map import many
 axes = [Axis(name=n, values=np.arange(1000.0)) for n in ("a", "b")]
 outputs = [Output(name=f"o{n}") for n in range(10)]
 folder = Path(sys.argv[2])
-evaluate(many, Grid(axes=axes), outputs, run=Run(store=folder / "x.zarr"), batch=100_000)
+evaluate(many, Grid(axes=axes), outputs, run=Execution(store=folder / "x.zarr"), batch=100_000)
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 export(open_store(folder / "x.zarr"), folder / sys.argv[1])
 print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)

@@ -9,17 +9,10 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import (
-    BaseMotion,
-    Block,
-    InputError,
-    Record,
-    RestitutionBand,
-    Status,
-    Stripes,
-    run_ensemble,
-    write_results_csv,
-)
+from rocksteady import BaseMotion, Block, Record, Status, run_ensemble
+from rocksteady.errors import InputError
+from rocksteady.export import write_runs_csv
+from rocksteady.risk import Levels, RestitutionBand
 
 NAMES = ["=1+1", 'a,"b"\nc', "波 <&>", "@sum"]
 
@@ -36,7 +29,7 @@ def _runs() -> xarray.Dataset:
     return run_ensemble(
         [Block.rectangle(width=0.3, height=1.6), Block.rectangle(width=0.5, height=1.2)],
         suite,
-        stripes=Stripes("pga_g", [0.1, 0.4, 1.5], beside=()),
+        stripes=Levels("pga_g", [0.1, 0.4, 1.5], beside=()),
         restitution=RestitutionBand(draws=2),
     )
 
@@ -47,7 +40,7 @@ def read(file: Path) -> list[dict[str, str]]:
 
 
 def test_every_run_is_there_once_with_its_numbers(runs: xarray.Dataset, tmp_path: Path) -> None:
-    rows = read(write_results_csv(tmp_path / "results.csv", runs))
+    rows = read(write_runs_csv(tmp_path / "results.csv", runs))
     assert len(rows) == runs.status.size == 2 * 4 * 2 * 2 * 2 * 3
     seen = set()
     for row in rows:
@@ -75,7 +68,7 @@ def test_every_run_is_there_once_with_its_numbers(runs: xarray.Dataset, tmp_path
 
 
 def test_a_name_is_no_formula(runs: xarray.Dataset, tmp_path: Path) -> None:
-    rows = read(write_results_csv(tmp_path / "results.csv", runs))
+    rows = read(write_runs_csv(tmp_path / "results.csv", runs))
     assert [name for name, _ in itertools.groupby(row["record"] for row in rows)] == [
         "'=1+1", 'a,"b"\nc', "波 <&>", "'@sum",
     ] * 2  # fmt: skip
@@ -83,5 +76,5 @@ def test_a_name_is_no_formula(runs: xarray.Dataset, tmp_path: Path) -> None:
 
 def test_another_dataset_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="ensemble is no rocking ensemble"):
-        write_results_csv(tmp_path / "results.csv", xarray.Dataset())
+        write_runs_csv(tmp_path / "results.csv", xarray.Dataset())
     assert list(tmp_path.iterdir()) == []

@@ -17,7 +17,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 
-from rocksteady import OutputError
+from rocksteady.errors import OutputError
 from rocksteady.show.export.files import (
     figure_bytes,
     json_text,

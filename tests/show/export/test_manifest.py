@@ -9,18 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BaseMotion,
-    Block,
-    InputError,
-    OutputError,
-    Record,
-    RestitutionBand,
-    Stripes,
-    make_manifest,
-    run_ensemble,
-    write_manifest,
-)
+from rocksteady import BaseMotion, Block, Record, run_ensemble
+from rocksteady.errors import InputError, OutputError
+from rocksteady.export import make_manifest, write_manifest
+from rocksteady.risk import Levels, RestitutionBand
 
 SAMPLES = np.array([0.0, 1.5, -1.0, 0.0])
 SHOCK = Record(acceleration_m_s2=SAMPLES, dt_s=0.3, name='sh"ock <&>\n波')
@@ -51,7 +43,7 @@ def test_seed_model_and_warnings_come_from_the_ensemble(tmp_path: Path) -> None:
     runs = run_ensemble(
         Block.rectangle(width=0.4, height=1.6),
         SHOCK,
-        stripes=Stripes("pga_g", [0.2, 4.0], beside=()),
+        stripes=Levels("pga_g", [0.2, 4.0], beside=()),
         restitution=RestitutionBand(draws=2, seed=7),
     )
     found = make_manifest([SHOCK], ensemble=runs, warnings=["one", "one"])

@@ -11,7 +11,8 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
-from rocksteady import InputError, LossComponent, LossState, OutputError, write_openquake
+from rocksteady.errors import InputError, OutputError
+from rocksteady.export import LossComponent, LossState, write_openquake
 from tests.every import every
 
 QUICK = (Phase.explicit, Phase.generate)

@@ -14,7 +14,8 @@ import pytest
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import InputError, LossComponent, LossState, OutputError, write_pelicun
+from rocksteady.errors import InputError, OutputError
+from rocksteady.export import LossComponent, LossState, write_pelicun
 from rocksteady.show.export.components import probability_of
 from tests.every import every
 

@@ -10,7 +10,7 @@ import pytest
 from rocksteady.errors import InputError, OutputError
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.facade import facade_folder as module
-from rocksteady.show.facade.facade_folder import check_facade_folder, write_facade_folder
+from rocksteady.show.facade.facade_folder import check_facade_folder, write_facade
 from tests.show.facade.checked_facades import SUITE, alone, thin
 
 FILES = ["checks.csv", "facade.json", "report.html", "run.json", "runs.csv"]
@@ -37,7 +37,7 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
     read.write_bytes(b"[facade]")
     out = tmp_path / "answer"
     found = thin()
-    write_facade_folder(
+    write_facade(
         found, out, language="it", motions=SUITE, command="rocksteady facade wall", files=[read]
     )
     assert names(out) == FILES
@@ -72,7 +72,7 @@ def test_every_file_is_there_and_reads_back(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_the_same_check_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("one", "two"):
-        write_facade_folder(alone(), tmp_path / name)
+        write_facade(alone(), tmp_path / name)
     for file in names(tmp_path / "one"):
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
 
@@ -80,7 +80,7 @@ def test_the_same_check_gives_the_same_bytes(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("no_page")
 def test_tables_and_json_do_not_depend_on_the_language(tmp_path: Path) -> None:
     for language in ("en", "it"):
-        write_facade_folder(thin(), tmp_path / language, language=language)
+        write_facade(thin(), tmp_path / language, language=language)
     for file in ("checks.csv", "runs.csv", "facade.json"):
         assert (tmp_path / "en" / file).read_bytes() == (tmp_path / "it" / file).read_bytes()
 
@@ -88,11 +88,11 @@ def test_tables_and_json_do_not_depend_on_the_language(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("no_page")
 def test_only_a_folder_of_ours_is_replaced_and_no_runs_stay_behind(tmp_path: Path) -> None:
     out = tmp_path / "answer"
-    write_facade_folder(thin(), out)
+    write_facade(thin(), out)
     with pytest.raises(OutputError, match=r"it holds checks\.csv and 4 more; add --force"):
-        write_facade_folder(alone(), out)
+        write_facade(alone(), out)
     assert names(out) == FILES
-    write_facade_folder(alone(), out, force=True)
+    write_facade(alone(), out, force=True)
     assert names(out) == [name for name in FILES if name != "runs.csv"]
     (out / "thesis.txt").write_text("years of work", encoding="utf-8")
     with pytest.raises(OutputError, match=r"it holds checks\.csv and 3 more; add --force"):
@@ -109,10 +109,10 @@ def test_what_fails_leaves_nothing_half_written(
         raise OSError(28, "No space left on device")
 
     with pytest.raises(InputError, match="language"):
-        write_facade_folder(alone(), tmp_path / "answer", language="fr")
+        write_facade(alone(), tmp_path / "answer", language="fr")
     monkeypatch.setattr(module, "facade_html", full)
     with pytest.raises(OutputError, match="No space left"):
-        write_facade_folder(alone(), tmp_path / "answer")
+        write_facade(alone(), tmp_path / "answer")
     assert names(tmp_path) == []
 
 
@@ -124,6 +124,6 @@ def test_a_file_that_was_read_is_neither_replaced_nor_removed(name: str, tmp_pat
     (out / name).write_text("a record", encoding="utf-8")
     link.symlink_to(out / name)
     with pytest.raises(OutputError, match="this file is read; name another folder"):
-        write_facade_folder(alone(), out, files=[link], force=True)
+        write_facade(alone(), out, files=[link], force=True)
     assert (out / name).read_text(encoding="utf-8") == "a record"
     assert names(out) == [name]

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
-from rocksteady import InputError, map_attractors, plot_map
+from rocksteady import map_attractors, plots
 from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
+from rocksteady.errors import InputError
 from rocksteady.outcomes import NO_START
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.maps import map_figure
@@ -47,7 +48,7 @@ def line() -> xarray.Dataset:
 
 
 def test_over_one_axis_the_extrema_of_each_orbit_are_dots_of_its_class() -> None:
-    axes = plot_map(line(), Figure().add_subplot())
+    axes = plots.outcomes(line(), Figure().add_subplot())
     assert axes.get_title(loc="left") == "amplitude = 2"
     assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
     seen = {
@@ -69,7 +70,7 @@ def test_over_one_axis_the_extrema_of_each_orbit_are_dots_of_its_class() -> None
 
 
 def test_the_strip_has_the_class_of_each_value() -> None:
-    axes = plot_map(line(), Figure().add_subplot())
+    axes = plots.outcomes(line(), Figure().add_subplot())
     for cell in range(161):
         x = float(line().frequency_ratio[cell])
         covering = {
@@ -83,7 +84,7 @@ def test_the_strip_has_the_class_of_each_value() -> None:
 
 def test_nothing_is_drawn_of_cells_that_hold_nothing() -> None:
     data = drawn_up({"amplitude": [1.0, 2.0, 3.0], "phase": [0.0]}, [[3], [NO_START], [BLANK]])
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     drawn = np.concatenate([np.asarray(dots.get_xdata()) for dots in axes.lines])
     assert set(drawn.tolist()) <= {1.0}
     assert axes.get_title(loc="left") == "phase at the start = 0 rad"
@@ -93,13 +94,13 @@ def test_axes_with_one_value_and_selected_values_stand_in_the_title() -> None:
     data = drawn_up(
         {"amplitude": [1.0, 2.0], "phase": [0.5], "radius": [2.0], "frequency_ratio": [1.0, 2.0]}
     )
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     assert axes.get_title(loc="left") == "phase at the start = 0.5 rad, half-diagonal = 2 m"
     axes = Figure().add_subplot()
     axes.set_title("mine", loc="left")
-    assert plot_map(found(), axes).get_title(loc="left") == "mine"
+    assert plots.outcomes(found(), axes).get_title(loc="left") == "mine"
     chosen = random_map({"restitution": [0.7, 0.8], "amplitude": [1, 2], "frequency_ratio": [1, 2]})
-    axes = plot_map(chosen.sel(restitution=0.7), Figure().add_subplot())
+    axes = plots.outcomes(chosen.sel(restitution=0.7), Figure().add_subplot())
     assert axes.get_title(loc="left") == "restitution = 0.7"
 
 
@@ -172,17 +173,17 @@ def test_what_cannot_be_drawn_is_refused_in_one_line(data: Any, line: str) -> No
 def test_three_axes_on_one_pair_of_axes_are_refused_before_a_figure_is_made() -> None:
     before = plt.get_fignums()
     with pytest.raises(InputError, match="draw panels with rocksteady map"):
-        plot_map(of_axes(2, 2, 2))
+        plots.outcomes(of_axes(2, 2, 2))
     assert plt.get_fignums() == before
     with pytest.raises(InputError, match="highest"):
-        plot_map(of_axes(3).drop_vars("highest"), Figure().add_subplot())
+        plots.outcomes(of_axes(3).drop_vars("highest"), Figure().add_subplot())
 
 
 def test_an_unknown_kind_is_refused() -> None:
     data = of_axes(2, 2)
     data.kind.attrs["flag_meanings"] = "symmetric unsymmetric rest flying aperiodic undecided x"
     with pytest.raises(InputError, match="flying"):
-        plot_map(data, Figure().add_subplot())
+        plots.outcomes(data, Figure().add_subplot())
 
 
 class Stored(BackendArray):
@@ -210,7 +211,7 @@ def test_of_a_store_only_kind_and_period_are_read_and_once() -> None:
         }
     )
     axes = Figure().add_subplot()
-    plot_map(data, axes)
+    plots.outcomes(data, axes)
     assert {name for name, array in stored.items() if array.read} == {"kind", "period"}
     assert stored["kind"].read == stored["period"].read == 1
     assert_drawn(axes, found(), "frequency_ratio", "amplitude")
@@ -218,7 +219,7 @@ def test_of_a_store_only_kind_and_period_are_read_and_once() -> None:
 
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings() -> None:
     settings = dict(mpl.rcParams)
-    axes = plot_map(found())
+    axes = plots.outcomes(found())
     try:
         assert plt.gcf() is axes.figure
         assert dict(mpl.rcParams) == settings

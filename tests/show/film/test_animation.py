@@ -19,24 +19,22 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
-    ModelError,
     Piecewise,
-    Segment,
     State,
     Steady,
     Still,
-    Trajectory,
-    animate,
-    named_block,
     simulate,
 )
+from rocksteady.errors import InputError, ModelError
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Segment
+from rocksteady.plots import animate
 from rocksteady.show.film.animation import Film, film_of
 from rocksteady.show.film.gif import save_gif
 
 BARE = DimensionlessBlock(restitution=0.8)
-BLOCK = named_block("tso-wong-1989")  # p = 2 pi rad/s: Omega is the frequency in Hz
+BLOCK = Block.named("tso-wong-1989")  # p = 2 pi rad/s: Omega is the frequency in Hz
 
 
 def shaken(cycles: float = 10.0, ratio: float = 1.7, bare: bool = False) -> Trajectory:

@@ -17,13 +17,10 @@ from rocksteady import (
     Pulse,
     State,
     Still,
-    Trajectory,
-    plot_base,
-    plot_block,
-    plot_phase_portrait,
-    plot_trajectory,
+    plots,
     simulate,
 )
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Model
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._scene import BlockScene
@@ -60,7 +57,7 @@ def test_the_wall_stands_at_the_edge_on_which_the_block_does_not_turn(
     block: Block | DimensionlessBlock, paper: str
 ) -> None:
     run = rocked(block, Linear())
-    axes = plot_block(run, 0.5 * float(run.impacts.pt[0]), new_axes(paper))
+    axes = plots.block(run, 0.5 * float(run.impacts.pt[0]), new_axes(paper))
     (wall,) = walls(axes)
     shape = shape_of(run)
     assert wall.get_x() == pytest.approx(shape.half_width)
@@ -72,7 +69,7 @@ def test_the_wall_stands_at_the_edge_on_which_the_block_does_not_turn(
     assert (corners[..., 0] <= shape.half_width + 1e-12).all()
     low, high = axes.get_ylim()
     assert low < 0.0 < wall.get_height() < high
-    assert not walls(plot_block(rocked(FREE), 0.5, new_axes(paper)))
+    assert not walls(plots.block(rocked(FREE), 0.5, new_axes(paper)))
 
 
 def test_the_ring_of_an_impact_is_where_the_top_strikes_the_wall() -> None:
@@ -90,7 +87,7 @@ def test_the_ring_of_an_impact_is_where_the_top_strikes_the_wall() -> None:
 def test_one_mark_lifts_the_block(model: Model) -> None:
     run = rocked(FACADE, model)
     lift = 1.0 if isinstance(model, Linear) else math.tan(FACADE.alpha) / FACADE.alpha
-    dashed = [line for line in plot_base(run, new_axes()).lines if line.get_linestyle() == "--"]
+    dashed = [line for line in plots.base(run, new_axes()).lines if line.get_linestyle() == "--"]
     assert [float(np.unique(line.get_ydata())[0]) for line in dashed] == [pytest.approx(lift)]
     scene = BlockScene(new_axes(), run, np.array([0.0]))
     assert list(scene.uplifts) == [pytest.approx(lift)]
@@ -106,7 +103,7 @@ def hatched(axes: Axes) -> int:
 @every("paper", ["white", "black"])
 def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
     run = simulate(FACADE, Still(), start=State(angle=start, velocity=0.0))
-    axes = plot_trajectory(run, new_axes(paper))
+    axes = plots.trajectory(run, new_axes(paper))
     low, high = axes.get_ylim()
     assert high > min(start, 1.0)
     assert -0.15 * high < low < 0.0
@@ -114,7 +111,7 @@ def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
     face = [line for line in axes.lines if set(np.ravel(line.get_ydata())) == {0.0}]
     assert any(line.get_color() == inks_of(axes).ink for line in face)
     assert "+" not in axes.get_ylabel()
-    free = plot_trajectory(
+    free = plots.trajectory(
         simulate(FREE, Still(), start=State(angle=start, velocity=0.0)), new_axes(paper)
     )
     assert not hatched(free)
@@ -122,7 +119,7 @@ def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
 
 def test_the_phase_plane_ends_in_the_wall() -> None:
     run = rocked(FACADE)
-    axes = plot_phase_portrait(run, new_axes())
+    axes = plots.phase_portrait(run, new_axes())
     low, high = axes.get_xlim()
     assert high > run.peak
     assert -0.15 * high < low < 0.0

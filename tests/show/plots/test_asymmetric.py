@@ -7,20 +7,9 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    State,
-    Still,
-    Trajectory,
-    plot_base,
-    plot_block,
-    plot_phase_portrait,
-    plot_trajectory,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, State, Still, plots, simulate
+from rocksteady.errors import InputError
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._scene import BlockScene
@@ -86,17 +75,17 @@ def test_a_dimensionless_block_is_drawn_with_the_ratio_of_its_slendernesses() ->
 def test_time_histories_have_a_line_at_the_balance_of_either_side() -> None:
     run = simulate(BLOCK, SHAKEN, cycles=5)
     lean = BLOCK.negative.alpha / BLOCK.alpha
-    for axes in (plot_trajectory(run, new_axes()), plot_base(run, new_axes())):
+    for axes in (plots.trajectory(run, new_axes()), plots.base(run, new_axes())):
         levels = [np.unique(np.asarray(line.get_ydata(), dtype=float)) for line in axes.lines]
         flat = sorted(level.item() for level in levels if level.size == 1 and level[0] != 0.0)
         assert flat == pytest.approx([-lean, 1.0])
         assert r"\alpha_+" in axes.get_ylabel()
-    assert r"\alpha_+" in plot_phase_portrait(run, new_axes()).get_xlabel()
+    assert r"\alpha_+" in plots.phase_portrait(run, new_axes()).get_xlabel()
 
 
 def test_a_fall_to_its_flatter_side_is_shown_beyond_the_balance_there() -> None:
     run = simulate(UNLIKE, Still(), start=State(angle=0.0, velocity=-2.5))
-    low, high = plot_trajectory(run, new_axes()).get_ylim()
+    low, high = plots.trajectory(run, new_axes()).get_ylim()
     assert low < -1.8
     assert high > 1.0
 
@@ -118,7 +107,7 @@ def test_in_the_nonlinear_model_it_lifts_at_the_tangent_of_either_alpha() -> Non
         -math.tan(BLOCK.negative.alpha) / BLOCK.alpha,
         math.tan(BLOCK.positive.alpha) / BLOCK.alpha,
     ]
-    levels = [np.unique(np.asarray(line.get_ydata())) for line in plot_base(run, new_axes()).lines]
+    levels = [np.unique(np.asarray(line.get_ydata())) for line in plots.base(run, new_axes()).lines]
     flat = sorted(level.item() for level in levels if level.size == 1 and level[0] != 0.0)
     assert flat == pytest.approx(lifts)
     film = film_of(run, fps=10)
@@ -142,5 +131,5 @@ def test_words_of_a_film_tell_both_sides() -> None:
 
 def test_plot_block_draws_it() -> None:
     run = simulate(BLOCK, Still(), start=State(angle=-1.5, velocity=0.0), model=Linear())
-    axes = plot_block(run, 0.0, new_axes())
+    axes = plots.block(run, 0.0, new_axes())
     assert "α₊" in axes.texts[1].get_text()

@@ -12,8 +12,9 @@ import xarray
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, InputError, State, map_fates, plot_map
+from rocksteady import DimensionlessBlock, State, map_fates, plots
 from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
+from rocksteady.errors import InputError
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 
@@ -37,7 +38,7 @@ def found(**axes: Any) -> xarray.Dataset:
 def test_each_cell_has_the_fill_of_its_fate() -> None:
     data = found(amplitude=np.linspace(0.5, 5.0, 30))
     data.fate[:3, :3] = np.array([-1, BLANK, 1], dtype=np.int8)
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     (image,) = axes.images
     drawn = np.asarray(image.get_array())
     wanted = np.vectorize(CLASS_OF.get)(data.fate.values)
@@ -52,7 +53,7 @@ def test_each_cell_has_the_fill_of_its_fate() -> None:
 def test_over_one_axis_the_fates_fill_the_axes() -> None:
     data = found()
     data.fate[0] = BLANK
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     assert (len(axes.lines), len(axes.get_yticks())) == (0, 0)
     for band in axes.collections:
         fill = to_hex(np.asarray(band.get_facecolor())[0])

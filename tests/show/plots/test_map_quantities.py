@@ -13,8 +13,9 @@ import xarray
 from matplotlib.colors import to_hex, to_rgba
 from matplotlib.figure import Figure
 
-from rocksteady import InputError, map_fates, plot_map
+from rocksteady import map_fates, plots
 from rocksteady.dynamics.maps.cell_classes import BLANK
+from rocksteady.errors import InputError
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import map_cells
 from rocksteady.show.plots.map_quantities import MOST_PERIODS, shade_of, with_values
@@ -49,7 +50,7 @@ def image_of(axes: Any) -> Any:
 
 
 def test_exponents_are_drawn_about_zero_and_the_rest_is_set_apart() -> None:
-    axes = plot_map(made(), Figure().add_subplot(), by="lyapunov")
+    axes = plots.outcomes(made(), Figure().add_subplot(), by="lyapunov")
     values = image_of(axes)
     assert values.mask.all(axis=1).tolist() == [True, False, False, True]
     assert values[1].tolist() == [-0.4] * 6
@@ -64,7 +65,7 @@ def test_exponents_are_drawn_about_zero_and_the_rest_is_set_apart() -> None:
 
 
 def test_a_peak_above_one_has_a_line_around_it() -> None:
-    axes = plot_map(made(), Figure().add_subplot(), by="peak")
+    axes = plots.outcomes(made(), Figure().add_subplot(), by="peak")
     assert image_of(axes)[2].tolist() == pytest.approx([1.2] * 6)
     (line,) = (path for each in axes.collections for path in each.get_paths())
     assert np.asarray(line.vertices)[:, 1] == pytest.approx(2.0 + (1.0 - 0.5) / (1.2 - 0.5))
@@ -75,7 +76,7 @@ def test_periods_have_fills_of_their_own_and_long_ones_share_one() -> None:
     data = made()
     data["period"][1] = [1, 2, 3, MOST_PERIODS, MOST_PERIODS + 1, 40]
     data["kind"][1, :2] = 1
-    axes = plot_map(data, Figure().add_subplot(), by="period")
+    axes = plots.outcomes(data, Figure().add_subplot(), by="period")
     image: Any = axes.images[-1]
     fills = [to_hex(image.cmap(image.norm(value))) for value in image.get_array()[1]]
     own = [palette.PERIODS[k - 1] for k in (1, 2, 3, MOST_PERIODS)]
@@ -105,7 +106,7 @@ def test_axes_in_any_order_keep_each_value_at_its_cell() -> None:
 def test_cells_not_computed_have_no_value_whatever_stands_there() -> None:
     data = made()
     data["kind"][1] = BLANK
-    axes = plot_map(data, Figure().add_subplot(), by="lyapunov")
+    axes = plots.outcomes(data, Figure().add_subplot(), by="lyapunov")
     assert image_of(axes).mask[1].all()
     assert "not computed  25.0 %" in legend_of(axes)
 
@@ -118,7 +119,7 @@ def test_exponents_that_tend_to_minus_infinity_do_not_stretch_the_colours() -> N
     assert shade.extend == "min"
     # Through the renderer, which shows what lies below the class in place of what is infinite.
     figure = Figure(figsize=(4.0, 3.0), dpi=100.0)
-    axes = plot_map(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)), by="lyapunov", legend="none")
+    axes = plots.outcomes(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)), by="lyapunov", legend="none")
     stream = BytesIO()
     figure.savefig(stream, format="rgba", dpi=100.0)
     pixels = np.frombuffer(stream.getvalue(), dtype=np.uint8).reshape(300, 400, 4)
@@ -130,17 +131,17 @@ def test_exponents_that_tend_to_minus_infinity_do_not_stretch_the_colours() -> N
 def test_what_a_map_does_not_have_is_refused() -> None:
     fates = map_fates(BLOCK, axes=PLANE, cycles=5)
     with pytest.raises(InputError, match="fates is coloured by class"):
-        plot_map(fates, Figure().add_subplot(), by="lyapunov")
+        plots.outcomes(fates, Figure().add_subplot(), by="lyapunov")
     with pytest.raises(InputError, match="one of class, period, lyapunov, peak"):
-        plot_map(found(), Figure().add_subplot(), by="impacts")  # type: ignore[arg-type]
+        plots.outcomes(found(), Figure().add_subplot(), by="impacts")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="lyapunov"):
-        plot_map(drawn_up(PLANE), Figure().add_subplot(), by="lyapunov")
+        plots.outcomes(drawn_up(PLANE), Figure().add_subplot(), by="lyapunov")
 
 
 @every("by", ["period", "lyapunov", "peak"])
 def test_over_one_axis_the_quantity_is_a_diagram(by: Any) -> None:
     line = found().sel(amplitude=2.0, method="nearest")
-    axes = plot_map(line, Figure().add_subplot(), by=by)
+    axes = plots.outcomes(line, Figure().add_subplot(), by=by)
     drawn = np.concatenate([np.asarray(each.get_ydata()) for each in axes.lines])
     expected = {
         "period": line.period.where(line.period > 0),
@@ -158,7 +159,7 @@ def test_over_one_axis_the_quantity_is_a_diagram(by: Any) -> None:
 @every("sign", [-1.0, 1.0])
 def test_0_is_in_view_beside_exponents_of_one_sign(sign: float) -> None:
     line = made().isel(amplitude=2)
-    axes = plot_map(
+    axes = plots.outcomes(
         line.assign(lyapunov=sign * line.lyapunov), Figure().add_subplot(), by="lyapunov"
     )
     low, high = axes.get_ylim()

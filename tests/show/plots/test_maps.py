@@ -16,7 +16,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rocksteady import Steady, map_attractors, plot_map
+from rocksteady import Steady, map_attractors, plots
 from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
@@ -37,7 +37,7 @@ from tests.show.drawn_maps import (
 
 def test_each_cell_has_the_fill_of_its_class_at_its_place() -> None:
     axes = Figure().add_subplot()
-    assert plot_map(found(), axes) is axes
+    assert plots.outcomes(found(), axes) is axes
     assert_drawn(axes, found(), "frequency_ratio", "amplitude")
     assert len(map_cells(found()).shares()) >= 4
 
@@ -61,7 +61,7 @@ def test_every_spacing_and_order_is_drawn_where_it_belongs(
 ) -> None:
     data = random_map({"amplitude": spread[0], "frequency_ratio": spread[1]})
     given = data.transpose("frequency_ratio", "amplitude") if turned else data
-    axes = plot_map(given, Figure().add_subplot())
+    axes = plots.outcomes(given, Figure().add_subplot())
     assert_drawn(axes, data, "frequency_ratio", "amplitude")
     for scale, limits, values in (
         (axes.get_xscale(), axes.get_xlim(), spread[1]),
@@ -81,7 +81,7 @@ def test_the_picture_itself_has_each_cell_where_the_axes_say(up: float, right: f
     kind = np.random.default_rng(3).choice([0, 1, 2, 3, 4], (6, 8))
     data = drawn_up(spaced, kind, np.where(kind < 2, 1, 0))
     figure = Figure(figsize=(5.0, 4.0), dpi=100.0)
-    axes = plot_map(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)))
+    axes = plots.outcomes(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)))
     stream = BytesIO()
     figure.savefig(stream, format="rgba", dpi=100.0)
     pixels = np.frombuffer(stream.getvalue(), dtype=np.uint8).reshape(400, 500, 4)
@@ -104,14 +104,14 @@ def test_cells_reach_half_way_to_their_neighbours() -> None:
 
 
 def test_the_limits_are_the_edges_and_no_amplitude_is_negative() -> None:
-    axes = plot_map(
+    axes = plots.outcomes(
         drawn_up({"amplitude": [0.5, 2.5, 4.5], "frequency_ratio": [1.0, 2.0, 3.0]}),
         Figure().add_subplot(),
     )
     assert axes.get_xlim() == pytest.approx((0.5, 3.5))
     assert axes.get_ylim() == pytest.approx((0.0, 5.5))
     signed = drawn_up({"angle": [-1.0, 0.0, 1.0], "velocity": [0.0, 1.0, 2.0]})
-    axes = plot_map(signed, Figure().add_subplot())
+    axes = plots.outcomes(signed, Figure().add_subplot())
     assert axes.get_xlim() == pytest.approx((-1.5, 1.5))
     assert axes.get_ylim() == pytest.approx((-0.5, 2.5))
     assert axes.get_xlabel() == palette.axis_label("angle")
@@ -119,9 +119,9 @@ def test_the_limits_are_the_edges_and_no_amplitude_is_negative() -> None:
 
 def test_without_a_frequency_the_first_axis_goes_upwards() -> None:
     data = random_map({"restitution": [0.7, 0.8, 0.9], "amplitude": [1.0, 2.0]})
-    assert_drawn(plot_map(data, Figure().add_subplot()), data, "amplitude", "restitution")
+    assert_drawn(plots.outcomes(data, Figure().add_subplot()), data, "amplitude", "restitution")
     data = random_map({"frequency_hz": [0.5, 1.0, 1.5], "acceleration_m_s2": [1.0, 2.0]})
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     assert_drawn(axes, data, "frequency_hz", "acceleration_m_s2")
 
 
@@ -144,7 +144,7 @@ def test_every_axis_of_a_map_has_a_label(name: str) -> None:
 
 @pytest.mark.parametrize("data", [found(), random_map({"phase": range(7), "kick": range(9)})])
 def test_the_legend_has_each_class_that_occurs_with_its_share(data: xarray.Dataset) -> None:
-    legend = plot_map(data, Figure().add_subplot()).get_legend()
+    legend = plots.outcomes(data, Figure().add_subplot()).get_legend()
     assert legend is not None
     entries = [text.get_text().rsplit("  ", 1) for text in legend.get_texts()]
     names = [str(name) for name in data.dims]
@@ -172,7 +172,7 @@ def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
     data = drawn_up(
         {"amplitude": np.arange(1.0, 13.0), "frequency_ratio": np.arange(1.0, 6.0)}, kind
     )
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     hatches = [one.hatches for one in axes.collections if hasattr(one, "hatches")]
     assert sorted(hatches) == sorted([[LOOKS[c].hatch] for c in CellClass if LOOKS[c].hatch])
     legend = axes.get_legend()
@@ -197,7 +197,7 @@ def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
 def test_a_steady_start_that_does_not_exist_is_not_rest() -> None:
     axes = {"amplitude": [0.05, 1.0], "frequency_ratio": [1.0, 3.0]}
     data = map_attractors(BLOCK, axes=axes, start=Steady())
-    legend = plot_map(data, Figure().add_subplot()).get_legend()
+    legend = plots.outcomes(data, Figure().add_subplot()).get_legend()
     assert legend is not None
     assert any(text.get_text().startswith("no such start") for text in legend.get_texts())
 
@@ -232,7 +232,7 @@ def test_of_too_many_cells_some_are_drawn_and_all_are_counted(
     monkeypatch.setattr(maps, "MOST_MESHED", 20)
     up, right = np.linspace(1.0, 2.0, 53), np.linspace(1.0, 3.0, 71)
     data = random_map({"amplitude": up if even else up**2, "frequency_ratio": right})
-    axes = plot_map(data, Figure().add_subplot())
+    axes = plots.outcomes(data, Figure().add_subplot())
     artist: Any = axes.images[0] if even else axes.collections[0]
     drawn = np.asarray(artist.get_array())
     assert drawn.shape == (20, 20)

@@ -19,17 +19,15 @@ from matplotlib.patches import Circle
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    ModelError,
-    Orbit,
     State,
     Still,
     find_attractor,
     find_orbits,
-    plot_multipliers,
-    plot_phase_portrait,
-    plot_section,
+    plots,
     simulate,
 )
+from rocksteady.errors import ModelError
+from rocksteady.orbits import Orbit
 from rocksteady.show.figures.single import cloud_figure, orbit_figure, orbits_figure
 from rocksteady.show.style import palette
 from tests.every import every
@@ -52,19 +50,19 @@ def resting() -> Orbit:
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
-    "section": lambda ax: plot_section(found(), ax),
-    "cloud": lambda ax: plot_section(simulate(*CHAOTIC, cycles=60), ax),
-    "multipliers": lambda ax: plot_multipliers(found(), ax),
-    "to scale": lambda ax: plot_multipliers([found()[2]], ax),
-    "portrait": lambda ax: plot_phase_portrait(found()[2].trajectory(), ax, mark="impacts"),
-    "resting": lambda ax: plot_section([resting()], ax),
-    "nothing": lambda ax: plot_section([], ax),
-    "no multipliers": lambda ax: plot_multipliers([], ax),
+    "section": lambda ax: plots.poincare_section(found(), ax),
+    "cloud": lambda ax: plots.poincare_section(simulate(*CHAOTIC, cycles=60), ax),
+    "multipliers": lambda ax: plots.multipliers(found(), ax),
+    "to scale": lambda ax: plots.multipliers([found()[2]], ax),
+    "portrait": lambda ax: plots.phase_portrait(found()[2].trajectory(), ax, mark="impacts"),
+    "resting": lambda ax: plots.poincare_section([resting()], ax),
+    "nothing": lambda ax: plots.poincare_section([], ax),
+    "no multipliers": lambda ax: plots.multipliers([], ax),
 }
-plots = every("draw", PLOTS.values())
+drawings = every("draw", PLOTS.values())
 
 
-@plots
+@drawings
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -75,7 +73,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
-@plots
+@drawings
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -118,7 +116,7 @@ def legend_of(axes: Axes) -> list[str]:
 
 def test_the_section_is_the_states_of_every_orbit_that_is_a_motion() -> None:
     listed = found()
-    axes = plot_section(listed, Figure().add_subplot())
+    axes = plots.poincare_section(listed, Figure().add_subplot())
     drawn = set().union(*(points(line) for line in marks(axes)))
     assert drawn == {
         (state.phase, state.speed) for orbit in listed if orbit.admissible for state in orbit.states
@@ -129,7 +127,7 @@ def test_the_section_is_the_states_of_every_orbit_that_is_a_motion() -> None:
 def test_the_mark_of_a_state_tells_side_stability_and_period() -> None:
     listed = [orbit for orbit in found() if orbit.admissible]
     assert {orbit.stable for orbit in listed} == {True, False}
-    axes = plot_section(listed, Figure().add_subplot())
+    axes = plots.poincare_section(listed, Figure().add_subplot())
     styles = {point: line for line in marks(axes) for point in points(line)}
     for orbit in listed:
         for state in orbit.states:
@@ -151,8 +149,8 @@ def test_what_is_neutral_is_neither_filled_nor_hollow() -> None:
     listed = found(4.0, restitution=1.0)[:1]
     assert listed[0].neutral
     for axes in (
-        plot_section(listed, Figure().add_subplot()),
-        plot_multipliers(listed, Figure().add_subplot()),
+        plots.poincare_section(listed, Figure().add_subplot()),
+        plots.multipliers(listed, Figure().add_subplot()),
     ):
         assert {line.get_fillstyle() for line in marks(axes)} == {"left"}
         assert "neutral" in legend_of(axes)
@@ -162,7 +160,7 @@ def test_orbits_have_the_numbers_of_their_order_and_one_alone_has_none() -> None
     listed = found()
     numbers = [str(k) for k, orbit in enumerate(listed, start=1) if orbit.admissible]
     assert "2" not in numbers
-    for plot in (plot_section, plot_multipliers):
+    for plot in (plots.poincare_section, plots.multipliers):
         texts = [text.get_text() for text in plot(listed, Figure().add_subplot()).texts]
         assert [text for text in texts if text.isdigit() and text != "10"] == [
             number for number in numbers if number != "10"
@@ -185,7 +183,7 @@ def test_the_numbers_do_not_lie_on_one_another() -> None:
 def test_a_section_of_a_trajectory_is_its_impacts_from_a_time_on() -> None:
     run = simulate(*CHAOTIC, cycles=300)
     since = 0.5 * run.end_time_pt
-    axes = plot_section(run, Figure().add_subplot(), since=since)
+    axes = plots.poincare_section(run, Figure().add_subplot(), since=since)
     impacts = run.impacts
     late = impacts.pt >= since
     after = impacts.velocity_after[late]
@@ -202,7 +200,7 @@ def test_a_section_of_a_trajectory_is_its_impacts_from_a_time_on() -> None:
 def test_a_section_needs_harmonic_shaking() -> None:
     run = simulate(BARE, Still(), start=State(angle=0.5, velocity=0.0))
     with pytest.raises(ModelError, match="harmonic"):
-        plot_section(run, Figure().add_subplot())
+        plots.poincare_section(run, Figure().add_subplot())
 
 
 # ----------------------------------------------------------------------------- multipliers
@@ -215,7 +213,7 @@ def circles(axes: Axes) -> list[float]:
 def test_multipliers_near_the_circle_are_to_scale() -> None:
     orbit = found()[2]
     assert orbit.stable
-    axes = plot_multipliers([orbit], Figure().add_subplot())
+    axes = plots.multipliers([orbit], Figure().add_subplot())
     (line,) = marks(axes)
     assert points(line) == {(m.real, m.imag) for m in orbit.multipliers.tolist()}
     assert circles(axes) == [1.0, 1.0], "the disk and its edge"
@@ -225,7 +223,7 @@ def test_multipliers_near_the_circle_are_to_scale() -> None:
 
 def test_far_multipliers_are_at_their_angle_and_the_logarithm_of_their_modulus() -> None:
     listed = [orbit for orbit in found() if orbit.admissible]
-    axes = plot_multipliers(listed, Figure().add_subplot())
+    axes = plots.multipliers(listed, Figure().add_subplot())
     decades = 7.0
     assert 1e6 < max(orbit.largest_multiplier for orbit in listed) < 1e7
     lines = marks(axes)
@@ -256,7 +254,7 @@ def test_far_multipliers_are_at_their_angle_and_the_logarithm_of_their_modulus()
 
 
 def test_multipliers_of_a_rest_lie_at_0() -> None:
-    (line,) = marks(plot_multipliers([resting()], Figure().add_subplot()))
+    (line,) = marks(plots.multipliers([resting()], Figure().add_subplot()))
     assert points(line) == {(0.0, 0.0)}
 
 
@@ -300,7 +298,7 @@ def test_what_passes_through_the_floor_has_no_course() -> None:
 
 def test_the_portrait_of_an_orbit_is_closed_with_a_mark_after_each_impact() -> None:
     for orbit in found()[2:6]:
-        axes = plot_phase_portrait(orbit.trajectory(), Figure().add_subplot(), mark="impacts")
+        axes = plots.phase_portrait(orbit.trajectory(), Figure().add_subplot(), mark="impacts")
         path, states = axes.lines
         angle, velocity = (np.asarray(v, dtype=float) for v in path.get_data())
         assert angle[0] == angle[-1] == 0.0

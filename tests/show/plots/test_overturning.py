@@ -17,18 +17,11 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.path import Path
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    InputError,
-    OverturningWindows,
-    find_overturning_windows,
-    free_rocking_period,
-    overturning_threshold,
-    plot_free_rocking,
-    plot_overturning,
-)
+from rocksteady import Block, DimensionlessBlock, find_overturning_windows, plots
+from rocksteady.errors import InputError
+from rocksteady.formulas import free_rocking_period, overturning_amplitude
 from rocksteady.model.equations import Nonlinear
+from rocksteady.overturning import OverturningWindows
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
@@ -42,18 +35,18 @@ def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
-    "sine": lambda ax: plot_overturning(found(), ax),
-    "cosine": lambda ax: plot_overturning(found("one-cosine"), ax),
-    "wavelet": lambda ax: plot_overturning(found("type-c1"), ax),
-    "short": lambda ax: plot_overturning(found("half-sine", 3.0), ax),
-    "free": lambda ax: plot_free_rocking([0.9, 0.7], ax),
-    "bare": lambda ax: plot_free_rocking((), ax),
+    "sine": lambda ax: plots.overturning(found(), ax),
+    "cosine": lambda ax: plots.overturning(found("one-cosine"), ax),
+    "wavelet": lambda ax: plots.overturning(found("type-c1"), ax),
+    "short": lambda ax: plots.overturning(found("half-sine", 3.0), ax),
+    "free": lambda ax: plots.free_rocking([0.9, 0.7], ax),
+    "bare": lambda ax: plots.free_rocking((), ax),
 }
-plots = every("draw", PLOTS.values())
+drawings = every("draw", PLOTS.values())
 
 
 @pytest.mark.slow
-@plots
+@drawings
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -65,7 +58,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
 
 
 @pytest.mark.slow
-@plots
+@drawings
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -95,7 +88,7 @@ def fill_at(axes: Axes, x: float, y: float) -> str | None:
 @pytest.mark.parametrize("shape", ["one-sine", "one-cosine"])
 def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
     windows = found(shape)
-    axes = plot_overturning(windows, Figure().add_subplot())
+    axes = plots.overturning(windows, Figure().add_subplot())
     colour = {least: fill for _, fill, least in MODES}
     seen = set()
     for index in range(1, 35):
@@ -109,17 +102,17 @@ def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
 
 
 def test_the_closed_form_is_drawn_where_there_is_one() -> None:
-    (line,) = plot_overturning(found(), Figure().add_subplot()).lines
+    (line,) = plots.overturning(found(), Figure().add_subplot()).lines
     x, y = (np.asarray(data, dtype=np.float64) for data in line.get_data())
-    np.testing.assert_array_equal(y, overturning_threshold("one-sine", x))
-    assert not plot_overturning(found(), Figure().add_subplot(), closed_form=False).lines
-    assert not plot_overturning(found("type-c1"), Figure().add_subplot()).lines
+    np.testing.assert_array_equal(y, overturning_amplitude("one-sine", x))
+    assert not plots.overturning(found(), Figure().add_subplot(), closed_form=False).lines
+    assert not plots.overturning(found("type-c1"), Figure().add_subplot()).lines
 
 
 def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
     full = find_overturning_windows(block, "one-sine", [4.0, 5.0], model=Nonlinear())
-    axes = plot_overturning(full, Figure().add_subplot())
+    axes = plots.overturning(full, Figure().add_subplot())
     (line,) = axes.lines
     assert line.get_label() == "without an impact, linear model"
     assert line.get_linestyle() == "--"
@@ -131,7 +124,7 @@ def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
 
 def test_the_legend_names_what_is_there_and_no_more() -> None:
     def words(shape: str, top: float) -> list[str]:
-        legend = plot_overturning(found(shape, top), Figure().add_subplot()).get_legend()
+        legend = plots.overturning(found(shape, top), Figure().add_subplot()).get_legend()
         assert legend is not None
         return [text.get_text() for text in legend.get_texts()]
 
@@ -141,20 +134,20 @@ def test_the_legend_names_what_is_there_and_no_more() -> None:
 
 
 def test_a_tall_range_is_logarithmic_and_a_short_one_is_not() -> None:
-    assert plot_overturning(found(), Figure().add_subplot()).get_yscale() == "log"
+    assert plots.overturning(found(), Figure().add_subplot()).get_yscale() == "log"
     assert (
-        plot_overturning(found("half-sine", 3.0), Figure().add_subplot()).get_yscale() == "linear"
+        plots.overturning(found("half-sine", 3.0), Figure().add_subplot()).get_yscale() == "linear"
     )
 
 
 def test_one_frequency_is_no_spectrum() -> None:
     one = find_overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0])
     with pytest.raises(InputError, match="two or more"):
-        plot_overturning(one, Figure().add_subplot())
+        plots.overturning(one, Figure().add_subplot())
 
 
 def test_the_curve_of_free_rocking_is_the_closed_form_with_its_marks_on_it() -> None:
-    curve, *marks = plot_free_rocking([0.9, 0.7], Figure().add_subplot()).lines
+    curve, *marks = plots.free_rocking([0.9, 0.7], Figure().add_subplot()).lines
     for line in (curve, *marks):
         x, y = (np.asarray(data, dtype=np.float64) for data in line.get_data())
         np.testing.assert_allclose(y, free_rocking_period(x), rtol=1e-14)
@@ -177,7 +170,7 @@ def drawn(*ends: tuple[float, float, int, float, float, int]) -> Axes:
         impacts=rows[..., 2].astype(int),
         side=np.ones(rows.shape[:2], dtype=int),
     )
-    return plot_overturning(windows, Figure().add_subplot())
+    return plots.overturning(windows, Figure().add_subplot())
 
 
 def test_a_narrow_window_that_leans_is_drawn_through_to_the_next_frequency() -> None:

@@ -3,7 +3,8 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from rocksteady import BandNoise, Block, DimensionlessBlock, Pulse, compute_noise_fates
+from rocksteady import Block, DimensionlessBlock, Pulse, compute_noise_fates
+from rocksteady.motions import BandNoise
 from rocksteady.show.plots.overturning_noise import plot_noise_fates
 
 NOISE = BandNoise(rms=1.0, band=(0.5, 6.0), duration=8.0, seed=3)

@@ -9,21 +9,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Impulses,
-    Piecewise,
-    Pulse,
-    Segment,
-    SyntheticMotion,
-    Trajectory,
-    plot_base,
-    plot_trajectory,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Piecewise, Pulse, SyntheticMotion, plots, simulate
 from rocksteady.dynamics.history import base_motion
+from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear
+from rocksteady.motions import Impulses, Segment
 from rocksteady.show.film._playback import FEWEST_A_PERIOD
 from rocksteady.show.film.animation import film_of
 from tests.every import every
@@ -51,7 +41,7 @@ def arrows(axes: Axes, marker: str) -> tuple[Floats, Floats]:
 @every("name", ["rectangle", "decaying-ramp", "one-cosine", "type-c1"])
 def test_a_step_of_the_base_is_drawn_upright(name: str) -> None:
     run = under(name, 3.0, 40.0)
-    axes = plot_base(run, Figure().add_subplot())
+    axes = plots.base(run, Figure().add_subplot())
     times, base = course(axes.lines[0])
     end = run.segments[0, 0]
     (at,) = np.flatnonzero(times == end)
@@ -64,7 +54,7 @@ def test_a_step_of_the_base_is_drawn_upright(name: str) -> None:
 @every("w", [2.0, 50.0, 5000.0])
 def test_a_pulse_is_drawn_smooth_however_quick(w: float) -> None:
     run = under("one-sine", 2.0, w)
-    axes = plot_base(run, Figure().add_subplot())
+    axes = plots.base(run, Figure().add_subplot())
     _, base = course(axes.lines[0])
     assert base.max() == pytest.approx(2.0, rel=2e-3)
     assert base.min() == pytest.approx(-2.0, rel=2e-3)
@@ -81,13 +71,13 @@ def test_impulses_are_arrows_where_and_whither_they_strike() -> None:
     run = simulate(
         BLOCK, Impulses(velocities=(0.3, -0.5, 0.2), times=(1.0, 2.0, 3.0)), model=Linear()
     )
-    axes = plot_base(run, Figure().add_subplot())
+    axes = plots.base(run, Figure().add_subplot())
     (up_times, ups), (down_times, downs) = arrows(axes, "^"), arrows(axes, "v")
     np.testing.assert_allclose(up_times, np.array([1.0, 3.0]) / BLOCK.p)
     np.testing.assert_allclose(down_times, np.array([2.0]) / BLOCK.p)
     assert ups.min() > 1.0
     assert downs.max() < -1.0
-    axes = plot_base(under("one-sine", 2.0, 2.0), Figure().add_subplot())
+    axes = plots.base(under("one-sine", 2.0, 2.0), Figure().add_subplot())
     assert len(arrows(axes, "^")[0]) == len(arrows(axes, "v")[0]) == 0
 
 
@@ -97,13 +87,13 @@ def test_a_picture_shows_the_base_to_its_end() -> None:
     assert run.rest_time_pt is not None
     assert run.rest_time_pt < 25.0
     assert 30.0 <= run.shown_to_pt < 31.0
-    axes = plot_trajectory(run, Figure().add_subplot())
+    axes = plots.trajectory(run, Figure().add_subplot())
     assert axes.get_xlim()[1] >= 30.0
 
 
 @pytest.mark.parametrize(("block", "label"), [(BLOCK, "time [s]"), (BARE, "pivot time  $pt$")])
 def test_the_axes_have_units(block: Block | DimensionlessBlock, label: str) -> None:
-    axes = plot_base(under("versed-sine", 2.0, 3.0, block), Figure().add_subplot())
+    axes = plots.base(under("versed-sine", 2.0, 3.0, block), Figure().add_subplot())
     assert axes.get_xlabel() == label
     assert axes.get_ylabel() == r"base  $a/(\alpha g)$"
 

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 import rocksteady as rs
 from tests.every import every
 from tests.public.things import things
+from tools.namespace import THINGS
 
 G = 9.80665
 
@@ -145,7 +146,7 @@ CASES: dict[str, Case] = {
         {"diagram": t["branch"]},
         [t["branch"].values, [point.peaks[0] for point in t["branch"].points]],
     ),
-    "plot_capacity": lambda t: (
+    "plot_facade_capacity": lambda t: (
         {"check": t["facade check"]},
         [[0.0, 1e3 * t["facade"].mechanism.d0_m], [t["facade"].mechanism.a0_g, 0.0]],
     ),
@@ -183,13 +184,13 @@ CASES: dict[str, Case] = {
     ),
     "plot_free_rocking": lambda _: (
         {"restitutions": [0.8], "impacts": 3},
-        [rs.free_rocking_peaks(0.9, 0.8, 3)],
+        [rs.formulas.free_rocking_peaks(0.9, 0.8, 3)],
     ),
     "plot_husid": lambda t: (
         {"course": t["course"]},
         [t["course"].arias_m_s / t["course"].arias_m_s[-1], t["course"].t_s],
     ),
-    "plot_ladders": lambda t: (
+    "plot_test_ladders": lambda t: (
         {"calibration": t["calibration"]},
         [[test.gain] for test in t["observations"].tests],
     ),
@@ -201,7 +202,7 @@ CASES: dict[str, Case] = {
         {"manifolds": t["manifold"]},
         [part for each in t["manifold"].branches for part in (each.first, each.second)],
     ),
-    "plot_map": lambda t: ({"dataset": t["map"], "by": "peak"}, [t["map"].highest.values]),
+    "plot_outcomes": lambda t: ({"dataset": t["map"], "by": "peak"}, [t["map"].highest.values]),
     "plot_multipliers": lambda t: (
         {"orbits": [t["orbit"]]},
         [np.asarray(t["orbit"].multipliers).real, np.asarray(t["orbit"].multipliers).imag],
@@ -214,11 +215,11 @@ CASES: dict[str, Case] = {
             t["noise fates"].level * t["noise"].rms * t["block"].uplift_acceleration,
         ],
     ),
-    "plot_orbit": lambda t: (
+    "plot_steady_orbit": lambda t: (
         {"orbit": t["steady"]},
         [t["steady"].angle, t["steady"].tau / (2.0 * math.pi)],
     ),
-    "plot_overturned_share": lambda t: (
+    "plot_share_that_falls": lambda t: (
         {"summary": t["summary"]},
         [100.0 * shares_of(t), t["summary"].period.values],
     ),
@@ -246,11 +247,11 @@ CASES: dict[str, Case] = {
         {"predictions": t["predictions"]},
         [[p] for p in t["predictions"].p.tolist()],
     ),
-    "plot_ranking": lambda t: (
+    "plot_measure_efficiency": lambda t: (
         {"fragility": t["fragility"]},
         [[each.beta for each in t["fragility"].ranking if math.isfinite(each.beta)]],
     ),
-    "plot_regions": lambda t: (
+    "plot_steady_regions": lambda t: (
         {"curves": t["regions"]},
         [t["regions"].existence, t["regions"].kind, t["regions"].sign],
     ),
@@ -288,7 +289,7 @@ CASES: dict[str, Case] = {
         ],
     ),
     "plot_safe_basin": lambda t: ({"erosion": t["erosion"], "index": 0}, [t["erosion"].safe[0]]),
-    "plot_section": lambda t: (
+    "plot_poincare_section": lambda t: (
         {"motions": [t["orbit"]]},
         [[value] for each in t["orbit"].states for value in (each.speed, each.phase)],
     ),
@@ -334,7 +335,7 @@ CASES: dict[str, Case] = {
 @every("name", CASES)
 def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any]) -> None:
     given, expected = CASES[name](t)
-    draw = getattr(rs, name.split(maxsplit=1)[0])
+    draw = THINGS[name.split(maxsplit=1)[0]]
     axes = draw(**given, ax=Figure(figsize=(8.0, 5.0)).add_subplot())
     for place, values in enumerate(expected):
         assert_drawn(axes, values, f"{name}, {place}")
@@ -342,6 +343,6 @@ def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any])
 
 def test_every_picture_of_numbers_is_read_back() -> None:
     """A section of a facade and the block itself show shapes, which tests of their own measure."""
-    shapes = {"plot_facade", "plot_block"}
-    drawn = {name for name in dir(rs) if name.startswith("plot_")}
+    shapes = {"plot_facade_section", "plot_block"}
+    drawn = {name for name in THINGS if name.startswith("plot_")}
     assert {name.split(maxsplit=1)[0] for name in CASES} == drawn - shapes

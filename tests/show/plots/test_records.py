@@ -8,18 +8,9 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import (
-    Block,
-    InputError,
-    Record,
-    compute_response_spectrum,
-    integrate_record,
-    plot_base,
-    plot_husid,
-    plot_integrated_record,
-    plot_response_spectra,
-    simulate,
-)
+from rocksteady import Block, Record, plots, simulate
+from rocksteady.errors import InputError
+from rocksteady.measures import compute_response_spectrum, integrate_record
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.show.figures.single import record_figure
@@ -48,7 +39,9 @@ def test_the_course_has_its_peak_marked(
     size: float,
     sign: float,
 ) -> None:
-    drawn = plot_integrated_record(integrate_record(sine().scaled(sign)), axes(), quantity=quantity)
+    drawn = plots.integrated_record(
+        integrate_record(sine().scaled(sign)), axes(), quantity=quantity
+    )
     _, curve, mark = drawn.lines
     assert (drawn.get_xlabel(), drawn.get_ylabel()) == ("time [s]", label)
     marked = float(np.asarray(mark.get_ydata())[0])
@@ -62,7 +55,7 @@ def test_the_course_has_its_peak_marked(
 
 def test_husids_curve_rises_from_0_to_1_through_its_marks() -> None:
     course = integrate_record(noise(1, samples=200))
-    drawn = plot_husid(course, axes())
+    drawn = plots.husid(course, axes())
     curve, marks = drawn.lines
     values = np.asarray(curve.get_ydata())
     assert (values[0], values[-1]) == (0.0, 1.0)
@@ -74,7 +67,7 @@ def test_husids_curve_rises_from_0_to_1_through_its_marks() -> None:
 
 def test_spectra_and_their_geometric_mean() -> None:
     spectra = [compute_response_spectrum(noise(seed), PERIODS) for seed in (1, 2)]
-    drawn = plot_response_spectra(spectra, axes())
+    drawn = plots.response_spectra(spectra, axes())
     one, other, mean = (np.asarray(line.get_ydata()) for line in drawn.lines)
     np.testing.assert_allclose(one, spectra[0].pseudo_acceleration_m_s2 / 9.80665)
     np.testing.assert_allclose(mean, np.sqrt(one * other))
@@ -91,13 +84,13 @@ def test_spectra_and_their_geometric_mean() -> None:
 
 def test_many_spectra_have_one_entry() -> None:
     spectra = [compute_response_spectrum(noise(seed), PERIODS) for seed in range(8)]
-    legend = plot_response_spectra(spectra, axes()).get_legend()
+    legend = plots.response_spectra(spectra, axes()).get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["geometric mean"]
 
 
 def test_evenly_spaced_periods_have_even_axes() -> None:
-    drawn = plot_response_spectra(
+    drawn = plots.response_spectra(
         [compute_response_spectrum(noise(1), np.linspace(0.1, 4, 40))], axes()
     )
     assert (drawn.get_xscale(), drawn.get_ylim()[0]) == ("linear", 0.0)
@@ -115,7 +108,7 @@ def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
     block = Block.rectangle(width=0.4, height=1.6)
     upwards = Record(acceleration_m_s2=2.0 * sine().acceleration_m_s2, dt_s=sine().dt_s)
     run = simulate(block, BaseMotion(sine().scaled(2.0), upwards), model=Nonlinear())
-    drawn = plot_base(run, axes())
+    drawn = plots.base(run, axes())
     (beside,) = (each for each in drawn.figure.axes if each is not drawn)
     assert beside.get_ylabel() == "vertical [g]"
     largest = float(np.abs(np.asarray(beside.lines[0].get_ydata())).max())
@@ -126,15 +119,15 @@ def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
     legend = drawn.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["horizontal", "vertical"]
-    assert plot_base(simulate(block, sine(), model=Linear()), axes()).get_legend() is None
+    assert plots.base(simulate(block, sine(), model=Linear()), axes()).get_legend() is None
 
 
 def test_what_is_refused() -> None:
     wrong: Any = "jerk"
     with pytest.raises(InputError, match="quantity = 'jerk'"):
-        plot_integrated_record(integrate_record(sine()), axes(), quantity=wrong)
+        plots.integrated_record(integrate_record(sine()), axes(), quantity=wrong)
     with pytest.raises(InputError, match="spectra are 0"):
-        plot_response_spectra([], axes())
+        plots.response_spectra([], axes())
     unlike = [compute_response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
     with pytest.raises(InputError, match="same periods"):
-        plot_response_spectra(unlike, axes())
+        plots.response_spectra(unlike, axes())

@@ -16,16 +16,9 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from rocksteady import (
-    InputError,
-    Status,
-    compute_rocking_spectrum,
-    plot_overturned_share,
-    plot_rocking_spectrum,
-    plot_spectrum_map,
-    plot_suite_spectrum,
-    summarise_spectra,
-)
+from rocksteady import Status, compute_rocking_spectrum, plots
+from rocksteady.errors import InputError
+from rocksteady.measures import compute_suite_spectrum
 from rocksteady.model.equations import Linear
 from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 from rocksteady.show.plots.spectra import MOST_CURVES, Quantity
@@ -48,23 +41,23 @@ def found(slendernesses: int = 3) -> xarray.Dataset:
 @cache
 def summary() -> xarray.Dataset:
     suite = [ground(seed, peak) for seed, peak in ((1, 3.0), (2, 4.0), (3, 6.0), (4, 9.0))]
-    return summarise_spectra(
+    return compute_suite_spectrum(
         compute_rocking_spectrum(suite, alpha=[0.15, 0.25], periods_s=PERIODS, model=Linear())
     )
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
-    "curves": lambda ax: plot_rocking_spectrum(found(), ax),
-    "speeds": lambda ax: plot_rocking_spectrum(found(), ax, quantity="peak_velocity"),
-    "one": lambda ax: plot_rocking_spectrum(found().isel(alpha=0), ax),
-    "map": lambda ax: plot_spectrum_map(found(9), ax),
-    "suite": lambda ax: plot_suite_spectrum(summary().isel(alpha=0), ax),
-    "share": lambda ax: plot_overturned_share(summary().isel(alpha=0), ax),
+    "curves": lambda ax: plots.rocking_spectrum(found(), ax),
+    "speeds": lambda ax: plots.rocking_spectrum(found(), ax, quantity="peak_velocity"),
+    "one": lambda ax: plots.rocking_spectrum(found().isel(alpha=0), ax),
+    "map": lambda ax: plots.spectrum_map(found(9), ax),
+    "suite": lambda ax: plots.suite_spectrum(summary().isel(alpha=0), ax),
+    "share": lambda ax: plots.share_that_falls(summary().isel(alpha=0), ax),
 }
-plots = every("draw", PLOTS.values())
+drawings = every("draw", PLOTS.values())
 
 
-@plots
+@drawings
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -75,7 +68,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
-@plots
+@drawings
 def test_a_plot_makes_its_own_axes_where_none_are_given(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -94,7 +87,7 @@ def curves(axes: Axes) -> list[Line2D]:
 def test_curves_are_the_peaks_with_gaps_where_blocks_overturn() -> None:
     quantities: tuple[Quantity, ...] = ("peak_angle", "peak_velocity")
     for quantity in quantities:
-        axes = plot_rocking_spectrum(found(), Figure().add_subplot(), quantity=quantity)
+        axes = plots.rocking_spectrum(found(), Figure().add_subplot(), quantity=quantity)
         drawn = curves(axes)
         assert len(drawn) == 3
         for line, alpha in zip(drawn, found().alpha.values, strict=True):
@@ -105,7 +98,7 @@ def test_curves_are_the_peaks_with_gaps_where_blocks_overturn() -> None:
 
 
 def test_bars_stand_where_blocks_overturn_a_row_a_slenderness() -> None:
-    axes = plot_rocking_spectrum(found(), Figure().add_subplot())
+    axes = plots.rocking_spectrum(found(), Figure().add_subplot())
     bars = [one for one in axes.collections if isinstance(one, PolyCollection)]
     fell = (found().sortby("period").status == Status.OVERTURNED).transpose("alpha", "period")
     rows = [row for row in fell.values if row.any()]
@@ -120,14 +113,14 @@ def test_bars_stand_where_blocks_overturn_a_row_a_slenderness() -> None:
 
 def test_a_spectrum_without_a_fall_says_nothing_of_falls() -> None:
     safe = compute_rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS, model=Linear())
-    axes = plot_rocking_spectrum(safe, Figure().add_subplot())
+    axes = plots.rocking_spectrum(safe, Figure().add_subplot())
     assert not axes.collections
     assert len(axes.get_legend().get_texts()) == 1  # type: ignore[union-attr]
 
 
 def test_a_map_has_the_peaks_and_the_shares() -> None:
     whole = found(9)
-    axes = plot_spectrum_map(whole, Figure().add_subplot())
+    axes = plots.spectrum_map(whole, Figure().add_subplot())
     meshes = [one for one in axes.collections if isinstance(one, QuadMesh)]
     drawn = np.ma.MaskedArray(meshes[0].get_array())
     peaks = drawn.filled(np.nan).reshape(9, len(PERIODS))
@@ -141,7 +134,7 @@ def test_a_map_has_the_peaks_and_the_shares() -> None:
 
 def test_the_suite_has_its_median_and_shares() -> None:
     part = summary().isel(alpha=1)
-    axes = plot_suite_spectrum(part, Figure().add_subplot())
+    axes = plots.suite_spectrum(part, Figure().add_subplot())
     median = part.peak_angle.sel(quantile=0.5).values
     drawn = np.asarray(axes.lines[0].get_ydata())
     finite = np.isfinite(median)
@@ -149,7 +142,7 @@ def test_the_suite_has_its_median_and_shares() -> None:
     assert (drawn[~finite] > axes.get_ylim()[1]).all()
     words = [text.get_text() for text in axes.get_legend().get_texts()]  # type: ignore[union-attr]
     assert words == ["median of 4 records", "16 to 84 %"]
-    share = plot_overturned_share(part, Figure().add_subplot())
+    share = plots.share_that_falls(part, Figure().add_subplot())
     box = share.collections[0].get_paths()[0].get_extents()
     assert box.y1 == pytest.approx(100.0 * float(part.overturned.max()))
 
@@ -168,15 +161,15 @@ def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:
 @every(
     ("draw", "words"),
     [
-        (lambda: plot_rocking_spectrum(summary()), "result of compute_rocking_spectrum"),
-        (lambda: plot_rocking_spectrum(found(MOST_CURVES + 1)), "drawn as curves"),
-        (lambda: plot_rocking_spectrum(found().isel(period=0)), "two periods"),
-        (lambda: plot_rocking_spectrum(found(), quantity="impacts"), "'peak_angle' or"),  # type: ignore[arg-type]
-        (lambda: plot_spectrum_map(found().isel(alpha=0)), "two or more"),
-        (lambda: plot_suite_spectrum(summary()), "one slenderness"),
-        (lambda: plot_suite_spectrum(found()), "result of summarise_spectra"),
+        (lambda: plots.rocking_spectrum(summary()), "result of compute_rocking_spectrum"),
+        (lambda: plots.rocking_spectrum(found(MOST_CURVES + 1)), "drawn as curves"),
+        (lambda: plots.rocking_spectrum(found().isel(period=0)), "two periods"),
+        (lambda: plots.rocking_spectrum(found(), quantity="impacts"), "'peak_angle' or"),  # type: ignore[arg-type]
+        (lambda: plots.spectrum_map(found().isel(alpha=0)), "two or more"),
+        (lambda: plots.suite_spectrum(summary()), "one slenderness"),
+        (lambda: plots.suite_spectrum(found()), "result of compute_suite_spectrum"),
         (
-            lambda: plot_rocking_spectrum(
+            lambda: plots.rocking_spectrum(
                 compute_rocking_spectrum(
                     [ground(1), ground(2)], alpha=0.2, periods_s=[1.0, 2.0], model=Linear()
                 )

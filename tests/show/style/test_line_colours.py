@@ -15,26 +15,8 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    compute_response_curve,
-    compute_response_spectrum,
-    find_orbits,
-    plot_base,
-    plot_bifurcations,
-    plot_block,
-    plot_free_rocking,
-    plot_husid,
-    plot_integrated_record,
-    plot_map,
-    plot_multipliers,
-    plot_phase_portrait,
-    plot_response,
-    plot_response_spectra,
-    plot_section,
-    plot_trajectory,
-)
+from rocksteady import DimensionlessBlock, Harmonic, compute_response_curve, find_orbits, plots
+from rocksteady.measures import compute_response_spectrum
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.show.style import palette
 from rocksteady.show.style.line_colours import DARK, LIGHT, Inks, inks_of, luminance
@@ -160,7 +142,7 @@ def test_every_colour_that_has_a_meaning_is_in_one_module() -> None:
                 assert "ffffff" in line or "PEAK_COLOURS" in line, (file.name, line)
 
 
-def plots() -> dict[str, object]:
+def drawings() -> dict[str, object]:
     """Return what draws each kind of picture whose paper shows."""
     block = DimensionlessBlock(restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
@@ -171,32 +153,32 @@ def plots() -> dict[str, object]:
         compute_response_curve(block, a, frequency_ratio=np.linspace(1, 8, 50)) for a in (1.0, 2.0)
     ]
     return {
-        "trajectory": lambda axes: plot_trajectory(rocking(), axes),
-        "base": lambda axes: plot_base(vertical_too(), axes),
-        "portrait": lambda axes: plot_phase_portrait(rocking(), axes),
-        "rest": lambda axes: plot_phase_portrait(resting(), axes),
-        "block": lambda axes: plot_block(rocking(), 1.0, axes),
-        "section": lambda axes: plot_section(some, axes),
-        "multipliers": lambda axes: plot_multipliers(some, axes),
-        "bifurcations": lambda axes: plot_bifurcations(over_frequency(), sweeps(), axes),
-        "response": lambda axes: plot_response(curves, axes),
-        "free": lambda axes: plot_free_rocking([0.9, 0.8], axes),
-        "course": lambda axes: plot_integrated_record(course, axes),
-        "husid": lambda axes: plot_husid(course, axes),
-        "spectra": lambda axes: plot_response_spectra(spectra, axes),
-        "map": lambda axes: plot_map(found(), axes),
+        "trajectory": lambda axes: plots.trajectory(rocking(), axes),
+        "base": lambda axes: plots.base(vertical_too(), axes),
+        "portrait": lambda axes: plots.phase_portrait(rocking(), axes),
+        "rest": lambda axes: plots.phase_portrait(resting(), axes),
+        "block": lambda axes: plots.block(rocking(), 1.0, axes),
+        "section": lambda axes: plots.poincare_section(some, axes),
+        "multipliers": lambda axes: plots.multipliers(some, axes),
+        "bifurcations": lambda axes: plots.bifurcations(over_frequency(), sweeps(), axes),
+        "response": lambda axes: plots.response(curves, axes),
+        "free": lambda axes: plots.free_rocking([0.9, 0.8], axes),
+        "course": lambda axes: plots.integrated_record(course, axes),
+        "husid": lambda axes: plots.husid(course, axes),
+        "spectra": lambda axes: plots.response_spectra(spectra, axes),
+        "map": lambda axes: plots.outcomes(found(), axes),
     }
 
 
 @pytest.mark.slow
-@every("name", list(plots()))
+@every("name", list(drawings()))
 @every("paper", ["black", "#fdf6e3"])
 def test_lines_and_text_are_legible_on_anybodys_paper(name: str, paper: str) -> None:
     dark = luminance(to_hex(paper)) < 0.18
     with plt.style.context("dark_background" if dark else "default"):
         figure = Figure(facecolor=paper, layout="constrained")
         axes = figure.add_subplot(facecolor=paper)
-        draw = plots()[name]
+        draw = drawings()[name]
         assert callable(draw)
         draw(axes)
     for text in axes.texts:
@@ -221,7 +203,7 @@ def test_lines_and_text_are_legible_on_anybodys_paper(name: str, paper: str) -> 
 
 def test_unstable_has_its_key_on_dark_paper() -> None:
     figure = Figure(facecolor="black")
-    axes = plot_bifurcations(over_frequency(), ax=figure.add_subplot(facecolor="black"))
+    axes = plots.bifurcations(over_frequency(), ax=figure.add_subplot(facecolor="black"))
     legend = axes.get_legend()
     assert legend is not None
     entries = dict(

@@ -15,7 +15,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
-from rocksteady import InputError, plot_map, plot_trajectory
+from rocksteady import plots
+from rocksteady.errors import InputError
 from rocksteady.show.export.files import figure_bytes, save_figure
 from rocksteady.show.style.legends import PLACES
 from rocksteady.show.style.page import Page, _shorten, width_mm_of
@@ -98,7 +99,7 @@ def test_a_legend_of_a_plot_goes_where_it_is_wanted_on_anybodys_axes() -> None:
         for size in ((3.3, 2.5), (6.4, 4.8)):
             for place in (None, "right", "below"):
                 figure = Figure(figsize=size, layout=layout)
-                axes = plot_map(found(), figure.add_subplot(), legend=place)
+                axes = plots.outcomes(found(), figure.add_subplot(), legend=place)
                 figure.draw_without_rendering()
                 legend = axes.get_legend()
                 assert legend is not None
@@ -115,7 +116,7 @@ def test_of_a_place_that_is_none_one_line_tells() -> None:
         with pytest.raises(InputError, match="inside, right, below, none"):
             Page(legend=legend)  # type: ignore[arg-type]
         with pytest.raises(InputError, match="inside, right, below, none"):
-            plot_trajectory(rocking(), Figure().add_subplot(), legend=legend)  # type: ignore[arg-type]
+            plots.trajectory(rocking(), Figure().add_subplot(), legend=legend)  # type: ignore[arg-type]
 
 
 @every(

@@ -12,7 +12,8 @@ import matplotlib.style
 import pytest
 from matplotlib.colors import to_rgb
 
-from rocksteady import DimensionlessBlock, Harmonic, Trajectory, plot_trajectory, simulate
+from rocksteady import DimensionlessBlock, Harmonic, plots, simulate
+from rocksteady.histories import Trajectory
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import simulation_figure
 from rocksteady.show.style import palette
@@ -49,7 +50,7 @@ def test_new_axes_follow_a_dark_theme_and_its_size() -> None:
         mpl.rc_context(),
         matplotlib.style.context(["dark_background", {"figure.figsize": (3, 2)}]),
     ):
-        axes = plot_trajectory(rocking())
+        axes = plots.trajectory(rocking())
         assert axes.figure.get_size_inches().tolist() == [3.0, 2.0]  # type: ignore[union-attr]
         assert to_rgb(axes.get_facecolor()) == (0.0, 0.0, 0.0)
         axes.figure.canvas.draw()

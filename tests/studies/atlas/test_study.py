@@ -9,7 +9,8 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import OutputError, Run
+from rocksteady import Execution
+from rocksteady.errors import OutputError
 from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.analysis.from_rest import FATES
 from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
@@ -119,7 +120,7 @@ def test_the_same_atlas_gives_the_same_bytes(tmp_path: Path) -> None:
         amplitude=plane.amplitude,
         frequency_ratio=plane.frequency_ratio,
         orders=(1,),
-        run=Run(workers=1),
+        run=Execution(workers=1),
     )
     smallest().save(tmp_path / "one")
     again.save(tmp_path / "two")

@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from rocksteady import make_synthetic_suite
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.studies.facade_checks._plane import Plane
 from rocksteady.studies.facade_checks.study import FacadeChecks, facade_checks, plane_of
 

@@ -10,17 +10,10 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import (
-    FacadeDemand,
-    InputError,
-    ModelError,
-    OutputError,
-    RecordDemand,
-    Run,
-    check_facade,
-    make_synthetic_suite,
-    run_facade,
-)
+from rocksteady import Execution, check_facade
+from rocksteady.codes import FacadeDemand, RecordDemand, run_facade
+from rocksteady.errors import InputError, ModelError, OutputError
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.studies.facade_checks import study as module
 from rocksteady.studies.facade_checks._checked_walls import METHODS
 from rocksteady.studies.facade_checks.study import SCHEMA, facade_checks, parts_of, plane_of
@@ -121,7 +114,7 @@ def test_a_worked_wall_disagrees_as_its_kind_says() -> None:
 @pytest.mark.slow
 def test_no_result_depends_on_how_it_is_run(tmp_path: Path) -> None:
     parts = parts_of(plane(), tmp_path / "out", resume=False, force=False)
-    again = facade_checks(plane(), run=Run(executor="serial"), parts=parts)
+    again = facade_checks(plane(), run=Execution(executor="serial"), parts=parts)
     assert parts.swept
     np.testing.assert_array_equal(again.walls.spectral, study().walls.spectral)
     for one, other in zip(again.walls.dynamics, study().walls.dynamics, strict=True):
@@ -132,7 +125,7 @@ def test_no_result_depends_on_how_it_is_run(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="confidence_factor"):
         parts_of(plane(1.35), tmp_path / "out", resume=True, force=False)
     with pytest.raises(ModelError, match="store"):
-        facade_checks(plane(), run=Run(store=tmp_path / "store"))
+        facade_checks(plane(), run=Execution(store=tmp_path / "store"))
 
 
 @pytest.mark.slow

@@ -13,7 +13,9 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import InputError, OutputError, find_steady_states, region_boundaries
+from rocksteady import find_steady_states
+from rocksteady.errors import InputError, OutputError
+from rocksteady.orbits import compute_region_boundaries
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.study import (
@@ -204,7 +206,7 @@ def test_tables_read_back_as_they_were_computed(saved: Path) -> None:
 def test_the_table_of_a_plane_is_the_boundaries(saved: Path) -> None:
     header, rows = table(saved / "figure-4a.csv")
     column = {name: np.array([float(row[i]) for row in rows]) for i, name in enumerate(header)}
-    expected = region_boundaries(column["frequency_ratio"], 0.5, order=3)
+    expected = compute_region_boundaries(column["frequency_ratio"], 0.5, order=3)
     np.testing.assert_array_equal(column["existence_eq23"], expected.existence)
     np.testing.assert_array_equal(column["sign_eq24"], expected.sign)
     np.testing.assert_array_equal(column["kind_eq25"], expected.kind)

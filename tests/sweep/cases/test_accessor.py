@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from rocksteady import Axis, Grid, Output, Run, evaluate, open_store
+from rocksteady import Execution, open_store
 from rocksteady.errors import ModelError
 from rocksteady.sweep.cases import facts
 from rocksteady.sweep.cases.facts import class_counts, flags_of, slabs
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 from tests.descriptions import fits
 
 
@@ -49,7 +50,7 @@ def test_a_result_of_any_question_has_its_ranges_and_its_classes() -> None:
 
 def test_a_store_is_named_and_an_unfinished_one_counts_what_is_there(tmp_path: Path) -> None:
     path = tmp_path / "area.zarr"
-    evaluate(area, GRID, OUTPUTS, run=Run(store=path))
+    evaluate(area, GRID, OUTPUTS, run=Execution(store=path))
     data = open_store(path, partial=True)
     values = data.rocksteady.to_dict()
     assert (values["store"], values["computed"]) == (str(path), 12)

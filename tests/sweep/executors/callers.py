@@ -16,7 +16,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.sweep.executors.cases import held, slow, GRID, OUTPUTS
 
 def mine(a, b):
@@ -32,7 +32,7 @@ ENDLESS = SCRIPT.replace("slow(a, b)", "held(a, b, gate='/no/such/file')")
 """The same of cells that never end, so that it cannot have ended before it is disturbed."""
 RUN = (
     "data = evaluate(mine, GRID, OUTPUTS, batch=4,"
-    " run=Run(executor=executor, workers=2, progress=told))\n"
+    " run=Execution(executor=executor, workers=2, progress=told))\n"
 )
 
 

@@ -7,7 +7,7 @@ import pytest
 from rocksteady.errors import InputError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors.choice import EXECUTORS, validated_executor
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.every import every
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 
@@ -32,7 +32,7 @@ def test_what_is_no_address_is_refused_before_anything_is_written(
 ) -> None:
     store = tmp_path / "a.zarr"
     with pytest.raises(InputError, match=why):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor=given_address, store=store))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor=given_address, store=store))
     assert not store.exists()
 
 

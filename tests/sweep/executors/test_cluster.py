@@ -28,7 +28,7 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors import _cluster, _dask, _local, _remote
 from rocksteady.sweep.executors._local import Local
 from rocksteady.sweep.executors._worker import START
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.callers import started, tree, within
 from tests.sweep.executors.cases import (
@@ -54,7 +54,7 @@ def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Pat
             some,
             GRID,
             OUTPUTS,
-            run=Run(executor=executor, workers=workers, store=store),
+            run=Execution(executor=executor, workers=workers, store=store),
             batch=batch,
         )
         trees.append(tree(store.folder))
@@ -67,9 +67,13 @@ def test_a_cluster_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     children = set(psutil.Process().children(recursive=True))
     found = evaluate(
-        some, GRID, OUTPUTS, run=Run(executor="dask", workers=2, progress=told.append), batch=50
+        some,
+        GRID,
+        OUTPUTS,
+        run=Execution(executor="dask", workers=2, progress=told.append),
+        batch=50,
     )
-    assert found.identical(evaluate(some, GRID, OUTPUTS, run=Run(executor="serial")))
+    assert found.identical(evaluate(some, GRID, OUTPUTS, run=Execution(executor="serial")))
     assert told[0] == 0
     assert sum(told) == GRID.size
     assert set(psutil.Process().children(recursive=True)) == children
@@ -84,7 +88,7 @@ def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> No
             Axis(name="b", values=np.arange(40.0)),
         )
     )
-    found = evaluate(of_items, grid, OUTPUTS[:1], run=Run(executor=address), batch=2)
+    found = evaluate(of_items, grid, OUTPUTS[:1], run=Execution(executor=address), batch=2)
     assert np.array_equal(found["sum"].values, np.outer([0.0, 1.0, 2.0], np.arange(40.0)))
     processes = [path.name.partition("-")[0] for path in tmp_path.iterdir()]
     assert len(processes) == 2 * len(things)
@@ -92,7 +96,7 @@ def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> No
 
 
 def test_nothing_stays_at_the_scheduler(local_cluster: Local, address: str) -> None:
-    evaluate(slow, GRID, OUTPUTS, run=Run(executor=address), batch=20)
+    evaluate(slow, GRID, OUTPUTS, run=Execution(executor=address), batch=20)
 
     def left(dask_scheduler: Any) -> tuple[int, int]:
         plugins = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
@@ -110,7 +114,7 @@ def test_an_error_of_the_case_function_comes_out_once_and_says_where(
     cases = functools.partial(failing, kind=kind)
     expected = InputError if kind == "ours" else ZeroDivisionError
     with pytest.raises(expected) as caught:
-        evaluate(cases, GRID, OUTPUTS, run=Run(executor=address, workers=1), batch=20)
+        evaluate(cases, GRID, OUTPUTS, run=Execution(executor=address, workers=1), batch=20)
     assert type(caught.value) is expected
     assert len(caught.value.__notes__) == 1
     assert caught.value.__notes__[0].startswith("in cells ")
@@ -121,7 +125,7 @@ def test_a_worker_of_other_sources_is_refused(
 ) -> None:
     monkeypatch.setattr(inputs, "_hash_of", lambda _: "0123456789abcdef")
     with pytest.raises(InputError) as caught:
-        evaluate(some, GRID, OUTPUTS, run=Run(executor=address))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor=address))
     message = str(caught.value)
     assert "its worker tcp://127.0.0.1:" in message
     assert "has other sources of" in message
@@ -147,7 +151,11 @@ def test_a_worker_of_other_sources_that_joins_late_is_refused(
 
         with pytest.raises(InputError, match=r"has other sources of .*, ffffffffffffffff"):
             evaluate(
-                cases, GRID, OUTPUTS, run=Run(executor=cluster.address, progress=join), batch=1
+                cases,
+                GRID,
+                OUTPUTS,
+                run=Execution(executor=cluster.address, progress=join),
+                batch=1,
             )
         joined[0].end()
 
@@ -162,7 +170,7 @@ def test_a_worker_that_cannot_load_the_case_function_is_named(
     monkeypatch.syspath_prepend(tmp_path)
     module = importlib.import_module("only_here")
     with pytest.raises(InputError) as caught:
-        evaluate(module.mine, GRID, OUTPUTS, run=Run(executor=address))
+        evaluate(module.mine, GRID, OUTPUTS, run=Execution(executor=address))
     assert re.search(
         r"its worker tcp://\S+ cannot load the case function and its constants: "
         r"ModuleNotFoundError: No module named 'only_here'; install",
@@ -178,7 +186,7 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
             return some(a, b)
 
     with pytest.raises(InputError, match="other processes need a description of it"):
-        evaluate(locked, GRID, OUTPUTS, run=Run(executor=address))
+        evaluate(locked, GRID, OUTPUTS, run=Execution(executor=address))
 
 
 @pytest.mark.slow
@@ -188,7 +196,7 @@ def test_an_address_where_nobody_answers_is_refused(
 ) -> None:
     monkeypatch.setattr(_remote, "ANSWERED", 0.3)
     with pytest.raises(InputError, match=r"executor = .* must answer there within 0.3 seconds"):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor=given_address))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor=given_address))
     gc.collect()  # a client that is half made would try to close itself
     assert capfd.readouterr().err == ""
 
@@ -196,7 +204,7 @@ def test_an_address_where_nobody_answers_is_refused(
 def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_remote, "PATIENCE", 0.3)
     with Local(0) as empty, pytest.raises(InputError, match="no worker for 0"):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor=empty.address))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor=empty.address))
 
 
 @pytest.mark.slow
@@ -221,7 +229,7 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 
         def computed(warned: pytest.WarningsRecorder) -> xarray.Dataset:
             threading.Thread(target=replace, args=(warned,), daemon=True).start()
-            run = Run(executor=cluster.address, progress=kill)
+            run = Execution(executor=cluster.address, progress=kill)
             return evaluate(slow, GRID, OUTPUTS, run=run, batch=5)
 
         with within(120), pytest.warns(UserWarning, match="no worker for 0") as warned:
@@ -233,7 +241,7 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_cluster, "find_spec", lambda _: None)
     with pytest.raises(InputError, match=r"install rocksteady\[cluster\]"):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor="dask"))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor="dask"))
 
 
 @pytest.mark.slow
@@ -241,7 +249,7 @@ def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
     notes = tmp_path / "notes"
     notes.mkdir()
     cases = functools.partial(deadly, folder=str(notes), times=1)
-    found = evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=2), batch=10)
+    found = evaluate(cases, GRID, OUTPUTS, run=Execution(executor="dask", workers=2), batch=10)
     assert len(list(notes.iterdir())) == 1
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -286,7 +294,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
             stack.callback(replacing.join)
             stack.callback(ended.set)
         found = evaluate(
-            slow, GRID, OUTPUTS, run=Run(executor=executor, workers=1, progress=told.append)
+            slow, GRID, OUTPUTS, run=Execution(executor=executor, workers=1, progress=told.append)
         )
     assert len(killed) == 2
     assert sum(told) == GRID.size
@@ -299,7 +307,7 @@ def test_workers_that_are_killed_while_they_compute_are_not_said_to_end_at_once(
 ) -> None:
     monkeypatch.setattr(_local, "KILLS", 1)
     cases = functools.partial(deadly, folder=str(tmp_path), times=3)
-    found = evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=1))
+    found = evaluate(cases, GRID, OUTPUTS, run=Execution(executor="dask", workers=1))
     assert len(list(tmp_path.iterdir())) == 3
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -317,7 +325,7 @@ def test_a_worker_that_dies_while_it_is_sent_the_task_is_no_lost_scheduler(
         return register(client, plugin, name)
 
     monkeypatch.setattr(distributed.Client, "register_plugin", failing_first)
-    evaluate(some, GRID, OUTPUTS, run=Run(executor=address))
+    evaluate(some, GRID, OUTPUTS, run=Execution(executor=address))
     assert len(tries) == 3
 
 
@@ -328,14 +336,16 @@ def test_cells_that_kill_every_worker_are_named(tmp_path: Path) -> None:
     cases = functools.partial(deadly, folder=str(notes), times=4)
     store = Store(tmp_path / "a.zarr", chunk=20)
     with pytest.raises(UnfinishedError) as caught:
-        evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=2, store=store), batch=5)
+        evaluate(
+            cases, GRID, OUTPUTS, run=Execution(executor="dask", workers=2, store=store), batch=5
+        )
     message = str(caught.value)
     assert "executor = 'dask' is not finished: 4 worker processes ended" in message
     assert "when they computed cells 4" in message
     assert f"of 600: a {GRID.axes[0].points[20]:.15g} to " in message
     assert "\n" not in message
     before = tree(store.folder)
-    evaluate(cases, GRID, OUTPUTS, run=Run(store=Store(store.folder, resume=True)))
+    evaluate(cases, GRID, OUTPUTS, run=Execution(store=Store(store.folder, resume=True)))
     after = tree(store.folder)
     assert len(before) < len(after)
     assert all(after[name] == content for name, content in before.items())
@@ -365,6 +375,6 @@ def test_a_cluster_that_is_lost_says_so(monkeypatch: pytest.MonkeyPatch) -> None
                 process.kill()
 
         with pytest.raises(UnfinishedError) as caught:
-            evaluate(slow, GRID, OUTPUTS, run=Run(executor=executor, progress=kill), batch=5)
+            evaluate(slow, GRID, OUTPUTS, run=Execution(executor=executor, progress=kill), batch=5)
     assert str(caught.value).startswith(f"executor = '{executor}' is not finished: the connection")
     assert "\n" not in str(caught.value)

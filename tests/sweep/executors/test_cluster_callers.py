@@ -16,7 +16,7 @@ import pytest
 from rocksteady.errors import UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors import _local
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.every import every
 from tests.sweep.executors.callers import ENDLESS, RUN, SCRIPT, script_in, started, within
 from tests.sweep.executors.cases import GRID, OUTPUTS, held, some
@@ -39,7 +39,7 @@ def test_an_interruption_waits_for_no_cell_and_leaves_nothing_behind(
                 cases,
                 GRID,
                 OUTPUTS,
-                run=Run(executor=executor, workers=2, progress=interrupt),
+                run=Execution(executor=executor, workers=2, progress=interrupt),
                 batch=20,
             )
         assert {child.pid for child in psutil.Process().children(recursive=True)} == before
@@ -148,4 +148,4 @@ def test_workers_that_cannot_start_are_no_endless_loop(
 ) -> None:
     monkeypatch.setattr(_local, "START", does)
     with within(120), pytest.raises(UnfinishedError, match=f"end at once, {how}"):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor="dask", workers=1))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor="dask", workers=1))

@@ -14,29 +14,28 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    BasinSampling,
     Block,
     DimensionlessBlock,
-    FourierSeries,
+    Execution,
     Harmonic,
     Record,
-    Run,
     Store,
-    Stripes,
-    compute_basin_shares,
-    evaluate,
     find_overturning_windows,
     map_attractors,
     map_fates,
     open_store,
     run_ensemble,
 )
+from rocksteady.basins import SamplingOptions, compute_basin_shares
 from rocksteady.dynamics.batch.fates import ends_of
 from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.kernels.machine_code.gpu import UNIT
+from rocksteady.motions import FourierSeries
+from rocksteady.risk import Levels
 from rocksteady.sweep.cases.task import GROWTH
 from rocksteady.sweep.executors import _gpu as gpu_module
 from rocksteady.sweep.executors._gpu import LONG, SHORT, TRIED, halves, next_size
+from rocksteady.sweeps import evaluate
 from tests.kernels.machine_code.in_memory.driver import (
     CUresult,
     DriverInMemory,
@@ -58,19 +57,19 @@ def memory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DriverInMemory]
         yield memory
 
 
-def fates(run: Run, **more: Any) -> Any:
+def fates(run: Execution, **more: Any) -> Any:
     return map_fates(BLOCK, axes=AXES, cycles=20, run=run, **more)
 
 
-def attractors(run: Run, **more: Any) -> Any:
+def attractors(run: Execution, **more: Any) -> Any:
     return map_attractors(BLOCK, axes=AXES, max_cycles=40, run=run, **more)
 
 
 @pytest.mark.parametrize("maps", [fates, attractors])
 def test_maps_are_those_of_one_thread(maps: Any, memory: DriverInMemory) -> None:
-    serial = maps(Run(executor="serial"))
+    serial = maps(Execution(executor="serial"))
     told: list[int] = []
-    result = maps(Run(executor="gpu", progress=told.append))
+    result = maps(Execution(executor="gpu", progress=told.append))
     assert result.identical(serial)
     assert sum(told) == 31 * 23
     # A few cells to see whether there is work for it, then all of them.
@@ -80,7 +79,7 @@ def test_maps_are_those_of_one_thread(maps: Any, memory: DriverInMemory) -> None
 
 def test_a_store_is_the_same_file_by_file(tmp_path: Path, memory: DriverInMemory) -> None:
     for executor in ("threads", "gpu"):
-        fates(Run(executor=executor, store=Store(tmp_path / executor, chunk=50)))
+        fates(Execution(executor=executor, store=Store(tmp_path / executor, chunk=50)))
     assert tree(tmp_path / "gpu") == tree(tmp_path / "threads")
     # Chunk by chunk it would be 15 launches.
     assert len(memory.launches) < 5
@@ -89,7 +88,7 @@ def test_a_store_is_the_same_file_by_file(tmp_path: Path, memory: DriverInMemory
 def test_a_store_is_begun_by_threads_and_finished_by_a_gpu(
     tmp_path: Path, memory: DriverInMemory
 ) -> None:
-    whole = fates(Run(executor="serial"))
+    whole = fates(Execution(executor="serial"))
     store = tmp_path / "map.zarr"
     seen = 0
 
@@ -100,11 +99,13 @@ def test_a_store_is_begun_by_threads_and_finished_by_a_gpu(
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        fates(Run(executor="serial", store=Store(store, chunk=50), progress=stop))
+        fates(Execution(executor="serial", store=Store(store, chunk=50), progress=stop))
     finished = int(open_store(store, partial=True).computed.sum())
     assert 0 < finished < whole.sizes["amplitude"] * whole.sizes["frequency_ratio"]
     told: list[int] = []
-    resumed = fates(Run(executor="gpu", store=Store(store, resume=True), progress=told.append))
+    resumed = fates(
+        Execution(executor="gpu", store=Store(store, resume=True), progress=told.append)
+    )
     assert told[0] == finished
     assert sum(told) == 31 * 23
     assert resumed.load().identical(whole)
@@ -121,8 +122,8 @@ def test_runs_on_records_are_those_of_one_thread(memory: DriverInMemory) -> None
         run_ensemble(
             blocks,
             motions,
-            stripes=Stripes("pga_per_uplift", (0.5, 1.0, 2.0)),
-            run=Run(executor=executor),
+            stripes=Levels("pga_per_uplift", (0.5, 1.0, 2.0)),
+            run=Execution(executor=executor),
         )
         for executor in ("serial", "gpu")
     ]
@@ -138,8 +139,8 @@ def test_shares_of_basins_are_those_of_one_thread(memory: DriverInMemory) -> Non
             Harmonic(amplitude=2.0, frequency_ratio=3.0),
             "amplitude",
             [1.5, 2.0],
-            sampling=BasinSampling(angles=np.linspace(-1.0, 1.0, 9), velocities=[-0.5, 0.0, 0.5]),
-            run=Run(executor=executor),
+            sampling=SamplingOptions(angles=np.linspace(-1.0, 1.0, 9), velocities=[-0.5, 0.0, 0.5]),
+            run=Execution(executor=executor),
         ).to_dataset()
         for executor in ("serial", "gpu")
     ]
@@ -167,14 +168,16 @@ def test_several_launches_are_in_flight(tmp_path: Path) -> None:
     ):
         patch.setattr(gpu_module, "next_size", lambda *_, **__: 50)
         patch.setattr("rocksteady.dynamics.batch.fates.BATCH", 50)
-        result = map_fates(BLOCK, axes=axes, cycles=20, run=Run(executor="gpu"))
+        result = map_fates(BLOCK, axes=axes, cycles=20, run=Execution(executor="gpu"))
     assert memory.most_in_flight == 3
-    assert result.identical(map_fates(BLOCK, axes=axes, cycles=20, run=Run(executor="serial")))
+    assert result.identical(
+        map_fates(BLOCK, axes=axes, cycles=20, run=Execution(executor="serial"))
+    )
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_workers_are_launches_in_flight(workers: int, memory: DriverInMemory) -> None:
-    fates(Run(executor="gpu", workers=workers))
+    fates(Execution(executor="gpu", workers=workers))
     assert memory.calls.count("cuStreamCreate") == workers
 
 
@@ -182,8 +185,8 @@ def test_where_memory_is_short_a_call_is_split(tmp_path: Path) -> None:
     memory = DriverInMemory(host_kernels(), memory=3 * UNIT)
     axes = {"amplitude": np.linspace(0.5, 4.0, 300), "frequency_ratio": np.linspace(1.0, 6.0, 200)}
     with gpu_in_memory(tmp_path, memory), nothing_left(memory):
-        result = map_fates(BLOCK, axes=axes, cycles=2, run=Run(executor="gpu", workers=1))
-    assert result.identical(map_fates(BLOCK, axes=axes, cycles=2, run=Run(executor="serial")))
+        result = map_fates(BLOCK, axes=axes, cycles=2, run=Execution(executor="gpu", workers=1))
+    assert result.identical(map_fates(BLOCK, axes=axes, cycles=2, run=Execution(executor="serial")))
     sizes = [len(queue) - 2 for *_, queue in memory.launches]
     assert sum(sizes) == 60_000 + TRIED
     assert max(sizes) * 12 * 8 < 3 * UNIT
@@ -203,9 +206,9 @@ def test_where_memory_is_short_for_streams_there_is_one_line(
     refused(UnfinishedError, "the memory of NVIDIA Imaginary does not suffice for 3 streams")
 
 
-def refused(kind: type[Exception], words: str, run: Run | None = None) -> None:
+def refused(kind: type[Exception], words: str, run: Execution | None = None) -> None:
     with pytest.raises(kind) as raised:
-        fates(Run(executor="gpu") if run is None else run)
+        fates(Execution(executor="gpu") if run is None else run)
     assert words in str(raised.value)
     assert "\n" not in str(raised.value)
 
@@ -234,12 +237,12 @@ def test_a_launch_that_fails_leaves_a_store_to_be_resumed(
     with gpu_in_memory(tmp_path, memory), pytest.MonkeyPatch.context() as patch:
         patch.setattr(gpu_module, "next_size", lambda *_, **__: 50)
         patch.setattr("rocksteady.dynamics.batch.fates.BATCH", 50)
-        refused(UnfinishedError, words, Run(executor="gpu", workers=1, store=store))
+        refused(UnfinishedError, words, Execution(executor="gpu", workers=1, store=store))
     kept = int(open_store(store.path, partial=True).computed.sum())
     assert 0 < kept < 31 * 23
     with gpu_in_memory(tmp_path):
-        result = fates(Run(executor="gpu", store=Store(store.path, resume=True)))
-    assert result.load().identical(fates(Run(executor="serial")))
+        result = fates(Execution(executor="gpu", store=Store(store.path, resume=True)))
+    assert result.load().identical(fates(Execution(executor="serial")))
 
 
 def test_an_interruption_waits_for_the_launches_in_flight(tmp_path: Path) -> None:
@@ -252,10 +255,10 @@ def test_an_interruption_waits_for_the_launches_in_flight(tmp_path: Path) -> Non
     with gpu_in_memory(tmp_path) as memory, nothing_left(memory):
         before = threading.active_count()
         with pytest.raises(KeyboardInterrupt):
-            fates(Run(executor="gpu", store=Store(store, chunk=50), progress=interrupt))
+            fates(Execution(executor="gpu", store=Store(store, chunk=50), progress=interrupt))
         assert threading.active_count() == before
-        result = fates(Run(executor="gpu", store=Store(store, resume=True)))
-    assert result.load().identical(fates(Run(executor="serial")))
+        result = fates(Execution(executor="gpu", store=Store(store, resume=True)))
+    assert result.load().identical(fates(Execution(executor="serial")))
 
 
 def shaken(a: Any, b: Any) -> Any:
@@ -277,7 +280,7 @@ def shaken(a: Any, b: Any) -> Any:
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from rocksteady import Run, Store
+from rocksteady import Execution, Store
 from rocksteady.dynamics.batch import fates as fates_module
 from rocksteady.sweep.executors import _gpu
 from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
@@ -295,7 +298,7 @@ _gpu.next_size = lambda *_, **__: 50
 fates_module.BATCH = 50
 folder = Path(sys.argv[1])
 with gpu_in_memory(folder):
-    fates(Run(executor="gpu", store=Store(folder / "gpu", chunk=25), progress=kill))
+    fates(Execution(executor="gpu", store=Store(folder / "gpu", chunk=25), progress=kill))
 """
 
 
@@ -308,16 +311,16 @@ def test_a_store_of_a_run_that_was_killed_is_finished_by_another(tmp_path: Path)
     finished = int(open_store(tmp_path / "gpu", partial=True).computed.sum())
     assert 0 < finished < 31 * 23
     with gpu_in_memory(tmp_path) as memory:
-        fates(Run(executor="gpu", store=Store(tmp_path / "gpu", resume=True)))
+        fates(Execution(executor="gpu", store=Store(tmp_path / "gpu", resume=True)))
     assert sum(len(queue) - 2 for *_, queue in memory.launches) == 31 * 23 - finished + TRIED
-    fates(Run(executor="threads", store=Store(tmp_path / "threads", chunk=25)))
+    fates(Execution(executor="threads", store=Store(tmp_path / "threads", chunk=25)))
     assert tree(tmp_path / "gpu") == tree(tmp_path / "threads")
 
 
 @pytest.mark.usefixtures("memory")
 def test_an_error_of_the_case_function_names_its_cells() -> None:
     with pytest.raises(ZeroDivisionError) as raised:
-        evaluate(shaken, GRID, OUTPUTS, run=Run(executor="gpu"))
+        evaluate(shaken, GRID, OUTPUTS, run=Execution(executor="gpu"))
     assert raised.value.__notes__ == ["in cells 0 to 599 of 600: a 0.1 to 3, b 0 to 19"]
 
 
@@ -325,7 +328,7 @@ def test_an_error_of_the_case_function_names_its_cells() -> None:
 def test_an_error_in_cells_of_several_chunks_names_the_first_of_them(tmp_path: Path) -> None:
     store = Store(tmp_path / "a.zarr", chunk=20)
     with pytest.raises(ZeroDivisionError) as raised:
-        evaluate(shaken, GRID, OUTPUTS, run=Run(executor="gpu", store=store))
+        evaluate(shaken, GRID, OUTPUTS, run=Execution(executor="gpu", store=store))
     (note,) = raised.value.__notes__
     assert note.startswith("in cells 0 to 19 of 600: a 0.1 to 0.1, b 0 to 19; cells 20 to 39 of")
     assert note.endswith(" and more")
@@ -335,18 +338,18 @@ def test_an_error_in_cells_of_several_chunks_names_the_first_of_them(tmp_path: P
 
 
 def nothing_of_it() -> Any:
-    return evaluate(some, GRID, OUTPUTS, run=Run(executor="gpu"))
+    return evaluate(some, GRID, OUTPUTS, run=Execution(executor="gpu"))
 
 
 def pulses() -> Any:
-    return find_overturning_windows(BLOCK, "one-sine", [1.0, 2.0], run=Run(executor="gpu"))
+    return find_overturning_windows(BLOCK, "one-sine", [1.0, 2.0], run=Execution(executor="gpu"))
 
 
 def series() -> Any:
     motion = FourierSeries(
         amplitude=1.2, frequency_ratio=4.0, harmonics=((1, 1.0, 0.0), (2, 0.5, 0.0))
     )
-    return map_fates(BLOCK, motion, axes=AXES, run=Run(executor="gpu"))
+    return map_fates(BLOCK, motion, axes=AXES, run=Execution(executor="gpu"))
 
 
 @pytest.mark.parametrize("call", [nothing_of_it, pulses, series])
@@ -359,7 +362,7 @@ def test_what_no_gpu_computes_is_refused(call: Any, memory: DriverInMemory) -> N
 
 def test_what_no_gpu_computes_begins_no_store(tmp_path: Path, memory: DriverInMemory) -> None:
     with pytest.raises(InputError, match="leave the executor out for threads"):
-        evaluate(some, GRID, OUTPUTS, run=Run(executor="gpu", store=tmp_path / "a.zarr"))
+        evaluate(some, GRID, OUTPUTS, run=Execution(executor="gpu", store=tmp_path / "a.zarr"))
     assert not (tmp_path / "a.zarr").exists()
     assert not memory.launches
 

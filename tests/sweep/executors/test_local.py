@@ -11,7 +11,7 @@ import pytest
 
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors._local import Local
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from tests.sweep.executors.callers import within
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow
 
@@ -74,7 +74,9 @@ def test_all_that_a_sweep_opens_listens_on_this_machine_alone() -> None:
             during.append(ours())
 
     with within(120):
-        evaluate(slow, GRID, OUTPUTS, run=Run(executor="dask", workers=2, progress=look), batch=50)
+        evaluate(
+            slow, GRID, OUTPUTS, run=Execution(executor="dask", workers=2, progress=look), batch=50
+        )
     assert len(during[0]) >= len(before) + 6
     for places in during:
         assert {*places} - {*before} <= {"127.0.0.1", "::1"}

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady.sweep.evaluate import BATCH, evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 
@@ -24,7 +24,7 @@ import xarray, zarr
 from rocksteady import durable
 from rocksteady.errors import RocksteadyError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow, some
@@ -33,7 +33,7 @@ _writer.SHARE = float("inf")  # each chunk is marked as finished at once
 
 def run(path, cases=some, **options):
     store = Store(path, chunk=100, **options)
-    return evaluate(cases, GRID, OUTPUTS, run=Run(executor="serial", store=store))
+    return evaluate(cases, GRID, OUTPUTS, run=Execution(executor="serial", store=store))
 """
 MOMENTS = """
 class Moments:
@@ -120,7 +120,7 @@ def run(path: Path, **options: Any) -> tuple[Any, int]:
     batch = options.pop("batch", BATCH)
     store = Store(path, chunk=CHUNK, **options)
     data = evaluate(
-        some, GRID, OUTPUTS, run=Run(store=store, progress=told.append, **how), batch=batch
+        some, GRID, OUTPUTS, run=Execution(store=store, progress=told.append, **how), batch=batch
     )
     assert sum(told) == GRID.size
     return data, told[0]

@@ -13,7 +13,7 @@ import xarray
 
 from rocksteady.errors import InputError, OutputError, UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.reading import open_store
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
@@ -25,7 +25,10 @@ def other(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A store of the same shape, with other numbers."""
     path = tmp_path_factory.mktemp("other") / "a.zarr"
     evaluate(
-        functools.partial(some, factor=2.0), GRID, OUTPUTS, run=Run(store=Store(path, chunk=CHUNK))
+        functools.partial(some, factor=2.0),
+        GRID,
+        OUTPUTS,
+        run=Execution(store=Store(path, chunk=CHUNK)),
     )
     return path
 

@@ -15,7 +15,7 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.inputs import inputs_of
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store._descriptions import Described
 from rocksteady.sweep.store.chunks import Chunks
 from rocksteady.sweep.store.store import Store
@@ -27,14 +27,14 @@ def test_another_sweep_is_refused_and_the_differences_named(begun: Path) -> None
     before = tree(begun)
     store = Store(begun, resume=True)
     with pytest.raises(OutputError, match=r"factor nothing there, 3\.0 here"):
-        evaluate(functools.partial(some, factor=3.0), GRID, OUTPUTS, run=Run(store=store))
+        evaluate(functools.partial(some, factor=3.0), GRID, OUTPUTS, run=Execution(store=store))
     with pytest.raises(OutputError, match=r"case .*:some there, .*:other here"):
-        evaluate(other, GRID, OUTPUTS, run=Run(store=store))
+        evaluate(other, GRID, OUTPUTS, run=Execution(store=store))
     with pytest.raises(OutputError, match=r"sign int8 there, nothing here|outputs sign"):
-        evaluate(some, GRID, OUTPUTS[:1], run=Run(store=store))
+        evaluate(some, GRID, OUTPUTS[:1], run=Execution(store=store))
     finer = Grid(axes=(GRID.axes[0], Axis(name="b", values=np.arange(21.0))))
     with pytest.raises(OutputError, match=r"b points 20 there, 21 here.*b to 19\.0 there, 20\.0"):
-        evaluate(some, finer, OUTPUTS, run=Run(store=store))
+        evaluate(some, finer, OUTPUTS, run=Execution(store=store))
     assert tree(begun) == before
 
 

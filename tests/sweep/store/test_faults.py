@@ -16,7 +16,7 @@ import pytest
 
 from rocksteady.errors import OutputError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.store.faults import CHUNK, MOMENTS, run, script, tree, whole
@@ -80,7 +80,10 @@ def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
 ) -> None:
     old = tmp_path / "old.zarr"
     evaluate(
-        functools.partial(some, factor=2.0), GRID, OUTPUTS, run=Run(store=Store(old, chunk=CHUNK))
+        functools.partial(some, factor=2.0),
+        GRID,
+        OUTPUTS,
+        run=Execution(store=Store(old, chunk=CHUNK)),
     )
     places = tmp_path / "places"
     places.mkdir()
@@ -91,7 +94,7 @@ def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
             run(path, overwrite=True, chunk=600)  # of one chunk: most of it is the replacing
         def run(path, chunk=100, **options):
             store = Store(path, chunk=chunk, **options)
-            return evaluate(some, GRID, OUTPUTS, run=Run(executor="serial", store=store))
+            return evaluate(some, GRID, OUTPUTS, run=Execution(executor="serial", store=store))
         every_moment(
             Path(sys.argv[1]),
             lambda path: shutil.copytree(sys.argv[2], path),

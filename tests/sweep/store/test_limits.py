@@ -14,7 +14,7 @@ import pytest
 
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
@@ -32,7 +32,7 @@ def limited(cells):
         resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 def run(path, **options):
     store = Store(path, chunk=100, **options)
-    how = Run(executor="serial", store=store, progress=told())
+    how = Execution(executor="serial", store=store, progress=told())
     evaluate(some, GRID, OUTPUTS, run=how, batch=100)
 def told():
     cells = 0
@@ -91,7 +91,11 @@ def test_a_full_disk_ends_the_run_in_one_line(
     store = Store(path, chunk=CHUNK)
     with pytest.raises(UnfinishedError, match=r"No space left on device; 2 of 6 chunks are fin"):
         evaluate(
-            some, GRID, OUTPUTS, run=Run(executor="serial", store=store, progress=full), batch=CHUNK
+            some,
+            GRID,
+            OUTPUTS,
+            run=Execution(executor="serial", store=store, progress=full),
+            batch=CHUNK,
         )
     before = tree(path)
     with pytest.raises((UnfinishedError, OutputError), match="No space left") as caught:
@@ -129,7 +133,7 @@ def test_a_second_process_is_refused_until_the_first_is_no_more(
         "    if cells == 100:\n"
         "        time.sleep(3600)\n"
         "store = Store(Path(sys.argv[1]), chunk=100)\n"
-        "how = Run(executor='serial', store=store, progress=told)\n"
+        "how = Execution(executor='serial', store=store, progress=told)\n"
         "evaluate(some, GRID, OUTPUTS, run=how, batch=100)\n"
     )
     first = subprocess.Popen(

@@ -12,7 +12,7 @@ import xarray
 import zarr
 
 from rocksteady.errors import OutputError
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store.ownership import is_store, others, owner_of
 from rocksteady.sweep.store.reading import open_store
 from rocksteady.sweep.store.store import Store
@@ -207,7 +207,7 @@ def test_another_sweep_takes_the_place_without_a_trace(begun: Path, undisturbed:
     grid = Grid(axes=(word, *grid.axes))
     names = ("product", "kind", "truth", "nothing")
     outputs = [Output(name=n, dtype=d) for n, d in zip(names, "db?d", strict=True)]
-    evaluate(cases, grid, outputs, run=Run(store=Store(begun, overwrite=True, chunk=2)))
+    evaluate(cases, grid, outputs, run=Execution(store=Store(begun, overwrite=True, chunk=2)))
     assert not (begun / "sum").exists()
     assert not others(begun)
     run(begun, overwrite=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.ownership import others
 from rocksteady.sweep.store.store import Store
@@ -82,7 +82,7 @@ def test_a_store_that_is_replaced_when_the_power_fails_is_the_old_one_or_the_new
     place.mkdir()
     lost.mkdir()
     old = functools.partial(some, factor=2.0)
-    evaluate(old, GRID, OUTPUTS, run=Run(store=Store(place / "a.zarr", chunk=CHUNK)))
+    evaluate(old, GRID, OUTPUTS, run=Execution(store=Store(place / "a.zarr", chunk=CHUNK)))
     before = tree(place / "a.zarr")
     with recorded(place) as recorder:
         run(place / "a.zarr", overwrite=True, executor="serial")

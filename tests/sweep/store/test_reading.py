@@ -16,18 +16,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Axis,
-    Grid,
-    InputError,
-    Output,
-    Run,
-    Store,
-    UnfinishedError,
-    evaluate,
-    open_store,
-)
+from rocksteady import Execution, Store, open_store
+from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.sweep.store import _writer
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 from tests.every import every
 from tests.sweep.indices import indexers
 
@@ -73,7 +65,9 @@ def reference() -> xarray.Dataset:
 @pytest.fixture(scope="module")
 def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("filled") / "map.zarr"
-    evaluate(some, GRID, OUTPUTS, run=Run(store=Store(path, chunk=CELLS)), attributes=ATTRIBUTES)
+    evaluate(
+        some, GRID, OUTPUTS, run=Execution(store=Store(path, chunk=CELLS)), attributes=ATTRIBUTES
+    )
     return path
 
 
@@ -115,7 +109,7 @@ def test_a_store_gives_what_memory_gives(filled: Path, reference: xarray.Dataset
 
 def test_what_the_sweep_returns_is_what_is_read(tmp_path: Path, reference: xarray.Dataset) -> None:
     path = tmp_path / "map.zarr"
-    returned = evaluate(some, GRID, OUTPUTS, run=Run(store=path), attributes=ATTRIBUTES)
+    returned = evaluate(some, GRID, OUTPUTS, run=Execution(store=path), attributes=ATTRIBUTES)
     assert returned.identical(reference)
     assert open_store(str(path)).identical(returned)
 
@@ -262,7 +256,11 @@ def test_a_damaged_store_is_mended_by_its_sweep(store: Path, reference: xarray.D
     chunk_file(store, "count", 5).unlink()
     with pytest.warns(UserWarning, match="2 of 21 finished chunks are missing or damaged"):
         evaluate(
-            some, GRID, OUTPUTS, run=Run(store=Store(store, resume=True)), attributes=ATTRIBUTES
+            some,
+            GRID,
+            OUTPUTS,
+            run=Execution(store=Store(store, resume=True)),
+            attributes=ATTRIBUTES,
         )
     assert open_store(store).identical(reference)
 
@@ -272,7 +270,7 @@ def test_names_that_a_store_needs_itself_are_refused(name: str, tmp_path: Path) 
     grid = Grid(axes=(Axis(name=name, values=[1.0]),))
     for arguments in ((grid, OUTPUTS), (GRID, (Output(name=name),))):
         with pytest.raises(InputError, match="a store has done, chunk, computed of its own"):
-            evaluate(some, *arguments, run=Run(store=tmp_path / "map.zarr"))
+            evaluate(some, *arguments, run=Execution(store=tmp_path / "map.zarr"))
     assert not list(tmp_path.iterdir())
 
 
@@ -333,7 +331,7 @@ def test_a_sweep_can_be_looked_at_while_it_runs(
         some,
         GRID,
         OUTPUTS,
-        run=Run(executor="serial", store=Store(path, chunk=CELLS), progress=look),
+        run=Execution(executor="serial", store=Store(path, chunk=CELLS), progress=look),
     )
     assert there[0] == 0
     assert there == sorted(there)
@@ -346,7 +344,7 @@ def test_a_sweep_that_is_resumed_has_all_in_the_end(
 ) -> None:
     store, _ = unfinished
     told: list[int] = []
-    run = Run(store=Store(store, resume=True), progress=told.append)
+    run = Execution(store=Store(store, resume=True), progress=told.append)
     evaluate(some, GRID, OUTPUTS, run=run, attributes=ATTRIBUTES)
     assert told[0] == GRID.size - 15
     assert open_store(store).identical(reference)

@@ -15,7 +15,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Progress, Run
+from rocksteady.sweep.run import Execution, Progress
 from rocksteady.sweep.store.ownership import is_store
 from rocksteady.sweep.store.store import Store
 from tests.every import every
@@ -50,7 +50,7 @@ def run(store: Any, factor: float = 1.0, progress: Progress | None = None, **mor
         functools.partial(cases, factor=factor),
         GRID,
         OUTPUTS,
-        run=Run(store=store, progress=progress),
+        run=Execution(store=store, progress=progress),
         batch=7,
         **more,
     )
@@ -154,7 +154,7 @@ def test_what_a_store_is_told_is_checked(tmp_path: Path) -> None:
 
 def test_the_case_function_of_a_store_can_be_found_again(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="module level"):
-        evaluate(lambda **_: None, GRID, OUTPUTS, run=Run(store=tmp_path / "a.zarr"))  # type: ignore[arg-type]
+        evaluate(lambda **_: None, GRID, OUTPUTS, run=Execution(store=tmp_path / "a.zarr"))  # type: ignore[arg-type]
     assert not list(tmp_path.iterdir())
 
 

@@ -1,5 +1,11 @@
 """Recording of calls: the same ones each time, and many cells where a kernel takes many."""
 
+import hashlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -24,6 +30,25 @@ def test_the_shipped_calls_are_those_that_are_recorded_now() -> None:
     content = dumped(small_calls(ENTRIES))
     assert content == dumped(loaded(RECORDED.read_bytes())), "run `python -m tools.aot.calls`"
     assert dumped(small_calls(ENTRIES)) == content
+
+
+def test_recorded_calls_do_not_depend_on_the_processor() -> None:
+    """NumPy's own exponential differs between processors with and without AVX2 or AVX-512."""
+    code = (
+        "import hashlib; from rocksteady.installation._recorded import dumped\n"
+        "from rocksteady.kernels.entries import ENTRIES\n"
+        "from tools.aot.calls.__main__ import small_calls\n"
+        "print(hashlib.sha256(dumped(small_calls(ENTRIES))).hexdigest())"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4"},
+        cwd=Path(__file__).parents[3],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert ran.stdout.split()[-1] == hashlib.sha256(dumped(small_calls(ENTRIES))).hexdigest()
 
 
 def test_large_calls_are_of_every_kernel_of_cells_in_both_models() -> None:

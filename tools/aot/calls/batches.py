@@ -10,6 +10,7 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, PEAK_COLUMNS, RATE, RESTITUTION
+from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.motions.pulses import Pulse
 from tools.aot.calls.drawn import PULSES, SLENDER, Drawn
 from tools.aot.calls.recorder import Recorder
@@ -93,8 +94,8 @@ def record_steady_states(call: Recorder, name: str, count: int, *, shapes: bool)
     """
     drawn = Drawn.by_name(name)
     rng = drawn.rng
-    a = np.exp(rng.uniform(math.log(1e-2), math.log(30.0), count))
-    w = np.exp(rng.uniform(math.log(0.05), math.log(50.0), count))
+    a = exp(rng.uniform(math.log(1e-2), math.log(30.0), count))
+    w = exp(rng.uniform(math.log(0.05), math.log(50.0), count))
     r = rng.uniform(0.05, 1.0, count)
     order = 1 + 2 * rng.integers(0, 3, count)
     out = (np.zeros((2, count)) for _ in range(4))
@@ -150,8 +151,8 @@ def record_pulses(call: Recorder, name: str, count: int, *, nonlinear: bool) -> 
         segments = np.ascontiguousarray(nonlinear_segment_table(pulse, SLENDER)[:-1])
         segments[:, CEILING] = math.inf
     uplift = math.tan(sides[0, ALPHA]) / sides[0, ALPHA] if nonlinear else 1.0
-    amplitude = uplift * np.exp(drawn.rng.uniform(-0.3, 3.0, count))
-    ratio = np.exp(drawn.rng.uniform(math.log(0.3), math.log(12.0), count))
+    amplitude = uplift * exp(drawn.rng.uniform(-0.3, 3.0, count))
+    ratio = exp(drawn.rng.uniform(math.log(0.3), math.log(12.0), count))
     out = (np.zeros(count, np.int64) for _ in range(4))
     call("pulse_fates", segments, sides, amplitude, ratio, 1e-3, 2000, *out, np.zeros(count))
 
@@ -159,7 +160,7 @@ def record_pulses(call: Recorder, name: str, count: int, *, nonlinear: bool) -> 
 def _starts(drawn: Drawn, count: int) -> tuple[NDArray[Any], ...]:
     """Return amplitudes, frequency ratios, angles, velocities and phases of cells."""
     rng = drawn.rng
-    w = np.exp(rng.uniform(math.log(0.5), math.log(12.0), count))
+    w = exp(rng.uniform(math.log(0.5), math.log(12.0), count))
     a = rng.uniform(0.8, 1.2 + 0.5 * w)
     angle = np.where(rng.random(count) < 0.5, 0.0, rng.uniform(-0.6, 0.6, count))
     velocity = np.where(rng.random(count) < 0.2, 0.0, rng.uniform(-0.5, 0.5, count))

@@ -20,6 +20,7 @@ from rocksteady.kernels.core.tables import (
     SCATTERED_SIDE_COLUMNS,
     SIDE_COLUMNS,
 )
+from rocksteady.kernels.elementary.arrays import exp, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.impulses import Impulses
 from rocksteady.model.motions.pulses import Pulse
@@ -57,7 +58,7 @@ class Drawn:
 
     def over(self, low: float, high: float) -> float:
         """Return a number of [low, high), even in the logarithm."""
-        return float(np.exp(self.rng.uniform(math.log(low), math.log(high))))
+        return float(exp(self.rng.uniform(math.log(low), math.log(high))))
 
     def chance(self, share: float) -> bool:
         """Return True as often as that."""
@@ -105,8 +106,8 @@ class Drawn:
     def record(self, samples: int) -> Record:
         """Return a record that makes `SLENDER` rock, and may overturn it."""
         noise = self.rng.normal(size=samples + 8)
-        smooth = np.convolve(noise, np.ones(9) / 3.0, mode="valid")
-        grown = np.sin(np.linspace(0.0, math.pi, samples)) * smooth
+        smooth = sum(noise[k : samples + k] for k in range(9)) / 3.0
+        grown = sin(np.linspace(0.0, math.pi, samples)) * smooth
         size = self.between(1.2, 3.5) * SLENDER.uplift_acceleration
         return Record(
             acceleration_m_s2=size * grown / np.abs(grown).max(), dt_s=self.between(0.02, 0.08)

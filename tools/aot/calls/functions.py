@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.elementary import loops
+from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.entries import ENTRIES
 from tools.aot.calls.drawn import Drawn
 from tools.aot.calls.recorder import Recorder
@@ -40,7 +41,7 @@ def _numbers(drawn: Drawn, count: int) -> NDArray[np.float64]:
     """Return numbers: most of usual sizes, others of all, in an order of their own."""
     rng = drawn.rng
     usual = rng.uniform(-1.0, 1.0, count) * rng.choice([1.0, 4.0, 30.0, 700.0], count)
-    rare = rng.choice([-1.0, 1.0], count) * np.exp(rng.uniform(-700.0, 700.0, count))
+    rare = rng.choice([-1.0, 1.0], count) * exp(rng.uniform(-700.0, 700.0, count))
     found = np.where(rng.random(count) < 0.7, usual, rare)
     special = np.array([*SPECIAL, *(-value for value in SPECIAL), math.nan])
     found[: len(special)] = special

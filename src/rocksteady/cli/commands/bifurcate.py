@@ -116,11 +116,11 @@ def bifurcate(
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
     announce_compilation("chains.fill_chain")
-    from rocksteady.dynamics.continuation.branches import BranchSearch
+    from rocksteady.dynamics.continuation.branches import BranchOptions
     from rocksteady.dynamics.continuation.find_bifurcations import find_bifurcations
     from rocksteady.show.figures.single import bifurcation_figure
 
-    asked = BranchSearch(
+    asked = BranchOptions(
         orders=start.orders,
         max_period=max_period,
         max_impacts=max_impacts,

@@ -78,9 +78,9 @@ def curves(
             hint="draw a map of what it settles to with `rocksteady map`",
         )
     equations = equations_for(model, plane.body)
-    from rocksteady.dynamics.continuation.curves.bifurcation_curves import CurveSearch
+    from rocksteady.dynamics.continuation.curves.bifurcation_curves import CurveOptions
 
-    search = CurveSearch(
+    search = CurveOptions(
         orders=tuple(order or (1,)),
         lines=plane.lines,
         max_period=max_period,

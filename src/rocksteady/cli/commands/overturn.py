@@ -60,7 +60,7 @@ EXAMPLES = (
 
 
 class Search(NamedTuple):
-    """A search and its figure; `find` takes the `Run` alone.
+    """A search and its figure; `find` takes the `Execution` alone.
 
     In errors `flags` stand in place of arguments.
     """
@@ -276,7 +276,7 @@ def _of_kicks(
     """Return the search of the kicks."""
     from rocksteady.cli.flags.start import state_from
     from rocksteady.dynamics.history.start import Rest
-    from rocksteady.dynamics.overturning.kicks import find_fatal_kick
+    from rocksteady.dynamics.overturning.kicks import find_fatal_kicks
     from rocksteady.show.figures.single import fatal_figure
 
     if suite.records:
@@ -309,7 +309,7 @@ def _of_kicks(
         )
     return Search(
         find=partial(
-            find_fatal_kick,
+            find_fatal_kicks,
             body,
             start=Rest() if start == "rest" else state_from(start, None),
             motion=motion,

@@ -26,7 +26,7 @@ from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
-    from rocksteady.seismic.measures.intensity import IntensityMeasures
+    from rocksteady.seismic.measures.intensity import Measures
     from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
     from rocksteady.seismic.measures.time_course import IntegratedRecord
 
@@ -84,7 +84,7 @@ def record(
     body = sized(block)
     unit = unit_of(units_out, output)
     periods = None if periods_s is None else axis("--periods-s", periods_s)
-    from rocksteady.seismic.measures.intensity import measure_intensity
+    from rocksteady.seismic.measures.intensity import compute_measures
     from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
     from rocksteady.seismic.measures.time_course import integrate_record
     from rocksteady.show.figures.single import record_figure
@@ -96,7 +96,7 @@ def record(
     if output.csv is not None and len(recordings) > 1:
         refuse_several(output.csv, len(recordings))
     courses = [integrate_record(each.record) for each in recordings]
-    measures = [measure_intensity(each.record, body, damping=damping) for each in recordings]
+    measures = [compute_measures(each.record, body, damping=damping) for each in recordings]
     spectra = [
         compute_response_spectrum(each.record, wanted, damping=damping)
         for each in recordings
@@ -129,7 +129,7 @@ def record(
 
 
 def record_values(
-    recording: "Recording", measures: "IntensityMeasures", spectra: "Sequence[ResponseSpectrum]"
+    recording: "Recording", measures: "Measures", spectra: "Sequence[ResponseSpectrum]"
 ) -> dict[str, Any]:
     """Return the JSON object of a channel: what its file states, its measures and its spectrum."""
     stated = recording.to_dict()
@@ -142,7 +142,7 @@ def record_values(
 
 
 def described(
-    recording: "Recording", measures: "IntensityMeasures", spectra: "Sequence[ResponseSpectrum]"
+    recording: "Recording", measures: "Measures", spectra: "Sequence[ResponseSpectrum]"
 ) -> Description:
     """Return the description of a channel with its measures, and with its spectrum."""
     first, second = recording.describe(), measures.describe()
@@ -160,9 +160,7 @@ def described(
     )
 
 
-def table_of(
-    recordings: "Sequence[Recording]", measures: "Sequence[IntensityMeasures]"
-) -> Description:
+def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") -> Description:
     """Return a table with a row for each channel."""
     rows = [
         {

@@ -218,12 +218,12 @@ def write_files(cells: "Labelled", title: str, output: OutputFlags, sweep: Sweep
     from rocksteady.sweep.cases.labelled import as_dataset
 
     def figure(page: "Page") -> "Figure":
-        from rocksteady.seismic.spectra.suite import summarise_spectra
+        from rocksteady.seismic.spectra.suite import compute_suite_spectrum
         from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 
         dataset = as_dataset(cells)
         if dataset.sizes["record"] > 1:
-            return suite_figure(summarise_spectra(dataset), title, page)
+            return suite_figure(compute_suite_spectrum(dataset), title, page)
         return spectrum_figure(dataset, title, page)
 
     output.write_cells(lambda: as_dataset(cells))

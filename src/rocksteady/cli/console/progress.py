@@ -121,7 +121,7 @@ class Due:
 class Meter:
     """Counts the cells of a sweep and the time that they take.
 
-    It is what `rocksteady.Run` takes as `progress`: called first with the number of
+    It is what `rocksteady.Execution` takes as `progress`: called first with the number of
     cells that are done already, then with the number of newly finished ones.
 
     Parameters

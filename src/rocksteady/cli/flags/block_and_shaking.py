@@ -14,7 +14,7 @@ from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.examples import SOURCES, named_block
+from rocksteady.model.blocks.examples import SOURCES
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
 from rocksteady.model.blocks.sizes import METRES, TALL
 from rocksteady.model.checks.bounds import length
@@ -340,7 +340,7 @@ class BlockFlags:
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
             named = not sizes and not self.asymmetric and not self._moved
-            return partial(named_block, self.block) if named else None
+            return partial(Block.named, self.block) if named else None
         if self._moved:
             return self._off_centre(sizes)
         whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()

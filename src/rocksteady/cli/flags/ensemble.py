@@ -18,9 +18,9 @@ from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
-    from rocksteady.risk.ensemble.levels import Stripes
+    from rocksteady.risk.ensemble.levels import Levels
     from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-    from rocksteady.seismic.measures.scalar import Intensity
+    from rocksteady.seismic.measures.scalar import Measure
 
 ensemble_flag = Panel("Ensemble")
 BAND_DRAWS = 5
@@ -206,7 +206,7 @@ class EnsembleFlags:
         "--seed N", "Set the seed of the scatter and of the bands.", default=0
     )
 
-    def stripes(self) -> "Stripes":
+    def stripes(self) -> "Levels":
         """Return the levels.
 
         Raises
@@ -285,7 +285,7 @@ class EnsembleFlags:
             return RestitutionBand(**ends, draws=count, scatter=self.scatter, seed=self.seed)
 
 
-def intensity_of(text: str) -> "Intensity":
+def intensity_of(text: str) -> "Measure":
     """Return the measure of intensity of a flag: a name, and a period after a colon.
 
     Raises
@@ -293,11 +293,11 @@ def intensity_of(text: str) -> "Intensity":
     FlagError
         If there is none of that name, or it has no period.
     """
-    from rocksteady.seismic.measures.scalar import Intensity
+    from rocksteady.seismic.measures.scalar import Measure
 
     name, colon, period = text.partition(":")
     try:
-        return Intensity(name, number("--measure", period) if colon else None)
+        return Measure(name, number("--measure", period) if colon else None)
     except InputError as error:
         raise FlagError("--measure", text, error.valid, error.hint) from None
 
@@ -315,12 +315,12 @@ def values_of(flag: str, text: str) -> list[float]:
     return axis(flag, text)
 
 
-def _levels(flag: str, measure: "Intensity | str", levels: list[float] | None) -> "Stripes":
+def _levels(flag: str, measure: "Measure | str", levels: list[float] | None) -> "Levels":
     """Return levels, whose errors name the flag."""
-    from rocksteady.risk.ensemble.levels import Stripes
+    from rocksteady.risk.ensemble.levels import Levels
 
     try:
-        return Stripes(measure, levels)
+        return Levels(measure, levels)
     except InputError as error:
         raise FlagError(flag, error.value, error.valid, error.hint) from None
 

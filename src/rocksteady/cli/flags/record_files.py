@@ -166,7 +166,7 @@ def _named(one: "Recording") -> "Recording":
 ASKED_FOR = re.compile(
     r"(?<=\bgive )(units|dt_s|column)\b|(?<=\banother )dt_s\b|(?<=\()resample(?=\))"
 )
-"""Arguments of `rocksteady.read_recordings` in the hints and warnings of readers."""
+"""Arguments of `rocksteady.records.read_recordings` in the hints and warnings of readers."""
 
 
 def _in_flags(words: str) -> str:

@@ -12,7 +12,7 @@ from rocksteady.cli.flags.record_files import dt_s_flag, units_flag
 from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
-    from rocksteady.risk.calibration.sampling import Sampling
+    from rocksteady.risk.calibration.sampling import DrawOptions
     from rocksteady.risk.observations.observations import Observations
     from rocksteady.risk.observations.prior import Prior
 
@@ -140,7 +140,7 @@ class SamplingFlags:
     )
     seed: int = sampling_flag("--seed N", "Set the seed of all draws.", default=0)
 
-    def sampling(self) -> "Sampling":
+    def sampling(self) -> "DrawOptions":
         """Return how many draws are made.
 
         Raises
@@ -148,10 +148,12 @@ class SamplingFlags:
         FlagError
             If a number is outside its range.
         """
-        from rocksteady.risk.calibration.sampling import Sampling
+        from rocksteady.risk.calibration.sampling import DrawOptions
 
         with flags_of({name: f"--{name}" for name in ("draws", "gains", "rounds", "seed")}):
-            return Sampling(draws=self.draws, gains=self.gains, rounds=self.rounds, seed=self.seed)
+            return DrawOptions(
+                draws=self.draws, gains=self.gains, rounds=self.rounds, seed=self.seed
+            )
 
     @property
     def exponent(self) -> 'Literal["auto"] | float':

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
     from rocksteady.studies.parts import Parts
-    from rocksteady.sweep.run import Run
+    from rocksteady.sweep.run import Execution
     from rocksteady.sweep.store.store import Store
 
 sweep_flag = options.Panel("Sweep")
@@ -102,19 +102,21 @@ class SweepFlags:
         check_ending("--netcdf", self.netcdf, ".nc")
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
-    def run(self, *, force: bool) -> "Run":
+    def run(self, *, force: bool) -> "Execution":
         """Return how the sweep is run, its store checked.
 
         Raises
         ------
         InputError, OutputError
-            As for `rocksteady.Run`, and as for `rocksteady.Store` and its `check`.
+            As for `rocksteady.Execution`, and as for `rocksteady.Store` and its `check`.
         InputError
             If an option of a store is given without a store.
         """
-        from rocksteady.sweep.run import Run
+        from rocksteady.sweep.run import Execution
 
-        return Run(executor=self.executor, workers=self.workers, store=self._store(force=force))
+        return Execution(
+            executor=self.executor, workers=self.workers, store=self._store(force=force)
+        )
 
     def _store(self, *, force: bool) -> "Store | None":
         """Return where the cells are kept, checked; None for memory."""
@@ -155,8 +157,8 @@ class SweepFlags:
 
     @contextmanager
     def running(
-        self, context: typer.Context, run: "Run", task: str, cells: int
-    ) -> "Iterator[tuple[Run, Meter]]":
+        self, context: typer.Context, run: "Execution", task: str, cells: int
+    ) -> "Iterator[tuple[Execution, Meter]]":
         """Yield a run that shows its progress, and the meter of that; resumable as below.
 
         Parameters

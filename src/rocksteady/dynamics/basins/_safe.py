@@ -13,7 +13,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -30,7 +30,7 @@ def safe_states(
     angles: Floats,
     velocities: Floats,
     cycles: int,
-    run: Run,
+    run: Execution,
     harmonics: Harmonics,
 ) -> Bools:
     """Return which states of a window do not overturn, shape (amplitudes, velocities, angles).

@@ -49,7 +49,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -63,7 +63,7 @@ MAX_CYCLES = 500
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
-class BasinFraction(Result):
+class BasinShare(Result):
     """Share of a window that belongs to one basin.
 
     Attributes
@@ -155,7 +155,7 @@ class Basins(Result):
         }
         return full_outcomes(self.block, self.motion, self.model, starts)
 
-    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[BasinFraction, ...]:
+    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[BasinShare, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
 
         The interval is that of as many states drawn at random in the whole window.  One state drawn
@@ -170,7 +170,7 @@ class Basins(Result):
 
         Returns
         -------
-        tuple of BasinFraction
+        tuple of BasinShare
             One for each attractor, in their order; the shares add up to 1.
 
         Raises
@@ -183,7 +183,7 @@ class Basins(Result):
         E. B. Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927).
         """
         return tuple(
-            BasinFraction(label=label, **counted(states, self.label.size, confidence))
+            BasinShare(label=label, **counted(states, self.label.size, confidence))
             for label, states in enumerate(self.states.tolist())
         )
 
@@ -324,7 +324,7 @@ def compute_basins(
     max_cycles: int = MAX_CYCLES,
     seed: int | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Basins:
     """Compute the basins of attraction in a window of initial states at one phase.
 

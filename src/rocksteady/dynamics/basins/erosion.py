@@ -38,7 +38,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -190,7 +190,7 @@ class Erosion(Result):
         *,
         level: float = LEVEL,
         tolerance: float = TOLERANCE,
-        run: Run | None = None,
+        run: Execution | None = None,
     ) -> IntegrityDrop | None:
         """Return where a measure first falls below a level, or None.
 
@@ -218,7 +218,7 @@ class Erosion(Result):
         ModelError
             If the run has a store.
         """
-        how = (run or Run()).in_memory("the basins of a drop are not kept")
+        how = (run or Execution()).in_memory("the basins of a drop are not kept")
         bound = in_range("level", level, 0.0, 1.0, hint="give a share, as 0.5")
         close = positive("tolerance", tolerance, hint="give a difference of amplitudes, as 0.001")
         values = self.measure(measure)
@@ -243,7 +243,7 @@ class Erosion(Result):
             measure=measure, level=bound, low=low, high=high, above=above, below=below
         )
 
-    def _at(self, amplitude: float, measure: str, run: Run) -> float:
+    def _at(self, amplitude: float, measure: str, run: Execution) -> float:
         """Return a measure at one more amplitude."""
         safe = safe_states(
             sides=sides_of(self.block, self.model),
@@ -314,7 +314,7 @@ def compute_erosion(
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Erosion:
     """Compute the erosion of the safe basin as the amplitude of the base motion grows.
 
@@ -375,7 +375,7 @@ def compute_erosion(
     >>> print(erosion.global_integrity.round(2), erosion.integrity_factor.round(2))
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """
-    how = Run() if run is None else run
+    how = Execution() if run is None else run
     block.dimensionless()  # refuses sides too unlike
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     given_motion = periodic_motion(motion)
@@ -441,7 +441,7 @@ def _least_half_width(sides: Floats) -> float:
     return HALF_WIDTH * float(widths.max())
 
 
-def _half_width(sides: Floats, run: Run) -> float:
+def _half_width(sides: Floats, run: Execution) -> float:
     """Return how far a window reaches whose edge does not cut the largest safe circle at A = 0."""
     width = _least_half_width(sides)
     radius = _still_radius(width, sides, run)
@@ -454,7 +454,7 @@ def _half_width(sides: Floats, run: Run) -> float:
     return width
 
 
-def _still_radius(width: float, sides: Floats, run: Run) -> float:
+def _still_radius(width: float, sides: Floats, run: Execution) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
     velocities = centred(width)
     angles = against_wall(width) if only_side(sides) > 0 else velocities

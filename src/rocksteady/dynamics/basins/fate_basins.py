@@ -32,7 +32,7 @@ from rocksteady.results.result import Result
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -62,7 +62,7 @@ ORDER = (
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
-class FateFraction(Result):
+class FateShare(Result):
     """Share of a window that has one fate.
 
     Attributes
@@ -185,7 +185,7 @@ class FateBasins(Result):
         """Share of the states whose fate is undecided."""
         return float((self.fate == Status.UNDECIDED).mean())
 
-    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[FateFraction, ...]:
+    def fractions(self, confidence: Confidence = CONFIDENCE) -> tuple[FateShare, ...]:
         """Return the share of each fate in the window, with Wilson's score interval.
 
         As for `Basins.fractions` the interval is that of as many states drawn at random.
@@ -197,7 +197,7 @@ class FateBasins(Result):
 
         Returns
         -------
-        tuple of FateFraction
+        tuple of FateShare
             One for each fate that occurs, and for each side to which blocks overturn; the shares
             add up to 1.
 
@@ -211,7 +211,7 @@ class FateBasins(Result):
             states = int(np.count_nonzero((self.fate == status) & (self.side == side)))
             if states:
                 counts = counted(states, self.fate.size, confidence)
-                fractions.append(FateFraction(fate=status, side=side, name=name, **counts))
+                fractions.append(FateShare(fate=status, side=side, name=name, **counts))
         return tuple(fractions)
 
     def state(self, row: int, column: int) -> State:
@@ -301,7 +301,7 @@ def compute_fate_basins(
     velocities: ArrayLike | None = None,
     time_pt: float = 0.0,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> FateBasins:
     """Compute the fate of each state of a window under a base motion that ends.
 
@@ -316,7 +316,7 @@ def compute_fate_basins(
         The block.
     motion
         Any base motion that ends: `Record`, `BaseMotion`, `Pulse`, `Impulses`, `Piecewise` and
-        sums of them, `SyntheticMotion`, `Still`; for endless shaking `cut_motion` takes a part.
+        sums of them, `SyntheticMotion`, `Still`; for endless shaking `motions.cut` takes a part.
     angles, velocities
         u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
         of 200 cells up to 1.5 on either side, or as far as the motion shifts the states that its

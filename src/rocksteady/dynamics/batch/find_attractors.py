@@ -65,7 +65,8 @@ def find_attractors(
 
     Examples
     --------
-    >>> from rocksteady import AttractorKind, find_attractors
+    >>> from rocksteady.orbits import find_attractors
+    >>> from rocksteady.outcomes import AttractorKind
     >>> attractors = find_attractors([0.5, 2.0, 6.0], 4.0, 0.8, velocity=0.2)
     >>> attractors.labels.tolist(), attractors.period.tolist()
     (['rest', 'symmetric', 'overturned'], [0, 1, 0])

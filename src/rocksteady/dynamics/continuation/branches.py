@@ -63,7 +63,7 @@ def _orders(name: str, value: Iterable[object]) -> tuple[int, ...]:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class BranchSearch:
+class BranchOptions:
     """Which branches a bifurcation diagram has.
 
     Parameters
@@ -316,7 +316,7 @@ def simple_orbits(
     motion: PeriodicMotion,
     parameter: str,
     within: tuple[float, float],
-    search: BranchSearch,
+    search: BranchOptions,
     model: Model,
 ) -> Iterator[Orbit]:
     """Yield the motions of each order with two impacts at several values.
@@ -344,7 +344,7 @@ def searched_orbits(
     motion: PeriodicMotion,
     parameter: str,
     within: tuple[float, float],
-    search: BranchSearch,
+    search: BranchOptions,
     model: Model,
 ) -> Iterator[Orbit]:
     """Yield all orbits without rest that a search finds at both ends and in the middle."""
@@ -357,7 +357,7 @@ def searched_orbits(
                 yield orbit
 
 
-def settled_orbits(sweeps: Iterable[AttractorSweep], search: BranchSearch) -> list[Orbit]:
+def settled_orbits(sweeps: Iterable[AttractorSweep], search: BranchOptions) -> list[Orbit]:
     """Return an orbit in the middle of every run of one kind that sweeps met, short ones first.
 
     Those that come to rest have no branch.

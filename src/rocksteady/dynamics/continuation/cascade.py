@@ -49,7 +49,7 @@ SHRINKING = 0.5
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class DoublingCascade(Result):
+class Cascade(Result):
     """Period doublings, each on the branch created by the previous one.
 
     Attributes
@@ -121,7 +121,8 @@ class DoublingCascade(Result):
 
         Examples
         --------
-        >>> from rocksteady import DimensionlessBlock, Harmonic, find_cascade, find_orbits
+        >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+        >>> from rocksteady.branches import find_cascade
         >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
         >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
         >>> within = {"within": (1.7, 2.0), "direction": -1, "doublings": 3}
@@ -161,7 +162,7 @@ def find_cascade(
         int, Whole(1, MOST_DOUBLINGS, "give the number of doublings to look for")
     ] = 6,
     largest_step: float = LARGEST_STEP,
-) -> DoublingCascade:
+) -> Cascade:
     """Locate successive period doublings, each on the branch created by the previous one.
 
     Parameters
@@ -177,7 +178,7 @@ def find_cascade(
 
     Returns
     -------
-    DoublingCascade
+    Cascade
         Each doubling to rounding.
 
     Raises
@@ -230,12 +231,12 @@ def find_cascade(
             f"its branch has no period doubling within {within}",
             "widen the range, or follow it in the other direction",
         )
-    return DoublingCascade(parameter=parameter, points=tuple(points))
+    return Cascade(parameter=parameter, points=tuple(points))
 
 
 def longest_cascade(
     branches: Sequence[Branch], within: tuple[float, float], doublings: int
-) -> DoublingCascade | None:
+) -> Cascade | None:
     """Return the first long cascade that begins on one of several branches, else the longest.
 
     Parameters
@@ -249,7 +250,7 @@ def longest_cascade(
 
     Returns
     -------
-    DoublingCascade or None
+    Cascade or None
         None where no branch has a doubling.
     """
     best = None

@@ -23,8 +23,8 @@ from rocksteady.dynamics.continuation.branch_facts import (
     point_row,
     point_values,
 )
-from rocksteady.dynamics.continuation.branches import SAME_PLACE, BranchSearch
-from rocksteady.dynamics.continuation.cascade import DoublingCascade
+from rocksteady.dynamics.continuation.branches import SAME_PLACE, BranchOptions
+from rocksteady.dynamics.continuation.cascade import Cascade
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
@@ -107,10 +107,10 @@ class BifurcationDiagram(Result):
     motion: PeriodicMotion
     parameter: str
     within: tuple[float, float]
-    search: BranchSearch
+    search: BranchOptions
     branches: tuple[Branch, ...]
     sweeps: tuple[AttractorSweep, ...]
-    cascade: DoublingCascade | None
+    cascade: Cascade | None
     complete: bool
     resting: tuple[RestingBranch, ...] = ()
     model: Model = field(default_factory=Linear)

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.continuation.branches import (
-    BranchSearch,
+    BranchOptions,
     find_branches,
     refuse_wall,
     searched_orbits,
@@ -54,7 +54,7 @@ def find_bifurcations(
     within: tuple[float, float] | None = None,
     values: ArrayLike | None = None,
     start: Start | HasStart | None = None,
-    search: BranchSearch | None = None,
+    search: BranchOptions | None = None,
     model: Model | None = None,
 ) -> BifurcationDiagram:
     """Find the periodic motions over a parameter, with all bifurcations that connect them.
@@ -83,7 +83,7 @@ def find_bifurcations(
     start
         Start of each sweep; by default the steady state, or rest where there is none.
     search
-        Which branches are followed, and for how long the sweeps wait; by default `BranchSearch()`.
+        Which branches are followed, and for how long the sweeps wait; by default `BranchOptions()`.
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
 
@@ -106,7 +106,7 @@ def find_bifurcations(
     refuse_wall(block, "branches")
     equations = chosen_model(model, block)
     body = block if isinstance(equations, Linear) else slender_block(block)
-    shaken, asked = periodic_motion(motion), BranchSearch() if search is None else search
+    shaken, asked = periodic_motion(motion), BranchOptions() if search is None else search
     if parameter not in PARAMETERS:
         valid = "orbits are followed over " + ", ".join(PARAMETERS)
         raise InputError("parameter", parameter, valid, "name one of them")
@@ -160,7 +160,7 @@ def _resting(
     motion: PeriodicMotion,
     parameter: str,
     within: tuple[float, float],
-    search: BranchSearch,
+    search: BranchOptions,
     model: Model,
 ) -> tuple[RestingBranch, ...]:
     """Return the branches of orbits that come to rest; none under a Fourier series."""

@@ -187,7 +187,7 @@ class BranchPoint(Result):
         )
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
-        """Plot the orbit there; arguments are those of `rocksteady.plot_section`.
+        """Plot the orbit there; arguments are those of `rocksteady.plots.poincare_section`.
 
         Raises
         ------
@@ -372,7 +372,8 @@ class Branch(Result):
 
         Examples
         --------
-        >>> from rocksteady import DimensionlessBlock, Harmonic, find_branches, find_orbits
+        >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+        >>> from rocksteady.branches import find_branches
         >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.2)
         >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)
         >>> branch = find_branches(starts[:1], "amplitude", (1.8, 2.2), max_period=1)[0]

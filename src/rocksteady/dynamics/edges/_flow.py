@@ -49,7 +49,7 @@ class Reached(NamedTuple):
     side
         +1, -1, or 0 at rest.
     impacts
-        On the way, as `rocksteady.Impacts` counts them.
+        On the way, as `rocksteady.histories.Impacts` counts them.
     fallen
         Whether it is proved that no impact follows.
     rested

@@ -111,7 +111,8 @@ def compute_manifold(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, find_hilltop_saddles
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.basins import find_hilltop_saddles
     >>> motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
     >>> saddle, _ = find_hilltop_saddles(DimensionlessBlock(restitution=0.9), motion)
     >>> manifold = compute_manifold(saddle, "unstable", length=3.0)

@@ -41,7 +41,7 @@ def refuse_endless(table: Floats, motion: object) -> None:
             "motion",
             motion,
             "it must come to an end",
-            "give a Record or a Pulse, or end it: cut_motion(motion, at=...)",
+            "give a Record or a Pulse, or end it: cut(motion, at=...)",
         )
 
 

@@ -22,7 +22,7 @@ from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START
 from rocksteady.sweep.cases.labelled import as_dataset
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -40,7 +40,7 @@ def map_attractors(
     max_cycles: int = 2000,
     refine: int | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the attractor of a block over a grid of parameters.
 

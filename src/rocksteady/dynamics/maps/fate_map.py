@@ -18,7 +18,7 @@ from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -36,7 +36,7 @@ def map_fates(
     cycles: int = 200,
     refine: int | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute the fate of a block after a given time, over a grid of parameters.
 

@@ -24,7 +24,7 @@ from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Cases
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.refine import refined
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
@@ -71,7 +71,7 @@ def map_of(
     cycles: int | None,
     refine: int | None,
     model: Model | None,
-    run: Run | None,
+    run: Execution | None,
 ) -> "Labelled":
     """Return the answers to a question over a grid of parameters.
 

@@ -47,7 +47,7 @@ from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -284,7 +284,7 @@ def compute_noise_fates(
     draws: int = DRAWS,
     start: Rest | State | HasStart | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> NoiseFates:
     """Compute the share of realisations of noise under which a block overturns.
 
@@ -326,7 +326,8 @@ def compute_noise_fates(
     --------
     A pulse that the block survives alone, and with noise less and less often:
 
-    >>> from rocksteady import BandNoise, DimensionlessBlock, Pulse, compute_noise_fates
+    >>> from rocksteady import DimensionlessBlock, Pulse, compute_noise_fates
+    >>> from rocksteady.motions import BandNoise
     >>> fates = compute_noise_fates(
     ...     DimensionlessBlock(restitution=0.9),
     ...     Pulse(shape="one-sine", amplitude=5.0, frequency_ratio=4.0),

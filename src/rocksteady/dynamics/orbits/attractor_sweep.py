@@ -164,7 +164,8 @@ class AttractorSweep(Result):
 
         Examples
         --------
-        >>> from rocksteady import DimensionlessBlock, Harmonic, sweep_attractor
+        >>> from rocksteady import DimensionlessBlock, Harmonic
+        >>> from rocksteady.orbits import sweep_attractor
         >>> block = DimensionlessBlock(restitution=0.8)
         >>> motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
         >>> data = sweep_attractor(block, motion, "amplitude", [0.5, 2.0, 2.5]).to_dataset()

@@ -187,7 +187,7 @@ def equivalent_damping(restitution: ArrayLike) -> Floats:
     Examples
     --------
     >>> from math import radians
-    >>> from rocksteady import housner_restitution
+    >>> from rocksteady.formulas import housner_restitution
     >>> ratios = [housner_restitution(radians(angle)) for angle in (10, 15, 20)]
     >>> (100 * equivalent_damping(ratios)).round(3)
     array([ 3.147,  7.201, 13.12 ])

@@ -45,7 +45,7 @@ from rocksteady.results.numbers import number, quantity
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -287,7 +287,7 @@ class FatalKicks(WindowLists):
 
 
 @checked
-def find_fatal_kick(
+def find_fatal_kicks(
     block: Block | DimensionlessBlock,
     *,
     start: Rest | State | HasStart | None = None,
@@ -295,7 +295,7 @@ def find_fatal_kick(
     times_pt: ArrayLike = 0.0,
     within: tuple[float, float] | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> FatalKicks:
     """Find the smallest sudden change of the base velocity that overturns a block.
 
@@ -337,9 +337,9 @@ def find_fatal_kick(
     A slender block that leans by half its slenderness, at rest for a moment.  Towards its fall it
     needs 1/2; against it the impact takes a part away:
 
-    >>> from rocksteady import DimensionlessBlock, State, find_fatal_kick
+    >>> from rocksteady import DimensionlessBlock, State, find_fatal_kicks
     >>> block = DimensionlessBlock(restitution=0.9)
-    >>> kicks = find_fatal_kick(block, start=State(angle=0.5, velocity=0.0))
+    >>> kicks = find_fatal_kicks(block, start=State(angle=0.5, velocity=0.0))
     >>> print(kicks.signed.round(6))
     [[ 0.5      -0.696109]]
     """

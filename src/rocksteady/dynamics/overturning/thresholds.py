@@ -29,7 +29,7 @@ Floats = NDArray[np.float64]
 
 
 @checked
-def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
+def overturning_amplitude(shape: str, frequency_ratio: ArrayLike) -> Floats:
     r"""Return the amplitude above which a pulse overturns a slender block without an impact.
 
     ==============  ==============================================================================
@@ -72,9 +72,9 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
     Examples
     --------
-    >>> overturning_threshold("half-sine", [1.0, 2.0, 3.0]).round(6)
+    >>> overturning_amplitude("half-sine", [1.0, 2.0, 3.0]).round(6)
     array([1.322397, 1.800724, 2.293872])
-    >>> round(float(overturning_threshold("one-sine", 5.0)), 6)
+    >>> round(float(overturning_amplitude("one-sine", 5.0)), 6)
     7.168129
     """
     if shape not in THRESHOLDS:

@@ -27,7 +27,7 @@ from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -273,7 +273,7 @@ def find_overturning_windows(
     within: tuple[float, float] | None = None,
     resolution: float | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> OverturningWindows:
     """Find all windows of amplitude in which a pulse overturns a block, over the frequency.
 
@@ -372,7 +372,7 @@ def find_overturning_windows(
 def threshold_without_impact(
     block: Block | DimensionlessBlock, pulse: Pulse, frequency_ratios: ArrayLike
 ) -> Floats:
-    """Return `overturning_threshold` for the side that a pulse lifts first, in A of the positive.
+    """Return `overturning_amplitude` for the side that a pulse lifts first, in A of the positive.
 
     Parameters
     ----------
@@ -385,7 +385,7 @@ def threshold_without_impact(
         Omega = omega/p of the positive side.
     """
     _, alpha_ratio, p_ratio = block.dimensionless().sides[int(pulse.reverse)]
-    # Without the bounds of `overturning_threshold`, which hold for the positive side.
+    # Without the bounds of `overturning_amplitude`, which hold for the positive side.
     threshold = np.vectorize(THRESHOLDS[pulse.shape], otypes=[np.float64])
     amplitude: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
     return amplitude

@@ -19,9 +19,9 @@ def tangency_amplitude(sides: tuple[SideRow, SideRow], frequency_ratio: float) -
 
     with ``c = 1/(lambda (1 + w^2))``, which first has a solution where A times the length of the
     two factors is ``|delta u - v|``.  The smaller one of both directions is returned; of symmetric
-    blocks it is `rocksteady.heteroclinic_amplitude` (Hogan 1992; Lenci and Rega 2005).  Where
-    ``delta u > v`` the block falls from one upright position over the other even on a still base,
-    and from that amplitude on it need not.
+    blocks it is `rocksteady.formulas.heteroclinic_amplitude` (Hogan 1992; Lenci and Rega 2005).
+    Where ``delta u > v`` the block falls from one upright position over the other even on a still
+    base, and from that amplitude on it need not.
 
     Parameters
     ----------

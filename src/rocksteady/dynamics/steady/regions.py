@@ -66,7 +66,7 @@ class RegionBoundaries(OfLinear, Result):
 
 
 @checked
-def region_boundaries(
+def compute_region_boundaries(
     frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
 ) -> RegionBoundaries:
     """Return the three boundary curves of the regions (eqs 23, 24, 25).
@@ -83,7 +83,7 @@ def region_boundaries(
 
     Examples
     --------
-    >>> curves = region_boundaries(4.0, 0.5)
+    >>> curves = compute_region_boundaries(4.0, 0.5)
     >>> print(f"{curves.existence:.5f} {curves.kind:.5f} {curves.sign:.5f}")
     0.70825 0.79129 1.58816
     """
@@ -274,7 +274,9 @@ def symmetry_breaking_amplitude(
 
 
 @checked
-def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
+def symmetry_breaking_frequencies(
+    amplitude: float, restitution: float, *, order: int = 1
+) -> Floats:
     """Return every frequency ratio in [0.01, 1000] at which branch 1 loses its symmetry.
 
     Roots of `symmetry_breaking_amplitude`, isolated on a fine logarithmic grid and found by Brent's
@@ -301,7 +303,7 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
 
     Examples
     --------
-    >>> symmetry_breaking_frequency(2.0, 0.8).round(6)
+    >>> symmetry_breaking_frequencies(2.0, 0.8).round(6)
     array([1.948378])
     """
     a = in_range("amplitude", amplitude, 0.0, LARGEST, hint="give a_max/(alpha g)")

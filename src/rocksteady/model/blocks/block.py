@@ -15,6 +15,7 @@ from typing import Annotated
 
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import Measured
+from rocksteady.model.blocks.examples import constructor_of
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, Restitutions
 from rocksteady.model.blocks.sides import (
     Side,
@@ -61,6 +62,7 @@ class Block(Measured):
     ``Block.general(...)``                      any mass distribution, symmetric
     ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge than to the other
     ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
+    ``Block.named(name)``                       one of the literature or of common equipment
     ==========================================  ====================================================
 
     ``block.against_wall()`` is any of them against a wall, so that it rocks to one side alone.
@@ -131,6 +133,43 @@ class Block(Measured):
     def __hash__(self) -> int:
         """Return the same number for blocks that move alike."""
         return hash(self._identity)
+
+    @classmethod
+    def named(
+        cls,
+        name: str,
+        *,
+        restitution: Restitutions | None = None,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a named block of the literature or of common equipment.
+
+        Parameters
+        ----------
+        name
+            "tso-wong-1989", "makris-roussos-2000", "zhang-makris-2001", "fema-p58-cabinet",
+            "server-rack", "gas-cylinder" or "statue-on-plinth".  Sizes, sources and assumptions
+            are in `rocksteady.model.blocks.examples.SOURCES`.
+        restitution
+            Restitution in place of the source's, in any form that its constructor takes; by
+            default the source's, or Housner's where the source gives none.
+        gravity
+            Acceleration of gravity [m/s^2].
+
+        Raises
+        ------
+        InputError
+            If there is no block of that name, or another value is outside its range.
+
+        Examples
+        --------
+        >>> Block.named("zhang-makris-2001").restitution
+        0.9
+        """
+        constructor, sizes = constructor_of(name)
+        given = {} if restitution is None else {"restitution": restitution}
+        made: Block = getattr(cls, constructor)(**(sizes | given), gravity=gravity)
+        return made
 
     @classmethod
     def rectangle(

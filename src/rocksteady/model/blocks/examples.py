@@ -2,11 +2,10 @@
 
 import math
 from collections.abc import Callable
+from functools import partial
 
-from rocksteady.errors import InputError, with_call_errors
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, hypot
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.housner_forms import Restitution
 
 INCH = 0.0254
 """[m]"""
@@ -52,80 +51,15 @@ SOURCES = {
 """What each named block is, and where it comes from."""
 
 
-@with_call_errors
-def named_block(
-    name: str,
-    *,
-    restitution: Restitution | None = None,
-    gravity: float = STANDARD_GRAVITY,
-) -> Block:
-    """Return a named block of the literature or of common equipment.
-
-    Parameters
-    ----------
-    name
-        "tso-wong-1989", "makris-roussos-2000", "zhang-makris-2001", "fema-p58-cabinet",
-        "server-rack", "gas-cylinder" or "statue-on-plinth".  Sizes, sources and assumptions are in
-        `rocksteady.model.blocks.examples.SOURCES`.
-    restitution
-        Restitution in place of the source's; all forms of the constructors of `Block`.
-    gravity
-        Acceleration of gravity [m/s^2]; default 9.80665.
-
-    Raises
-    ------
-    InputError
-        If there is no block of that name, or another value is outside its range.
-
-    Examples
-    --------
-    >>> named_block("zhang-makris-2001").restitution
-    0.9
-    """
-    given: object = name
-    if not isinstance(given, str) or given not in SOURCES:
-        raise InputError(
-            "name",
-            name,
-            "there is no block of that name",
-            "choose one of " + ", ".join(SOURCES),
-        )
-    measured: dict[str, Restitution] = {
-        "tso-wong-1989": 0.8,
-        "makris-roussos-2000": 0.85,
-        "zhang-makris-2001": 0.9,
-    }
-    ratio = measured.get(name, "housner") if restitution is None else restitution
-    return _MAKERS[name](ratio, gravity)
-
-
-def _rectangle(width: float, height: float) -> "Maker":
-    """Return what makes a homogeneous rectangle [m]."""
-    return lambda ratio, gravity: Block.rectangle(
-        width=width, height=height, restitution=ratio, gravity=gravity
-    )
-
-
-def _from_p(alpha: float, p: float) -> "Maker":
-    """Return what makes a block of a slenderness [rad] and a frequency parameter [rad/s]."""
-    return lambda ratio, gravity: Block.from_p(alpha=alpha, p=p, restitution=ratio, gravity=gravity)
-
-
-def _cylinder(ratio: Restitution, gravity: float) -> Block:
+def _cylinder() -> dict[str, float]:
     """Return a thin tube, whose radius of gyration is ``sqrt(d^2/8 + h^2/12)``."""
     diameter, height = 0.229, 1.64
     radius = 0.5 * hypot(diameter, height)
-    return Block.general(
-        mass=1.0,
-        inertia=radius * radius + diameter * diameter / 8.0 + height * height / 12.0,
-        radius=radius,
-        alpha=atan2(diameter, height),
-        restitution=ratio,
-        gravity=gravity,
-    )
+    inertia = radius * radius + diameter * diameter / 8.0 + height * height / 12.0
+    return {"mass": 1.0, "inertia": inertia, "radius": radius, "alpha": atan2(diameter, height)}
 
 
-def _statue(ratio: Restitution, gravity: float) -> Block:
+def _statue() -> dict[str, float]:
     """Return two boxes, one on the other: mass centre and inertia by the parallel axes."""
     # Width, height, mass, and the middle above the plinth's lower left corner.
     boxes = ((0.6, 0.9, 2.0, 0.3, 0.45), (0.5, 1.7, 1.0, 0.35, 1.75))
@@ -136,24 +70,32 @@ def _statue(ratio: Restitution, gravity: float) -> Block:
         m * ((b * b + h * h) / 12.0 + (x - left) * (x - left) + (y - centre) * (y - centre))
         for b, h, m, x, y in boxes
     )
-    return Block.asymmetric(
-        left=left,
-        right=0.6 - left,
-        height=2.0 * centre,
-        gyration=math.sqrt(inertia / mass),
-        restitution=ratio,
-        gravity=gravity,
-    )
+    gyration = math.sqrt(inertia / mass)
+    return {"left": left, "right": 0.6 - left, "height": 2.0 * centre, "gyration": gyration}
 
 
-Maker = Callable[[Restitution, float], Block]
-
-_MAKERS: dict[str, Maker] = {
-    "tso-wong-1989": _from_p(0.2, 2.0 * math.pi),
-    "makris-roussos-2000": _rectangle(1.0, 3.0),
-    "zhang-makris-2001": _from_p(0.25, 2.14),
-    "fema-p58-cabinet": _rectangle(18.6 * INCH, 67.75 * INCH),
-    "server-rack": _rectangle(0.6, 2.0),
-    "gas-cylinder": _cylinder,
-    "statue-on-plinth": _statue,
+CONSTRUCTORS: dict[str, tuple[str, Callable[[], dict[str, float]]]] = {
+    "tso-wong-1989": ("from_p", partial(dict, alpha=0.2, p=2.0 * math.pi, restitution=0.8)),
+    "makris-roussos-2000": ("rectangle", partial(dict, width=1.0, height=3.0, restitution=0.85)),
+    "zhang-makris-2001": ("from_p", partial(dict, alpha=0.25, p=2.14, restitution=0.9)),
+    "fema-p58-cabinet": ("rectangle", partial(dict, width=18.6 * INCH, height=67.75 * INCH)),
+    "server-rack": ("rectangle", partial(dict, width=0.6, height=2.0)),
+    "gas-cylinder": ("general", _cylinder),
+    "statue-on-plinth": ("asymmetric", _statue),
 }
+"""The constructor of `Block` that makes each named block, and what returns its arguments."""
+
+
+def constructor_of(name: object) -> tuple[str, dict[str, float]]:
+    """Return the constructor of a named block and its arguments.
+
+    Raises
+    ------
+    InputError
+        If there is no block of that name.
+    """
+    if not isinstance(name, str) or name not in CONSTRUCTORS:
+        known = ", ".join(CONSTRUCTORS)
+        raise InputError("name", name, "there is no block of that name", f"choose one of {known}")
+    constructor, arguments = CONSTRUCTORS[name]
+    return constructor, arguments()

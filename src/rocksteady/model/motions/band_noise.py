@@ -13,7 +13,7 @@ from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import non_negative, rising
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.combine import cut_motion
+from rocksteady.model.motions.combine import cut
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
     DURATION_S,
@@ -286,7 +286,8 @@ def add_noise(
 
     Examples
     --------
-    >>> from rocksteady import BandNoise, Harmonic, add_noise
+    >>> from rocksteady import Harmonic
+    >>> from rocksteady.motions import BandNoise, add_noise
     >>> noise = BandNoise(rms=0.1, band=(1.0, 10.0), duration=20.0, seed=1)
     >>> noisy = add_noise(Harmonic(amplitude=2.0, frequency_ratio=4.0), noise)
     >>> len(noisy.pieces), noisy.pieces[0].amplitude, noisy.pieces[0].frequency
@@ -329,7 +330,7 @@ def finite(motion: Motion, noise: BandNoise) -> Motion:
     still = last is None or (last.constant == 0.0 and last.amplitude == 0.0)
     if last is None or last.duration != math.inf or (still and not last.frequency):
         return motion
-    return cut_motion(motion, noise.duration)
+    return cut(motion, noise.duration)
 
 
 def with_lines(rows: "Floats", values: "Floats", step: float) -> "Floats":

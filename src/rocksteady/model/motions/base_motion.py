@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.motions.combine import scale_motion
+from rocksteady.model.motions.combine import scale
 from rocksteady.model.motions.segments import Motion
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ class BaseMotion:
         Raises
         ------
         InputError, ModelError
-            As for `Record.scaled`, or `rocksteady.scale_motion` of another motion.
+            As for `Record.scaled`, or `rocksteady.motions.scale` of another motion.
         """
         up = self.vertical
         return BaseMotion(
@@ -64,4 +64,4 @@ class BaseMotion:
 
 def _scaled(motion: "Motion | Record", factor: float) -> "Motion | Record":
     """Return a component multiplied by a factor."""
-    return scale_motion(motion, factor)
+    return scale(motion, factor)

@@ -37,11 +37,11 @@ _SAME_TIME = 1e-12
 
 
 @overload
-def scale_motion(motion: "Record", factor: float) -> "Record": ...
+def scale(motion: "Record", factor: float) -> "Record": ...
 @overload
-def scale_motion(motion: Motion, factor: float) -> Piecewise: ...
+def scale(motion: Motion, factor: float) -> Piecewise: ...
 @checked
-def scale_motion(motion: "Motion | Record", factor: float) -> "Piecewise | Record":
+def scale(motion: "Motion | Record", factor: float) -> "Piecewise | Record":
     """Multiply a base motion by a factor; -1 reverses it.
 
     Parameters
@@ -63,9 +63,10 @@ def scale_motion(motion: "Motion | Record", factor: float) -> "Piecewise | Recor
 
     Examples
     --------
-    >>> from rocksteady import Pulse, scale_motion
+    >>> from rocksteady import Pulse
+    >>> from rocksteady.motions import scale
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in scale_motion(pulse, -1.0).segments()]
+    >>> [piece.constant for piece in scale(pulse, -1.0).segments()]
     [-1.5]
     """
     if not hasattr(motion, "segments"):
@@ -89,7 +90,7 @@ def scale_motion(motion: "Motion | Record", factor: float) -> "Piecewise | Recor
 
 
 @checked
-def delay_motion(motion: Motion, by: Annotated[float, _TIME]) -> Piecewise:
+def delay(motion: Motion, by: Annotated[float, _TIME]) -> Piecewise:
     """Return a base motion that begins later, after a still base.
 
     Parameters
@@ -106,9 +107,10 @@ def delay_motion(motion: Motion, by: Annotated[float, _TIME]) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, delay_motion
+    >>> from rocksteady import Pulse
+    >>> from rocksteady.motions import delay
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.duration for piece in delay_motion(pulse, 0.5).segments()]
+    >>> [piece.duration for piece in delay(pulse, 0.5).segments()]
     [0.5, 1.5707963267948966]
     """
     still = (Segment(duration=by),) if by > 0.0 else ()
@@ -116,7 +118,7 @@ def delay_motion(motion: Motion, by: Annotated[float, _TIME]) -> Piecewise:
 
 
 @checked
-def cut_motion(motion: Motion, at: Annotated[float, _TIME]) -> Piecewise:
+def cut(motion: Motion, at: Annotated[float, _TIME]) -> Piecewise:
     """Return a base motion up to a time, followed by a still base.
 
     Parameters
@@ -137,8 +139,9 @@ def cut_motion(motion: Motion, at: Annotated[float, _TIME]) -> Piecewise:
     Five cycles of harmonic shaking:
 
     >>> import math
-    >>> from rocksteady import Harmonic, cut_motion
-    >>> five = cut_motion(Harmonic(amplitude=2.0, frequency_ratio=4.0), 5 * 2.0 * math.pi / 4.0)
+    >>> from rocksteady import Harmonic
+    >>> from rocksteady.motions import cut
+    >>> five = cut(Harmonic(amplitude=2.0, frequency_ratio=4.0), 5 * 2.0 * math.pi / 4.0)
     >>> [round(piece.duration, 6) for piece in five.segments()]
     [7.853982]
     """
@@ -156,7 +159,7 @@ def cut_motion(motion: Motion, at: Annotated[float, _TIME]) -> Piecewise:
 
 
 @checked
-def join_motions(*motions: Motion) -> Piecewise:
+def join(*motions: Motion) -> Piecewise:
     """Return base motions in sequence, each beginning where the previous one ends.
 
     Parameters
@@ -171,16 +174,17 @@ def join_motions(*motions: Motion) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, join_motions, scale_motion
+    >>> from rocksteady import Pulse
+    >>> from rocksteady.motions import join, scale
     >>> lobe = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in join_motions(lobe, scale_motion(lobe, -1.0)).segments()]
+    >>> [piece.constant for piece in join(lobe, scale(lobe, -1.0)).segments()]
     [1.5, -1.5]
     """
     return Piecewise(pieces=tuple(piece for motion in motions for piece in _segments(motion)))
 
 
 @checked
-def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
+def add(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
     """Return the sum of base motions that begin together.
 
     Constants, slopes and sinusoids of one frequency add up in closed form, and so do sinusoids
@@ -205,9 +209,10 @@ def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise
 
     Examples
     --------
-    >>> from rocksteady import Pulse, add_motions, delay_motion
+    >>> from rocksteady import Pulse
+    >>> from rocksteady.motions import add, delay
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in add_motions(pulse, delay_motion(pulse, 0.5)).segments()]
+    >>> [piece.constant for piece in add(pulse, delay(pulse, 0.5)).segments()]
     [1.5, 3.0, 1.5]
     """
     error = positive("tolerance", tolerance, hint="give a small part of alpha g, as 1e-6")

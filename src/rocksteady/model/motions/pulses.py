@@ -66,7 +66,7 @@ class Pulse:
     """A single pulse of base acceleration, followed by a still base.
 
     Positive acceleration drives positive rotation, as everywhere in the package; in [1]_ the
-    rotation has the opposite sign.  `delay_motion`, `join_motions` and `add_motions` put pulses
+    rotation has the opposite sign.  `motions.delay`, `motions.join` and `motions.add` put pulses
     together.
 
     Parameters

@@ -11,7 +11,7 @@ from rocksteady.risk.assess._remedies import Remedy
 from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
 from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.screens.screens import Screens
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 
 def tables_of(
@@ -80,7 +80,7 @@ def _range(cases: Sequence[Case], parameter: str) -> str:
 def _inputs(suite: Sequence[Record | BaseMotion]) -> list[dict[str, object]]:
     """Return what each motion is."""
     records = [horizontal(each) for each in suite]
-    pga, pgv = (measured(suite, Intensity(name)) for name in ("pga_g", "pgv_m_s"))
+    pga, pgv = (measured(suite, Measure(name)) for name in ("pga_g", "pgv_m_s"))
     return [
         {
             "name": record.name,

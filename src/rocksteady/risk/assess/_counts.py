@@ -11,13 +11,13 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
-from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
-from rocksteady.seismic.measures.scalar import VELOCITIES, Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import VELOCITIES, Measure
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -117,12 +117,12 @@ def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Coun
 def run_at(
     blocks: Sequence[Block],
     motions: Motions,
-    measure: str | Intensity,
+    measure: str | Measure,
     levels: Sequence[float],
     *,
     restitution: RestitutionBand = OWN,
     vertical: bool = False,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> list[Counts]:
     """Run blocks at some levels, and count.
 
@@ -131,7 +131,7 @@ def run_at(
     blocks, motions
         Every block meets every motion, as recorded and reversed.
     measure, levels
-        As for `Stripes`.
+        As for `Levels`.
     restitution
         By default the blocks' own alone.
     vertical
@@ -142,7 +142,7 @@ def run_at(
     ensemble = run_ensemble(
         list(blocks),
         list(motions),
-        stripes=Stripes(measure, list(levels), beside=()),
+        stripes=Levels(measure, list(levels), beside=()),
         restitution=restitution,
         vertical=vertical,
         run=run,

@@ -15,7 +15,7 @@ from rocksteady.risk.assess._counts import Motions
 from rocksteady.risk.assess.described.schema import ObjectDemand
 from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 
 Floats = NDArray[np.float64]
 
@@ -40,12 +40,12 @@ class DemandLevel:
         Whether it is the median of the records, as no demand is given.
     """
 
-    measure: Intensity
+    measure: Measure
     value: float
     words: str
     assumed: bool = False
 
-    def of(self, intensity: Intensity, block: Block) -> float:
+    def of(self, intensity: Measure, block: Block) -> float:
         """Return the demand in a measure that may be relative to the block."""
         side = first_side(block)
         uplift = block.gravity * tan(side.alpha)
@@ -57,7 +57,7 @@ class DemandLevel:
 
 
 def demand_level(
-    intensity: Intensity, demand: ObjectDemand, motions: Motions, block: Block, source: str
+    intensity: Measure, demand: ObjectDemand, motions: Motions, block: Block, source: str
 ) -> DemandLevel:
     """Return the level of a demand; without one the median of the records as they are.
 
@@ -70,9 +70,9 @@ def demand_level(
     given = demand.pga_g is not None or demand.pgv_m_s is not None or demand.spectrum is not None
     if key is None:
         period = intensity.period_s or 2.0 * np.pi / first_side(block).p
-        measure = Intensity(intensity.name, float(period))
+        measure = Measure(intensity.name, float(period))
     else:
-        measure = Intensity(key)
+        measure = Measure(key)
     value: float | None = None if key is None else getattr(demand, key)
     spectrum = demand.spectrum
     if key is None and intensity.name == "sa_g" and spectrum is not None:
@@ -118,6 +118,6 @@ def horizontal(motion: Record | BaseMotion) -> Record:
     return across
 
 
-def measured(motions: Motions, measure: Intensity, block: Block | None = None) -> Floats:
+def measured(motions: Motions, measure: Measure, block: Block | None = None) -> Floats:
     """Return a measure of each motion as it is, shape (motions,)."""
-    return np.array([measure_scalar(horizontal(each), measure, block) for each in motions])
+    return np.array([compute_measure(horizontal(each), measure, block) for each in motions])

@@ -13,12 +13,12 @@ from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
 from rocksteady.risk.assess._vertical_levels import levels_of
-from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fit_fragility import fit_fragility
-from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.screens.friction import (
     MODES,
@@ -27,8 +27,8 @@ from rocksteady.risk.screens.friction import (
     first_motion,
     needed_friction,
 )
-from rocksteady.seismic.measures.scalar import Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -58,7 +58,7 @@ class Onset:
         return self.motion in ("slides", "slides and rocks")
 
 
-def onset_of(described: ObjectFile) -> Onset:
+def onset_of(described: DescribedObject) -> Onset:
     """Return what the peak acceleration of an object's demand begins."""
     demand, friction = described.demand, described.given.friction
     pga, vertical = demand.pga_g, demand.vertical_at_peak_g
@@ -111,7 +111,7 @@ NO_ANSWER = Probability(value=None)
 
 
 def probability_of(
-    described: ObjectFile,
+    described: DescribedObject,
     onset: Onset,
     fragility: Fragility,
     level: DemandLevel,
@@ -150,7 +150,7 @@ def probability_of(
     )
 
 
-def _restitutions(described: ObjectFile, most: int) -> str:
+def _restitutions(described: DescribedObject, most: int) -> str:
     """Return the restitutions of an object's runs in words."""
     band = band_of(described, most=most)
     ratios = band.ratios(described.block)
@@ -161,13 +161,13 @@ def _restitutions(described: ObjectFile, most: int) -> str:
 
 
 def fit_fragilities(
-    objects: Sequence[ObjectFile],
+    objects: Sequence[DescribedObject],
     motions: Motions,
-    intensities: Sequence[Intensity],
-    fittings: Sequence[Fitting],
+    intensities: Sequence[Measure],
+    fittings: Sequence[FitOptions],
     *,
     ranked: bool = True,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> list[Fragility]:
     """Run objects on all motions at all levels of each object, and fit the curves of each.
 
@@ -224,11 +224,11 @@ class AtDemand(NamedTuple):
 
 
 def count_at_demand(
-    objects: Sequence[ObjectFile],
+    objects: Sequence[DescribedObject],
     motions: Motions,
     levels: Sequence[DemandLevel],
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> list[AtDemand]:
     """Return the runs of each object at its demand, without vertical motion, counted."""
     groups: dict[tuple[DemandLevel, RestitutionBand], list[int]] = {}
@@ -254,7 +254,7 @@ def _part(ensemble: "xarray.Dataset", place: int) -> "xarray.Dataset":
     return part.assign_attrs(runs=ensemble.attrs["runs"] // ensemble.sizes["block"])
 
 
-def _runs_for(run: Run | None, count: int) -> list[Run | None]:
+def _runs_for(run: Execution | None, count: int) -> list[Execution | None]:
     """Return how each of some sweeps is run, each with a store of its own, checked."""
     place = None if run is None else run.place
     if run is None or place is None:

@@ -24,11 +24,11 @@ from rocksteady.risk.assess._sensitivity import (
     stays,
 )
 from rocksteady.risk.assess.described.body import Body
-from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 
@@ -117,18 +117,18 @@ class Search:
 
     def __init__(
         self,
-        described: ObjectFile,
+        described: DescribedObject,
         motions: Motions,
         level: DemandLevel,
         target: float,
-        run: Run | None,
+        run: Execution | None,
     ) -> None:
         self.described, self.motions, self.level = described, motions, level
         self.target, self.run = target, run
         self.made: dict[Block, Counts] = {}
         self.unknown = False
         at_one = measured(motions, level.measure)
-        pga = measured(motions, Intensity("pga_g")) * (level.value / at_one)
+        pga = measured(motions, Measure("pga_g")) * (level.value / at_one)
         logs = np.log(pga)
         self.centre, self.spread = (
             float(logs.mean()),
@@ -277,9 +277,9 @@ def relative(level: DemandLevel, block: Block) -> float:
     """Return the demand relative to a block's uplift, and to its size where it is a velocity."""
     name = level.measure.name
     if name == "pgv_m_s":
-        return level.of(Intensity("p_pgv_per_uplift"), block)
+        return level.of(Measure("p_pgv_per_uplift"), block)
     if name == "pga_g":
-        return level.of(Intensity("pga_per_uplift"), block)
+        return level.of(Measure("pga_per_uplift"), block)
     return level.value / tan(first_side(block).alpha)
 
 
@@ -354,7 +354,7 @@ def _ballast(search: Search) -> Remedy:
     )
 
 
-def _friction_cap(described: ObjectFile) -> Remedy:
+def _friction_cap(described: DescribedObject) -> Remedy:
     """Return the friction below which it slides and does not lift, with its mass centre higher."""
     # At either end of every range of the file too: the side that lifts first of all of them.
     blocks = [described.block_of(described.body.with_centre(1.0 + CENTRE))]

@@ -20,11 +20,11 @@ from rocksteady.risk.assess._counts import (
     run_at,
 )
 from rocksteady.risk.assess._demand_level import DemandLevel
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.screens.friction import uplift_acceleration_g
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 CENTRE = 0.1
 """Share by which the height of the mass centre is varied."""
@@ -80,7 +80,11 @@ class Case:
 
 
 def vary(
-    described: ObjectFile, motions: Motions, level: DemandLevel, *, run: Run | None = None
+    described: DescribedObject,
+    motions: Motions,
+    level: DemandLevel,
+    *,
+    run: Execution | None = None,
 ) -> tuple[Case, ...]:
     """Return the object as described and each of its changes, at the demand.
 
@@ -120,7 +124,7 @@ def vary(
     return tuple(cases)
 
 
-def band_of(described: ObjectFile, *, most: int) -> RestitutionBand:
+def band_of(described: DescribedObject, *, most: int) -> RestitutionBand:
     """Return the restitutions of an object: a band of its file, its one value, or the usual band.
 
     Parameters
@@ -143,7 +147,7 @@ def levels_about(level: DemandLevel) -> list[float]:
     return [multiple * level.value for multiple in MULTIPLES]
 
 
-def stays(described: ObjectFile, block: Block) -> bool:
+def stays(described: DescribedObject, block: Block) -> bool:
     """Return whether the demand's PGA does not lift a block; False without a PGA."""
     demand = described.demand
     if demand.pga_g is None:
@@ -181,7 +185,7 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
     )
 
 
-def changes_of(described: ObjectFile) -> list[tuple[str, str, Block]]:
+def changes_of(described: DescribedObject) -> list[tuple[str, str, Block]]:
     """Return parameter, change and block of each case without vertical motion."""
     body = described.body
     changes: list[tuple[str, str, Block]] = []

@@ -9,8 +9,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.assess._demand_level import horizontal
-from rocksteady.risk.ensemble.levels import Stripes
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 Floats = NDArray[np.float64]
@@ -20,28 +20,28 @@ MOST_LOST = 0.01
 
 
 def levels_of(
-    intensity: Intensity, block: Block, motions: Sequence[Record | BaseMotion], count: int
-) -> Stripes:
+    intensity: Measure, block: Block, motions: Sequence[Record | BaseMotion], count: int
+) -> Levels:
     """Return levels over the usual span, the last one low enough for the vertical motion.
 
     A base that falls at g ends a run without an answer.  The last level is the highest at which no
     more than 1 % of all runs can end so.
     """
-    usual = Stripes(intensity).levels_for([block])
+    usual = Levels(intensity).levels_for([block])
     low, high = usual[0], usual[-1]
     lost = contact_levels(intensity, block, motions)
     tops = [high, *sorted((float(top) for top in lost if low < top < high), reverse=True)]
     chosen = next((top for top in tops if _share_lost(low, top, count, lost) <= MOST_LOST), high)
     if chosen == high and count == len(usual):
-        return Stripes(intensity)
-    return Stripes(intensity, list(in_equal_ratios(low, chosen, count)))
+        return Levels(intensity)
+    return Levels(intensity, list(in_equal_ratios(low, chosen, count)))
 
 
 def contact_levels(
-    intensity: Intensity, block: Block, motions: Sequence[Record | BaseMotion]
+    intensity: Measure, block: Block, motions: Sequence[Record | BaseMotion]
 ) -> Floats:
     """Return the level of each motion at which its base falls at g; infinite without vertical."""
-    at_one = Stripes(intensity).at_scale_one([horizontal(each) for each in motions], [block])[0]
+    at_one = Levels(intensity).at_scale_one([horizontal(each) for each in motions], [block])[0]
     falling = np.array([_falling(each) for each in motions])
     with np.errstate(divide="ignore"):
         return np.asarray(at_one * block.gravity / falling)

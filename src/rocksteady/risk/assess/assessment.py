@@ -37,22 +37,22 @@ from rocksteady.risk.assess._sensitivity import (
 )
 from rocksteady.risk.assess._verdicts import MET, Findings, answer_of
 from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
-from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.facts import ObjectFacts, compute_object_facts
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.gates import uplift_of
-from rocksteady.risk.ensemble.levels import Stripes
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.ensemble.levels import Levels
+from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
 from rocksteady.risk.fragility.damage_states import OVERTURNED, DamageState
-from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.hazard.failure_risk import Risk, compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.screens.screens import Screens, screen_block
-from rocksteady.seismic.measures.scalar import Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import Measure
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -100,7 +100,7 @@ class Assessment(Result):
         Time that it took [s].
     """
 
-    described: ObjectFile
+    described: DescribedObject
     facts: ObjectFacts
     screens: Screens
     friction_needed: float | None
@@ -146,7 +146,7 @@ class Assessment(Result):
     def level(self) -> DemandLevel:
         """The demand as a level of the measure of its curves."""
         given = self.described.given
-        measure = Intensity(given.assessment.intensity_measure, given.assessment.period_s)
+        measure = Measure(given.assessment.intensity_measure, given.assessment.period_s)
         block, source = self.facts.block, self.described.source
         return demand_level(measure, given.demand, self.motions, block, source)
 
@@ -177,7 +177,7 @@ class Assessment(Result):
         demand = self.described.given.demand
         if demand.pga_g is None or demand.pgv_m_s is None or not self.motions:
             return None
-        ratios = measured(self.motions, Intensity("pgv_per_pga_s")) * STANDARD_GRAVITY
+        ratios = measured(self.motions, Measure("pgv_per_pga_s")) * STANDARD_GRAVITY
         return 100.0 * float((ratios * demand.pga_g < demand.pgv_m_s).mean())
 
     @property
@@ -307,7 +307,7 @@ class Assessment(Result):
 
     def _shortened(self, fragility: Fragility) -> list[str]:
         """Return a sentence where the vertical motion ends the levels early."""
-        usual = Stripes(fragility.measure).levels_for([self.facts.block])[-1]
+        usual = Levels(fragility.measure).levels_for([self.facts.block])[-1]
         last = float(fragility.ensemble["level"].values[-1])
         if last >= usual * (1.0 - 1e-9):
             return []
@@ -321,11 +321,11 @@ class Assessment(Result):
 
 @checked
 def assess_object(
-    described: ObjectFile,
+    described: DescribedObject,
     motions: Sequence[Record | BaseMotion],
     *,
     hazard: HazardCurve | Sequence[HazardCurve] | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Assessment:
     """Compute the probability that an object falls, its sensitivity, and remedies.
 
@@ -343,7 +343,7 @@ def assess_object(
     hazard
         A hazard curve or several; none by default.
     run
-        Executor, workers, store and progress of the ensemble; default `Run()`.
+        Executor, workers, store and progress of the ensemble; default `Execution()`.
 
     Returns
     -------
@@ -357,8 +357,10 @@ def assess_object(
 
     Examples
     --------
-    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite
-    >>> cabinet = ObjectFile(
+    >>> from rocksteady import assess_object
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import DescribedObject
+    >>> cabinet = DescribedObject(
     ...     values={
     ...         "name": "cabinet",
     ...         "friction": 0.1,
@@ -376,9 +378,9 @@ def assess_object(
     if not suite:
         raise InputError("motions", [], "an assessment needs motions", "give records")
     given = described.given
-    facts = derive_facts(described)
+    facts = compute_object_facts(described)
     block = facts.block
-    intensity = Intensity(given.assessment.intensity_measure, given.assessment.period_s)
+    intensity = Measure(given.assessment.intensity_measure, given.assessment.period_s)
     level = demand_level(intensity, given.demand, suite, block, described.source)
     friction = None if given.friction is None else bounds_of(given.friction)[0]
     screens = screen_block(block, described.demand, friction=friction)
@@ -420,9 +422,9 @@ def assess_object(
 def _rocking(
     assessment: Assessment,
     suite: list[Record | BaseMotion],
-    intensity: Intensity,
+    intensity: Measure,
     findings: Findings,
-    run: Run | None,
+    run: Execution | None,
 ) -> tuple[Assessment, Probability]:
     """Return the assessment with its ensemble, fragility, sensitivity, remedies; and its answer."""
     described, level = assessment.described, findings.level
@@ -450,19 +452,19 @@ def _rocking(
     return assessed, answer
 
 
-def _fitting(options: Options) -> Fitting:
+def _fitting(options: Options) -> FitOptions:
     """Return the damage states of the file, overturning among them."""
-    bands = Bands(replicates=options.replicates)
+    bands = BandOptions(replicates=options.replicates)
     states: list[DamageState | float | str] = [
         name if peak is None else DamageState(name, peak) for name, peak in own_states(options)
     ]
     if not states:
-        return Fitting(bands=bands)
+        return FitOptions(bands=bands)
     added = [] if OVERTURNED in states else [OVERTURNED]
-    return Fitting(states=[*states, *added], bands=bands)
+    return FitOptions(states=[*states, *added], bands=bands)
 
 
-def _words_of(described: ObjectFile, level: DemandLevel) -> str:
+def _words_of(described: DescribedObject, level: DemandLevel) -> str:
     """Return the demand in words."""
     given = described.given.demand
     if level.assumed:
@@ -496,7 +498,7 @@ def _risks(
 
 
 def _curve_over(
-    measure: Intensity,
+    measure: Measure,
     ensemble: "xarray.Dataset",
     suite: list[Record | BaseMotion],
     block: Block,

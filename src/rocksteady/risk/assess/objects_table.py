@@ -37,14 +37,14 @@ from rocksteady.risk.assess._verdicts import (
     with_article,
 )
 from rocksteady.risk.assess.caveats import CAVEATS
-from rocksteady.risk.assess.described.objects import ObjectFile
-from rocksteady.risk.assess.two_numbers import assess_two_numbers, share_words
+from rocksteady.risk.assess.described.objects import DescribedObject
+from rocksteady.risk.assess.two_numbers import assess_by_formula, share_words
 from rocksteady.risk.fragility.damage_states import OVERTURNED
-from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.screens.friction import uplift_acceleration_g
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import GIVEN, Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.sweep.run import Execution
 
 METHOD = (
     "Each object is assessed as one of its own file: by the curve through its runs at all levels "
@@ -175,13 +175,13 @@ PGV = Bounds(0.0, 10.0, "(]", "give the peak in m/s; 0.4 is usual")
 
 @checked
 def assess_objects(
-    objects: Sequence[ObjectFile],
+    objects: Sequence[DescribedObject],
     motions: Sequence[Record | BaseMotion],
     *,
     pga_g: Annotated[float | None, PGA] = None,
     pgv_m_s: Annotated[float | None, PGV] = None,
     target_probability: Annotated[float, Bounds(0.0, 1.0, "()", "give a probability")] = 0.1,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> ObjectsTable:
     """Assess many objects under one demand.
 
@@ -203,7 +203,7 @@ def assess_objects(
     target_probability
         Above it an object is red, above a fifth of it amber; default 0.1.
     run
-        Executor, workers, store and progress; default `Run()`.  Objects with other levels or
+        Executor, workers, store and progress; default `Execution()`.  Objects with other levels or
         restitutions than the first have stores of their own beside it, as runs-2.zarr.
 
     Returns
@@ -218,10 +218,12 @@ def assess_objects(
 
     Examples
     --------
-    >>> from rocksteady import ObjectFile, assess_objects, make_synthetic_suite
+    >>> from rocksteady import assess_objects
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import DescribedObject
     >>> sizes = {"vase": (0.12, 0.5), "chest": (0.9, 1.1)}
     >>> objects = [
-    ...     ObjectFile(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
+    ...     DescribedObject(values={"name": name, "geometry": {"width_m": b, "height_m": h}})
     ...     for name, (b, h) in sizes.items()
     ... ]
     >>> table = assess_objects(objects, make_synthetic_suite(4), pga_g=0.4, pgv_m_s=0.5)
@@ -251,7 +253,7 @@ def assess_objects(
     ]
     onsets = [onset_of(each) for each in asked]
     rocking = [place for place, onset in enumerate(onsets) if not onset.slides]
-    fitting = Fitting(states=[OVERTURNED], bands=None)
+    fitting = FitOptions(states=[OVERTURNED], bands=None)
     fragilities = dict(
         zip(
             rocking,
@@ -284,18 +286,22 @@ def assess_objects(
     )
 
 
-def _measure_of(described: ObjectFile) -> Intensity:
+def _measure_of(described: DescribedObject) -> Measure:
     """Return an object's measure of intensity; of a demand with one peak alone that peak."""
     options, demand = described.given.assessment, described.given.demand
-    measure = Intensity(options.intensity_measure, options.period_s)
+    measure = Measure(options.intensity_measure, options.period_s)
     peak = PEAKS.get(measure.name)
     if peak is None or getattr(demand, peak) is not None:
         return measure
-    return Intensity("pga_g" if demand.pgv_m_s is None else "pgv_m_s")
+    return Measure("pga_g" if demand.pgv_m_s is None else "pgv_m_s")
 
 
 def _row(
-    described: ObjectFile, onset: Onset, answer: Probability, level: DemandLevel, counts: AtDemand
+    described: DescribedObject,
+    onset: Onset,
+    answer: Probability,
+    level: DemandLevel,
+    counts: AtDemand,
 ) -> dict[str, Any]:
     """Return the row of an object."""
     block, demand, target = (
@@ -305,7 +311,7 @@ def _row(
     )
     closed = None
     if demand.pga_g is not None and demand.pgv_m_s is not None and not block.one_sided:
-        closed = assess_two_numbers(
+        closed = assess_by_formula(
             block,
             demand.pga_g,
             demand.pgv_m_s,
@@ -342,7 +348,7 @@ def _row(
 
 
 def _sentence(
-    described: ObjectFile, answer: Probability, level: DemandLevel, counts: AtDemand
+    described: DescribedObject, answer: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
     name, fell, runs = described.name, counts.fell, f"{counts.tried} runs"

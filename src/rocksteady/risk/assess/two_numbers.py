@@ -77,8 +77,8 @@ WORDS = (
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
-class QuickAssessment(Result):
-    """Probability that a block falls, from `rocksteady.assess_two_numbers`.
+class FormulaAssessment(Result):
+    """Probability that a block falls, from `rocksteady.risk.assess_by_formula`.
 
     Attributes
     ----------
@@ -194,7 +194,7 @@ class QuickAssessment(Result):
 
 
 @checked
-def assess_two_numbers(
+def assess_by_formula(
     block: Block,
     pga_g: float,
     pgv_m_s: float,
@@ -202,7 +202,7 @@ def assess_two_numbers(
     *,
     vertical_g: float = 0.0,
     vertical_share: float = 1.0,
-) -> QuickAssessment:
+) -> FormulaAssessment:
     """Compute the probability that a block falls, from PGA and PGV.
 
     ``P = 1[PGA > (g - a_v) tan alpha] Phi(ln(p PGV/(0.757 g tan alpha))/0.592)``, of the side that
@@ -224,7 +224,7 @@ def assess_two_numbers(
 
     Returns
     -------
-    QuickAssessment
+    FormulaAssessment
         Probability, its alternative, thresholds, and one sentence.
 
     Raises
@@ -234,8 +234,9 @@ def assess_two_numbers(
 
     Examples
     --------
-    >>> from rocksteady import Block, assess_two_numbers
-    >>> answer = assess_two_numbers(Block.rectangle(width=0.32, height=1.8), 0.35, 0.4)
+    >>> from rocksteady import Block
+    >>> from rocksteady.risk import assess_by_formula
+    >>> answer = assess_by_formula(Block.rectangle(width=0.32, height=1.8), 0.35, 0.4)
     >>> print(f"{answer.probability:.4f} {answer.median_pgv_m_s:.4f} {answer.uplift_pga_g:.4f}")
     0.3992 0.4653 0.1778
     >>> print(answer.sentence)
@@ -261,7 +262,7 @@ def assess_two_numbers(
     elif mode == "rocks":
         shares = [*shares_at(velocity_number(side, block.gravity, pgv))]
     need = needed_friction(block, pga, vertical)
-    return QuickAssessment(
+    return FormulaAssessment(
         block=block,
         pga_g=pga,
         pgv_m_s=pgv,

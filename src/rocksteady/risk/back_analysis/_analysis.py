@@ -11,10 +11,10 @@ from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
 from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out, unchecked
 from rocksteady.risk.back_analysis._remarks import remarks_on
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis, Bound
-from rocksteady.risk.back_analysis.scan import Scan
+from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
-from rocksteady.risk.observations.prior import Noise
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.risk.observations.prior import OutcomeErrors
+from rocksteady.seismic.measures.scalar import Measure
 
 Floats = NDArray[np.float64]
 
@@ -36,7 +36,7 @@ class Tried:
     """
 
     names: tuple[str, ...]
-    measures: tuple[Intensity, ...]
+    measures: tuple[Measure, ...]
     at_one: Floats
     levels: Levels
     shares: Floats
@@ -44,7 +44,7 @@ class Tried:
     seconds: float
 
 
-def analyse(survey: Survey, tried: Tried, noise: Noise, scan: Scan) -> BackAnalysis:
+def analyse(survey: Survey, tried: Tried, noise: OutcomeErrors, scan: ScanOptions) -> BackAnalysis:
     """Return the shakings that agree with a survey.
 
     Parameters
@@ -115,7 +115,9 @@ def _bound(survey: Survey) -> Bound:
     return "interval" if any(survey.fell) else "upper bound"
 
 
-def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan, bound: Bound) -> HeldOut:
+def _held_out(
+    logs: Floats, chance: Floats, plane: Plane, scan: ScanOptions, bound: Bound
+) -> HeldOut:
     """Return temper and probabilities of regions, checked or as they are given."""
     if scan.trials and bound == "interval":
         return hold_out(

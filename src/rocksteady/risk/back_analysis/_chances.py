@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.risk.observations.prior import Noise
+from rocksteady.risk.observations.prior import OutcomeErrors
 
 Floats = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ class Levels:
     simulated: Floats
 
     @classmethod
-    def between(cls, low: float, high: float, count: int, noise: Noise) -> "Levels":
+    def between(cls, low: float, high: float, count: int, noise: OutcomeErrors) -> "Levels":
         """Return a number of levels for two limits."""
         ends = np.log([low, high])
         beyond = REACH * noise.sigma_ln.high
@@ -52,7 +52,7 @@ class Levels:
         )
 
 
-def chances(shares: Floats, levels: Levels, noise: Noise) -> Floats:
+def chances(shares: Floats, levels: Levels, noise: OutcomeErrors) -> Floats:
     """Return the chance that each object falls, at every node.
 
     Parameters

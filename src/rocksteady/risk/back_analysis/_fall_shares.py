@@ -31,7 +31,7 @@ from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 
@@ -143,7 +143,7 @@ def fall_shares(
     *,
     draws: int,
     model: Model,
-    run: Run | None,
+    run: Execution | None,
 ) -> Floats:
     """Return the share of draws that fall.
 

@@ -22,13 +22,13 @@ from rocksteady.risk.back_analysis._fall_shares import (
     model_of,
 )
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
-from rocksteady.risk.back_analysis.scan import Scan
+from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.prior import Prior
-from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 
@@ -45,11 +45,11 @@ def back_analyse(
     survey: Survey,
     motions: Sequence[Record | BaseMotion],
     *,
-    measures: Sequence[Intensity | str] = ("pga_g", "pgv_m_s"),
+    measures: Sequence[Measure | str] = ("pga_g", "pgv_m_s"),
     prior: Prior | None = None,
-    scan: Scan | None = None,
+    scan: ScanOptions | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> BackAnalysis:
     """Find the shakings that agree with what fell and what stood.
 
@@ -78,11 +78,11 @@ def back_analyse(
     prior
         Amplitude error, outliers, and defaults of the objects; default `Prior()`.
     scan
-        Limits, levels, draws and temper; default `Scan()`.
+        Limits, levels, draws and temper; default `ScanOptions()`.
     model
         `Nonlinear()` (default) or `Linear()`.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Execution()`.
 
     Returns
     -------
@@ -99,17 +99,21 @@ def back_analyse(
     --------
     Of five blocks under one of six synthetic motions the two slender ones fell:
 
-    >>> from rocksteady import ObjectPrior, Scan, Survey, back_analyse, make_synthetic_suite
+    >>> from rocksteady import back_analyse
+    >>> from rocksteady.calibration import ObjectPrior, ScanOptions, Survey
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> blocks = [
     ...     ObjectPrior(name=f"block {k}", width_m=0.1 + 0.05 * k, height_m=0.8, base=1.0)
     ...     for k in range(5)
     ... ]
     >>> survey = Survey(objects=blocks, fell=[True, True, False, False, False])
-    >>> analysis = back_analyse(survey, make_synthetic_suite(6), scan=Scan(levels=8, draws=2))
+    >>> analysis = back_analyse(
+    ...     survey, make_synthetic_suite(6), scan=ScanOptions(levels=8, draws=2)
+    ... )
     >>> analysis.bound, bool(analysis.lows[0] < analysis.medians[0] < analysis.highs[0])
     ('interval', True)
     """
-    options = Scan() if scan is None else scan
+    options = ScanOptions() if scan is None else scan
     known = Prior() if prior is None else prior
     survey = replace(survey, objects=[known.object_prior(each) for each in survey.objects])
     words = _measures(measures)
@@ -120,10 +124,10 @@ def back_analyse(
             "motions",
             f"{len(grounds)}",
             f"records are left out in turn, of {FEWEST_RECORDS} or more",
-            "give more records, or Scan(temper=0.3, trials=0)",
+            "give more records, or ScanOptions(temper=0.3, trials=0)",
         )
     at_one = np.array(
-        [[measure_scalar(ground.record, each) for each in words] for ground in grounds]
+        [[compute_measure(ground.record, each) for each in words] for ground in grounds]
     )
     equations = model_of(survey, grounds, model)
     draws = options.draws_of(len(survey))
@@ -152,9 +156,9 @@ def back_analyse(
     return analyse(survey, tried, known.noise, options)
 
 
-def _measures(given: Sequence[Intensity | str]) -> tuple[Intensity, ...]:
+def _measures(given: Sequence[Measure | str]) -> tuple[Measure, ...]:
     """Return two or more measures that scale, each once."""
-    intensities = tuple(each if isinstance(each, Intensity) else Intensity(each) for each in given)
+    intensities = tuple(each if isinstance(each, Measure) else Measure(each) for each in given)
     for each in intensities:
         if each.needs_block or not each.scales:
             what = "needs a block" if each.needs_block else "does not grow with the accelerations"
@@ -162,7 +166,7 @@ def _measures(given: Sequence[Intensity | str]) -> tuple[Intensity, ...]:
                 "measures",
                 each.key,
                 f"{each.label} {what}",
-                "give measures of the ground, as 'pga_g', 'pgv_m_s' or Intensity('sa_g', 0.5)",
+                "give measures of the ground, as 'pga_g', 'pgv_m_s' or Measure('sa_g', 0.5)",
             )
     if len(intensities) < 2 or len({each.key for each in intensities}) < len(intensities):
         raise InputError(
@@ -180,7 +184,7 @@ def _limits(pools: Pools, grounds: Sequence[GroundShaking], at_one: Floats) -> t
     Half of the records reach the upper one at least; of PGA the lower one holds for every record.
     """
     pga = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
-    pgv = np.array([measure_scalar(ground.record, "pgv_m_s") for ground in grounds])
+    pgv = np.array([compute_measure(ground.record, "pgv_m_s") for ground in grounds])
     none = NO_UPLIFT * pools.lowest / pga
     every = ALL_FALL * pools.highest * np.maximum(1.0 / pga, 1.0 / (pools.slowest * pgv))
     low = float(np.quantile(none * at_one, 0.25))

@@ -16,7 +16,7 @@ from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 Floats = NDArray[np.float64]
 Bound = Literal["interval", "lower bound", "upper bound"]
@@ -89,7 +89,7 @@ class BackAnalysis(Result):
     """
 
     survey: Survey
-    measures: tuple[Intensity, ...]
+    measures: tuple[Measure, ...]
     records: tuple[str, ...]
     values_at_one: Floats
     first_values: Floats
@@ -147,7 +147,7 @@ class BackAnalysis(Result):
         """
         from scipy.interpolate import RegularGridInterpolator
 
-        hint = "stay inside, or analyse other limits: Scan(limits=...)"
+        hint = "stay inside, or analyse other limits: ScanOptions(limits=...)"
         values, ratios = self.first_values, self.ratios
         first = in_range("first", first, values[0], values[-1], "[]", hint=hint)
         low, high = first * ratios[0], first * ratios[-1]
@@ -315,7 +315,7 @@ class BackAnalysis(Result):
         return ", ".join(parts)
 
 
-def _record_columns(measures: tuple[Intensity, ...]) -> tuple[Column, ...]:
+def _record_columns(measures: tuple[Measure, ...]) -> tuple[Column, ...]:
     """Return the columns of the records."""
     return (
         Column("record", "record", left=True),

@@ -23,7 +23,7 @@ def _limits(name: str, value: tuple[float, float]) -> tuple[float, float]:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Scan:
+class ScanOptions:
     """Shakings that a back-analysis tries.
 
     Parameters
@@ -52,8 +52,8 @@ class Scan:
 
     Examples
     --------
-    >>> from rocksteady import Scan
-    >>> Scan(limits=(0.05, 1.5), draws=16).temper
+    >>> from rocksteady.calibration import ScanOptions
+    >>> ScanOptions(limits=(0.05, 1.5), draws=16).temper
     'auto'
     """
 

@@ -41,7 +41,7 @@ class Survey(Result):
 
     Examples
     --------
-    >>> from rocksteady import ObjectPrior, Survey
+    >>> from rocksteady.calibration import ObjectPrior, Survey
     >>> graves = [
     ...     ObjectPrior(name=f"grave {k}", width_m="0.2:0.24", height_m=0.8 + 0.2 * k)
     ...     for k in range(3)

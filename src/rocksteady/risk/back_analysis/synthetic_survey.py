@@ -6,7 +6,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.spread import PriorRange
 
 HEIGHTS_M = (0.5, 1.6)
 SLENDERNESS = (2.5, 6.0)
@@ -52,9 +52,9 @@ def make_synthetic_survey(count: int = 12, *, seed: int = 0) -> Survey:
     objects = [
         ObjectPrior(
             name=f"synthetic {place + 1}",
-            width_m=Spread.between(0.97 * width, 1.03 * width),
-            height_m=Spread.between(0.98 * height, 1.02 * height),
-            base=Spread.between(0.9, 1.0),
+            width_m=PriorRange.between(0.97 * width, 1.03 * width),
+            height_m=PriorRange.between(0.98 * height, 1.02 * height),
+            base=PriorRange.between(0.9, 1.0),
         )
         for place, (width, height) in enumerate(zip(widths.tolist(), heights.tolist(), strict=True))
     ]

@@ -10,9 +10,9 @@ from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration._shares import normal_strata
 from rocksteady.risk.calibration._space import Space
-from rocksteady.risk.observations.fates import Scatter, fates_on_records
+from rocksteady.risk.observations.fates import Scatter, compute_test_fates
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -62,7 +62,7 @@ def run_draws(
     gains: int,
     seed: Sequence[int],
     model: Model | None,
-    run: Run | None,
+    run: Execution | None,
 ) -> DrawRuns:
     """Run draws of an object on tests at gains of their own."""
     rng = np.random.default_rng(list(seed))
@@ -74,7 +74,7 @@ def run_draws(
     if (deviation > 0.0).any():
         scatter = Scatter(deviation=deviation, draws=1, seed=int(rng.integers(2**31)))
     measured = any(test.peak_rad is not None for test in tests)
-    dataset = fates_on_records(
+    dataset = compute_test_fates(
         space.block.blocks(block_values),
         tests,
         gains=np.exp(gain),

@@ -10,9 +10,9 @@ from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.observations.fates import fates_on_records
+from rocksteady.risk.observations.fates import compute_test_fates
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 HIGH_PASS_HZ = 0.1
 LOOSER = 100.0
@@ -24,7 +24,7 @@ def count_flips(
     tests: Sequence[ShakingTest],
     *,
     model: Model,
-    run: Run | None,
+    run: Execution | None,
 ) -> dict[str, int]:
     """Return how many fates change, at the median block of each object without any error.
 
@@ -57,7 +57,7 @@ def _fates(
     posteriors: Sequence[Posterior],
     tests: Sequence[ShakingTest],
     model: Model,
-    run: Run | None,
+    run: Execution | None,
 ) -> NDArray[np.bool_]:
     """Return which tests fall."""
     fell = np.zeros(len(tests), dtype=bool)
@@ -65,7 +65,7 @@ def _fates(
         places = [place for place, test in enumerate(tests) if test.object == posterior.object]
         values = posterior.space.block_values(posterior.median_values()[np.newaxis])
         block = posterior.space.block.block(values[0])
-        dataset = fates_on_records(
+        dataset = compute_test_fates(
             block, [tests[place] for place in places], outputs=("status",), model=model, run=run
         )
         fell[places] = (dataset["status"].values == Status.OVERTURNED).reshape(len(places))

@@ -15,10 +15,10 @@ from rocksteady.risk.calibration._shares import pooled_shares
 from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 KEPT = 0.9999
@@ -42,7 +42,7 @@ class Source:
     """
 
     posteriors: Mapping[str, Posterior]
-    sampling: Sampling
+    sampling: DrawOptions
     model: Model
 
 
@@ -51,7 +51,7 @@ def predict_all(
     trained: Mapping[str, str],
     before: Predictions,
     source: Source,
-    run: Run | None,
+    run: Execution | None,
 ) -> Predictions:
     """Return predictions of training tests without their groups, and of others by all tests.
 
@@ -137,7 +137,7 @@ def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
     return list(rows)
 
 
-def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) -> HeldOut:
+def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Execution | None) -> HeldOut:
     """Return predictions of tests by all of the posterior of their objects.
 
     Raises

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.risk.observations.object_prior import ObjectPrior
-from rocksteady.risk.observations.prior import Noise
+from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.spread import PriorRange
 
 Floats = NDArray[np.float64]
 ALPHA, RATE, RATIO = 0, 2, 3
@@ -30,7 +30,7 @@ class Space:
     """
 
     block: ObjectPrior
-    noise: Noise
+    noise: OutcomeErrors
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -42,7 +42,7 @@ class Space:
         """How many there are."""
         return len(self.names)
 
-    def spread(self, name: str) -> Spread:
+    def spread(self, name: str) -> PriorRange:
         """Return the prior of a parameter."""
         prior = dict(self._free_noise()).get(name)
         return self.block.spreads[name] if prior is None else prior
@@ -100,12 +100,12 @@ class Space:
             ]
         )
 
-    def _free_noise(self) -> list[tuple[str, Spread]]:
+    def _free_noise(self) -> list[tuple[str, PriorRange]]:
         pairs = [("sigma_ln", self.noise.sigma_ln), ("outliers", self.noise.outliers)]
         return [(name, spread) for name, spread in pairs if not spread.fixed]
 
     def _noise(self, name: str, values: Floats) -> Floats:
         if name in self.names:
             return values[:, self.names.index(name)]
-        given: Spread = getattr(self.noise, name)
+        given: PriorRange = getattr(self.noise, name)
         return np.full(len(values), given.low)

@@ -33,10 +33,10 @@ from rocksteady.risk.calibration.held_out.validate import (
     without_scores,
 )
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -53,11 +53,11 @@ def calibrate(
     tests: Observations,
     prior: Prior | None = None,
     *,
-    sampling: Sampling | None = None,
+    sampling: DrawOptions | None = None,
     folds: Folds = "group",
     temper: float | Literal["auto"] = "auto",
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Calibration:
     """Calibrate objects by the shaking tests in which they fell or stood.
 
@@ -76,7 +76,7 @@ def calibrate(
     prior
         What is known of all objects and of the errors; default `Prior()`.
     sampling
-        Draws, gains, rounds and seed; default `Sampling()`.
+        Draws, gains, rounds and seed; default `DrawOptions()`.
     folds
         What is held out together: "group" (default; the record's name where tests have none of
         their own), "record", "test" or "session".
@@ -86,7 +86,7 @@ def calibrate(
         `Nonlinear(tolerance=1e-8)` (default), which takes a third less time than a tolerance of
         1e-10 and changes fewer fates than any amplitude error, or `Linear()`.
     run
-        Executor and workers, no store; default `Run()`.  No number depends on it.
+        Executor and workers, no store; default `Execution()`.  No number depends on it.
 
     Returns
     -------
@@ -105,15 +105,17 @@ def calibrate(
 
     Examples
     --------
-    >>> from rocksteady import Block, Linear, Sampling, calibrate, make_synthetic_suite
-    >>> from rocksteady import make_synthetic_tests
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.calibration import make_synthetic_tests
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
-    >>> calibration = calibrate(tests, sampling=Sampling(draws=60, gains=2), model=Linear())
+    >>> calibration = calibrate(tests, sampling=DrawOptions(draws=60, gains=2), model=Linear())
     >>> [row["verdict"] for row in calibration.parameters if row["parameter"] == "scatter"]
     ['not identified']
     """
-    options = Sampling() if sampling is None else sampling
+    options = DrawOptions() if sampling is None else sampling
     known = Prior() if prior is None else prior
     chosen = _temper(temper)
     equations = Nonlinear(tolerance=TOLERANCE) if model is None else model
@@ -171,10 +173,10 @@ def calibrate(
 class _Plan:
     """How the draws of an object are made and run."""
 
-    sampling: Sampling
+    sampling: DrawOptions
     number: int
     model: Model
-    run: Run | None
+    run: Execution | None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -24,11 +24,11 @@ from rocksteady.risk.calibration.held_out.rivals import measures_of
 from rocksteady.risk.calibration.held_out.scores import Scores
 from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 LONGEST_NAME = 20
 """Letters of an object in a table of parameters."""
@@ -71,7 +71,7 @@ class Calibration(Result):
 
     tests: Observations
     prior: Prior
-    sampling: Sampling
+    sampling: DrawOptions
     model: Model
     folds: Folds
     temper: float
@@ -94,7 +94,7 @@ class Calibration(Result):
         return float(np.max(self.validation.predictions.mc_error))
 
     def predict(
-        self, tests: Observations | Sequence[ShakingTest], *, run: Run | None = None
+        self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
     ) -> Predictions:
         """Predict tests: a training test without its group, any other by all tests.
 
@@ -105,7 +105,7 @@ class Calibration(Result):
         tests
             Tests of calibrated objects; outcomes are not needed, and do not change the answer.
         run
-            Executor and workers; default `Run()`.
+            Executor and workers; default `Execution()`.
 
         Returns
         -------

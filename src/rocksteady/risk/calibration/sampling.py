@@ -17,7 +17,7 @@ EACH: Final = 100
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Sampling:
+class DrawOptions:
     """Draws of the parameters, gains of each, and rounds of refinement.
 
     Parameters
@@ -43,8 +43,8 @@ class Sampling:
 
     Examples
     --------
-    >>> from rocksteady import Sampling
-    >>> Sampling(draws=300).per_round
+    >>> from rocksteady.calibration import DrawOptions
+    >>> DrawOptions(draws=300).per_round
     [100, 100, 100]
     """
 

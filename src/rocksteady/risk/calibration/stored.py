@@ -24,14 +24,14 @@ from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
 from rocksteady.risk.calibration.posterior import Posterior
-from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.calibration.sampling import DrawOptions
 from rocksteady.risk.observations.files.small_files import content_of, text_of
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
-from rocksteady.risk.observations.prior import Noise
+from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.risk.observations.shaking_test import ShakingTest
-from rocksteady.risk.observations.spread import Spread
-from rocksteady.sweep.run import Run
+from rocksteady.risk.observations.spread import PriorRange
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 TABLES = ("posterior.csv", "predictions.csv")
@@ -76,11 +76,11 @@ class StoredPosterior(Result):
     posteriors: Mapping[str, Posterior]
     predictions: Predictions
     trained: Mapping[str, str]
-    sampling: Sampling
+    sampling: DrawOptions
     model: Model
 
     def predict(
-        self, tests: Observations | Sequence[ShakingTest], *, run: Run | None = None
+        self, tests: Observations | Sequence[ShakingTest], *, run: Execution | None = None
     ) -> Predictions:
         """Predict tests as the calibration itself does; see `Calibration.predict`."""
         source = Source(posteriors=self.posteriors, sampling=self.sampling, model=self.model)
@@ -123,12 +123,15 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Block, Linear, Sampling, calibrate, make_synthetic_suite
-    >>> from rocksteady import make_synthetic_tests, read_posterior, write_calibration
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.calibration import make_synthetic_tests, read_posterior
+    >>> from rocksteady.export import write_calibration
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2))
     >>> calibration = calibrate(
-    ...     tests, sampling=Sampling(draws=30, rounds=1, gains=1), model=Linear()
+    ...     tests, sampling=DrawOptions(draws=30, rounds=1, gains=1), model=Linear()
     ... )
     >>> with TemporaryDirectory() as folder:
     ...     files = write_calibration(calibration, folder)
@@ -143,13 +146,15 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     }
     try:
         fit = json.loads(texts["fit.json"])
-        sampling = Sampling(
+        sampling = DrawOptions(
             draws=fit["draws"], gains=fit["gains"], error=fit["error"], seed=fit["seed"]
         )
         model: Model = (
             Linear() if fit["model"] == "linear" else Nonlinear(tolerance=fit["tolerance"])
         )
-        noise = Noise(**{key: Spread.parse(text) for key, text in fit["inputs"]["noise"].items()})
+        noise = OutcomeErrors(
+            **{key: PriorRange.parse(text) for key, text in fit["inputs"]["noise"].items()}
+        )
         spaces = {
             name: Space(block=ObjectPrior(name=name, **spreads), noise=noise)
             for name, spreads in fit["inputs"]["objects"].items()

@@ -11,7 +11,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
-from rocksteady.risk.ensemble.levels import Stripes, measured
+from rocksteady.risk.ensemble.levels import Levels, measured
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.measures.free_sides import side_coordinates
 from rocksteady.seismic.spectra.batch import OUTPUTS
@@ -30,7 +30,7 @@ MOST_NAMES = 5
 def labelled(
     arrays: Mapping[str, NDArray[Any]],
     things: tuple[Sequence[Block], Sequence[Record], Sequence[str]],
-    stripes: Stripes,
+    stripes: Levels,
     scale: Floats,
     band: RestitutionBand,
     *,

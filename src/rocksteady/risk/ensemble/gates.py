@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.elementary.arrays import tan
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
     import xarray
@@ -19,7 +19,7 @@ SAME_GATE = 1e-9
 
 def uplift_of(
     ensemble: "xarray.Dataset",
-    measure: Intensity,
+    measure: Measure,
     *,
     intensity: Floats,
     lifted: Integers,
@@ -39,7 +39,7 @@ def uplift_of(
     Returns
     -------
     float or ndarray
-        What `rocksteady.fit_two_stages` takes for `uplifted`.
+        What `rocksteady.risk.fit_two_stages` takes for `uplifted`.
     """
     gate = _gate_of(ensemble, measure)
     if gate is not None and np.array_equal(np.where(intensity > gate, trials, 0), lifted):
@@ -47,7 +47,7 @@ def uplift_of(
     return lifted
 
 
-def _gate_of(ensemble: "xarray.Dataset", measure: Intensity) -> float | None:
+def _gate_of(ensemble: "xarray.Dataset", measure: Measure) -> float | None:
     """Return the peak acceleration at which every block lifts; None without such a gate.
 
     A symmetric block at rest lifts where |a| > g tan alpha, of the linear model where

@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import DEFAULT, Intensity, measure_scalar
+from rocksteady.seismic.measures.scalar import DEFAULT, Measure, compute_measure
 from rocksteady.seismic.spectra.grounds import axis_values
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -36,7 +36,7 @@ RANGES: Final = {
 """First and last default level; PGA and Sa over tan alpha, PGV over g tan alpha/p."""
 
 DEFAULT_MEASURES: Final = tuple(
-    Intensity(name)
+    Measure(name)
     for name in (
         "pga_g",
         "pgv_m_s",
@@ -51,20 +51,20 @@ DEFAULT_MEASURES: Final = tuple(
 
 @checked
 @dataclass(frozen=True)
-class Stripes:
+class Levels:
     """Levels to which every record of an ensemble is scaled.
 
     Parameters
     ----------
     measure
-        What the levels are in: an `Intensity` that scaling changes, or its name; default
+        What the levels are in: an `Measure` that scaling changes, or its name; default
         ``pgv_m_s``.  ``p_pgv_per_uplift`` suits several blocks, ``"scale"`` is plain factors.
     levels
         Above 0, no two alike, shape (levels,).  By default 20 in equal ratios, chosen for the
         blocks: about where they begin to fall to where all do.
     beside
         Measures of each record, as it is, that are kept beside the runs, so that curves over them
-        can be fitted too; by default all that `Fitting` compares.
+        can be fitted too; by default all that `FitOptions` compares.
 
     Raises
     ------
@@ -73,19 +73,19 @@ class Stripes:
 
     Examples
     --------
-    >>> from rocksteady import Stripes
-    >>> Stripes("pga_g", [0.2, 0.4, 0.8]).levels
+    >>> from rocksteady.risk import Levels
+    >>> Levels("pga_g", [0.2, 0.4, 0.8]).levels
     (0.2, 0.4, 0.8)
     """
 
-    measure: Intensity | str = DEFAULT
+    measure: Measure | str = DEFAULT
     levels: ArrayLike | None = None
-    beside: Sequence[Intensity] = DEFAULT_MEASURES
+    beside: Sequence[Measure] = DEFAULT_MEASURES
 
     def __post_init__(self) -> None:
         """Validate."""
-        if self.measure != SCALE and not isinstance(self.measure, Intensity):
-            object.__setattr__(self, "measure", Intensity(self.measure))
+        if self.measure != SCALE and not isinstance(self.measure, Measure):
+            object.__setattr__(self, "measure", Measure(self.measure))
         intensity = self.intensity
         if intensity is not None and not intensity.scales:
             raise InputError(
@@ -112,9 +112,9 @@ class Stripes:
             object.__setattr__(self, "levels", tuple(levels))
 
     @property
-    def intensity(self) -> Intensity | None:
+    def intensity(self) -> Measure | None:
         """The measure; None for plain factors."""
-        return self.measure if isinstance(self.measure, Intensity) else None
+        return self.measure if isinstance(self.measure, Measure) else None
 
     @property
     def key(self) -> str:
@@ -138,14 +138,14 @@ class Stripes:
         return measured(self.intensity, records, blocks)
 
 
-def measured(intensity: Intensity, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
+def measured(intensity: Measure, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
     """Return a measure of records as they are, shape (blocks, records)."""
     bodies: Sequence[Block | None] = blocks if intensity.needs_block else [None]
-    rows = [[measure_scalar(record, intensity, body) for record in records] for body in bodies]
+    rows = [[compute_measure(record, intensity, body) for record in records] for body in bodies]
     return np.array(np.broadcast_to(np.array(rows), (len(blocks), len(records))))
 
 
-def _unit(intensity: Intensity | None, block: Block) -> float:
+def _unit(intensity: Measure | None, block: Block) -> float:
     """Return what the default levels of a measure are counted in, for a block."""
     kind: Literal["", "g", "m/s"] = "" if intensity is None else intensity.unit  # type: ignore[assignment]
     side = first_side(block)

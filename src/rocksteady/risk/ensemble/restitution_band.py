@@ -57,7 +57,8 @@ class RestitutionBand:
 
     Examples
     --------
-    >>> from rocksteady import Block, RestitutionBand
+    >>> from rocksteady import Block
+    >>> from rocksteady.risk import RestitutionBand
     >>> block = Block.rectangle(width=0.4, height=1.6)
     >>> RestitutionBand(draws=3).ratios(block).round(4).tolist()
     [[0.9118, 0.9118], [0.9333, 0.9333], [0.9549, 0.9549]]
@@ -84,7 +85,8 @@ class RestitutionBand:
 
         Examples
         --------
-        >>> from rocksteady import Block, RestitutionBand
+        >>> from rocksteady import Block
+        >>> from rocksteady.risk import RestitutionBand
         >>> band = RestitutionBand(low=0.8, high=0.9, draws=2)
         >>> band.ratios(Block.from_p(alpha=0.2, p=2.0)).tolist()
         [[0.8, 0.8], [0.9, 0.9]]

@@ -15,7 +15,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
 from rocksteady.risk.ensemble._labels import labelled, warnings_of
 from rocksteady.risk.ensemble._uplift import uplift_times
-from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
 from rocksteady.seismic.spectra.grounds import check_grounds, extremes_of, grounds_of, names_of
@@ -23,7 +23,7 @@ from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -37,12 +37,12 @@ def run_ensemble(
     blocks: Block | Sequence[Block],
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    stripes: Stripes | None = None,
+    stripes: Levels | None = None,
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Run every block on every record, scaled to every level, from rest.
 
@@ -58,7 +58,7 @@ def run_ensemble(
         A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
         by the same factor.
     stripes
-        The levels, and what they are in; default `Stripes()`.
+        The levels, and what they are in; default `Levels()`.
     restitution
         The band of restitutions; default `RestitutionBand()`.
     reverse
@@ -70,7 +70,7 @@ def run_ensemble(
     model
         `Nonlinear()` (default) or `Linear()`.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Execution()`.
 
     Returns
     -------
@@ -90,10 +90,11 @@ def run_ensemble(
     --------
     The share of two records that topples a cabinet at each level, in both directions:
 
-    >>> from rocksteady import Block, Record, RestitutionBand, Status, Stripes, run_ensemble
+    >>> from rocksteady import Block, Record, Status, run_ensemble
+    >>> from rocksteady.risk import Levels, RestitutionBand
     >>> cabinet = Block.rectangle(width=0.4, height=1.6)
     >>> suite = [Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=dt) for dt in (0.1, 0.3)]
-    >>> stripes = Stripes("pga_g", [0.2, 0.5, 2.0], beside=())
+    >>> stripes = Levels("pga_g", [0.2, 0.5, 2.0], beside=())
     >>> runs = run_ensemble(cabinet, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
     >>> fell = (runs.status == Status.OVERTURNED).stack(run=set(runs.dims) - {"level"})
     >>> fell.mean("run").values
@@ -102,7 +103,7 @@ def run_ensemble(
     bodies, grounds = blocks_of(blocks), grounds_of(motions)
     records = [ground.record for ground in grounds]
     names = names_of(records)
-    wanted = Stripes() if stripes is None else stripes
+    wanted = Levels() if stripes is None else stripes
     band = RestitutionBand() if restitution is None else restitution
     for body in bodies:
         band.ratios(body)  # refused before anything runs

@@ -10,7 +10,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import LONGEST_NTC_S, ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
-from rocksteady.risk.facades.facade_check import Check, FacadeCheck, Method
+from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck, Method
 from rocksteady.risk.facades.facade_demand import DemandSpectrum, FacadeDemand, LimitState
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.mechanism import Mechanism
@@ -54,7 +54,7 @@ def check_facade(
     demand
         Spectra of the limit states; without, capacities alone.
     runs
-        Runs under 7 or more records, from `rocksteady.run_facade`; without, no dynamic check.
+        Runs under 7 or more records, from `rocksteady.codes.run_facade`; without, no dynamic check.
 
     Returns
     -------
@@ -75,7 +75,7 @@ def check_facade(
 
     Examples
     --------
-    >>> from rocksteady import ElasticSpectrum
+    >>> from rocksteady.codes import ElasticSpectrum
     >>> wall = Facade(name="front", thickness_m=0.3, height_m=3.0)
     >>> site = ElasticSpectrum(ag_g=0.13, f0=2.5, tc_star_s=0.35, soil="B")
     >>> check = check_facade(wall, FacadeDemand(slv=site))
@@ -126,7 +126,9 @@ def _check_inputs(facade: Facade, demand: FacadeDemand) -> None:
             )
 
 
-def _checks(facade: Facade, demand: FacadeDemand, runs: FacadeRuns | None) -> Iterator[Check]:
+def _checks(
+    facade: Facade, demand: FacadeDemand, runs: FacadeRuns | None
+) -> Iterator[LimitStateCheck]:
     """Yield the checks in the order of the table."""
     mechanism = facade.mechanism
     if facade.free:
@@ -146,7 +148,7 @@ def _peak(
     spectrum: DemandSpectrum | None,
     formula: str,
     factor: float,
-) -> Check:
+) -> LimitStateCheck:
     """Return a linear check: the peak of the acceleration against a0."""
     value, remarks = None, [Remark("no_demand", (state,))]
     if spectrum is not None:
@@ -158,7 +160,7 @@ def _peak(
     return _check(state, "linear", formula, value, mechanism.linear_g, remarks)
 
 
-def _free(facade: Facade, state: LimitState, spectrum: DemandSpectrum | None) -> Check:
+def _free(facade: Facade, state: LimitState, spectrum: DemandSpectrum | None) -> LimitStateCheck:
     """Return the check of an element free to vibrate: S_e(T0, 5 %) against alpha_0 g/FC."""
     value, remark = None, Remark("no_demand", (state,))
     period = facade.t0_s
@@ -175,7 +177,7 @@ def _secant(
     formula: str,
     period: float,
     capacity: float,
-) -> Check:
+) -> LimitStateCheck:
     """Return a nonlinear static check: a displacement at the secant period."""
     value, remarks = None, [Remark("no_demand", (state,))]
     if spectrum is not None:
@@ -207,7 +209,9 @@ def _how(spectrum: DemandSpectrum, period: float, damping: float) -> Iterator[Re
         yield Remark("records")
 
 
-def _dynamic(mechanism: Mechanism, runs: FacadeRuns | None, demand: FacadeDemand) -> Check:
+def _dynamic(
+    mechanism: Mechanism, runs: FacadeRuns | None, demand: FacadeDemand
+) -> LimitStateCheck:
     """Return the check of runs under records; no answer under records weaker than the demand."""
     state: LimitState = "SLC" if runs is not None and runs.limit_state == "SLC" else "SLV"
     capacity = mechanism.d_slc_m if state == "SLC" else mechanism.d_slv_m
@@ -243,10 +247,10 @@ def _check(
     demand: float | None,
     capacity: float,
     remarks: list[Remark],
-) -> Check:
+) -> LimitStateCheck:
     """Return a check: displacements in m, of the linear method accelerations in g."""
     linear = method == "linear"
-    return Check(
+    return LimitStateCheck(
         limit_state=state,
         method=method,
         formula=formula,

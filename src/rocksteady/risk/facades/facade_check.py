@@ -28,7 +28,7 @@ MECHANISM: Final = (Column("name", "quantity", left=True), Column("value", "valu
 
 @checked_result
 @dataclass(frozen=True, kw_only=True)
-class Check:
+class LimitStateCheck:
     """One check of a facade: a limit state by a method.
 
     Attributes
@@ -91,14 +91,14 @@ class FacadeCheck(Result):
     facade: Facade
     demand: FacadeDemand
     runs: FacadeRuns | None
-    checks: tuple[Check, ...]
+    checks: tuple[LimitStateCheck, ...]
 
     @property
     def mechanism(self) -> Mechanism:
         """Overturning of the facade about its hinge."""
         return self.facade.mechanism
 
-    def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[Check, ...]:
+    def decided(self, limit_state: LimitState, satisfied: bool) -> tuple[LimitStateCheck, ...]:
         """Return the satisfied or the failed checks of a limit state.
 
         Parameters
@@ -283,7 +283,7 @@ class FacadeCheck(Result):
                 yield f"{check.limit_state} {check.method}: {words}."
 
 
-def _row(check: Check) -> dict[str, object]:
+def _row(check: LimitStateCheck) -> dict[str, object]:
     """Return a check as plain values."""
     return {
         "limit_state": check.limit_state,
@@ -299,7 +299,7 @@ def _row(check: Check) -> dict[str, object]:
     }
 
 
-def _ratio_words(check: Check) -> str:
+def _ratio_words(check: LimitStateCheck) -> str:
     """Return demand and capacity of a check with their ratio."""
     demand, capacity = _words(check, check.demand), _words(check, check.capacity)
     ratio = check.ratio or 0.0
@@ -312,7 +312,7 @@ def _texts(*values: float) -> tuple[str, ...]:
     return tuple(f"{value:.3g}" for value in values)
 
 
-def _listed(checks: tuple[Check, ...]) -> str:
+def _listed(checks: tuple[LimitStateCheck, ...]) -> str:
     """Return the methods of checks."""
     return ", ".join(check.method for check in checks)
 
@@ -322,7 +322,7 @@ def _joined(names: list[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def _words(check: Check, value: float | None) -> str:
+def _words(check: LimitStateCheck, value: float | None) -> str:
     """Return a demand or a capacity of a check as people read it."""
     if value is None:
         return "—"

@@ -41,7 +41,7 @@ class FacadeDemand:
 
     Examples
     --------
-    >>> from rocksteady import ElasticSpectrum
+    >>> from rocksteady.codes import ElasticSpectrum
     >>> rock = ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil="A")
     >>> FacadeDemand(slv=rock).given
     ('SLV',)

@@ -24,7 +24,7 @@ from rocksteady.risk.facades.mechanism import SHARE_SLC, SHARE_SLV
 from rocksteady.risk.facades.record_demand import FEWEST, different_motions
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
 from rocksteady.seismic.spectra.many import DIRECTIONS, cells_of_many
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -40,7 +40,7 @@ ENDED: Final = (int(Status.AT_REST), int(Status.ROCKING))
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FacadeRuns(Result):
-    """Largest displacements of a facade under records [m], from `rocksteady.run_facade`.
+    """Largest displacements of a facade under records [m], from `rocksteady.codes.run_facade`.
 
     A run counts as beyond d0 where the facade overturns, where it tilts beyond its balance and
     comes back, and where its end could not be decided.  A displacement is that of the control
@@ -252,7 +252,7 @@ def run_facade(
     limit_state: Literal["SLV", "SLC"] = "SLV",
     directions: Literal["both", "as recorded", "reversed"] = "both",
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> FacadeRuns:
     """Run a facade under records and return its largest displacements [m].
 
@@ -285,7 +285,7 @@ def run_facade(
     model
         `Nonlinear()` (default), or `Linear()`.
     run
-        Executor, workers and progress; default `Run()`.  No result depends on it.
+        Executor, workers and progress; default `Execution()`.  No result depends on it.
 
     Raises
     ------
@@ -295,7 +295,8 @@ def run_facade(
 
     Examples
     --------
-    >>> from rocksteady import Facade, make_synthetic_suite, run_facade
+    >>> from rocksteady.codes import Facade, run_facade
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> wall = Facade(name="front", thickness_m=0.5, height_m=4.0)
     >>> runs = run_facade(wall, make_synthetic_suite(7), pga_g=0.3)
     >>> runs.satisfied, runs.beyond

@@ -25,7 +25,7 @@ FACTOR_SLV, FACTOR_SLC = 1.68, 1.56
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Mechanism(Result):
-    """Overturning of a facade about a horizontal hinge, from `rocksteady.Facade.mechanism`.
+    """Overturning of a facade about a horizontal hinge, from `rocksteady.codes.Facade.mechanism`.
 
     Weights P move with the facade; masses Q push it horizontally without weighing on it.  With x
     inwards from the outer face, z above the hinge at x_h, ties T and thrusts H::
@@ -76,7 +76,7 @@ class Mechanism(Result):
 
     Examples
     --------
-    >>> from rocksteady import Facade
+    >>> from rocksteady.codes import Facade
     >>> wall = Facade(name="wall", thickness_m=0.3, height_m=3.0, confidence_factor=1.0)
     >>> mechanism = wall.mechanism
     >>> print(f"{mechanism.a0_g:.6f} g, {mechanism.d0_m:.3f} m, {mechanism.t_slv_s:.6f} s")

@@ -37,7 +37,7 @@ EXAMPLE: Final = Path(__file__).with_name("example_facade.toml")
 
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class FacadeFile(Result):
+class DescribedFacade(Result):
     """A facade and its demand, from a file that `rocksteady.read_facade` has read.
 
     Attributes
@@ -93,7 +93,7 @@ class FacadeFile(Result):
 
 
 @checked
-def read_facade(path: Path | str) -> FacadeFile:
+def read_facade(path: Path | str) -> DescribedFacade:
     """Read a facade file in TOML.
 
     Parameters
@@ -107,7 +107,7 @@ def read_facade(path: Path | str) -> FacadeFile:
 
     Returns
     -------
-    FacadeFile
+    DescribedFacade
         Checked.
 
     Raises
@@ -133,7 +133,7 @@ def read_facade(path: Path | str) -> FacadeFile:
             source, Words("is empty"), FILE.needs, "write [facade], name, thickness_m and height_m"
         )
     given = FILE.convert(values, FacadeInput, source)
-    return FacadeFile(
+    return DescribedFacade(
         facade=_facade(given, source),
         demand=_demand(given, source, file.parent),
         source=source,

@@ -55,7 +55,8 @@ class RecordDemand:
 
     Examples
     --------
-    >>> from rocksteady import RecordDemand, make_synthetic_suite
+    >>> from rocksteady.codes import RecordDemand
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> demand = RecordDemand(records=make_synthetic_suite(7))
     >>> print(f"{demand.sa_g(0.0, 0.05):.3f}")
     0.335

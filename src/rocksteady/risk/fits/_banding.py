@@ -11,7 +11,7 @@ from rocksteady.results.numbers import plural
 from rocksteady.risk.fits._bootstrap import Replicates, draw_replicates
 from rocksteady.risk.fits._maximum import Maximum
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.bands import BandOptions
 
 Floats = NDArray[np.float64]
 MOST_LEFT_OUT = 0.05
@@ -19,7 +19,7 @@ MOST_LEFT_OUT = 0.05
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Spread:
+class PriorRange:
     """Band of the probability of one stage or of the product of two.
 
     Attributes
@@ -71,7 +71,9 @@ def _bounds(stage: Maximum, at: Floats, confidence: float) -> tuple[Floats, Floa
     return (nothing, 1.0 - bound) if stage.status == NEVER else (bound, everything)
 
 
-def spread_of(stages: Sequence[Maximum], bands: Bands | None) -> tuple[Spread | None, list[str]]:
+def spread_of(
+    stages: Sequence[Maximum], bands: BandOptions | None
+) -> tuple[PriorRange | None, list[str]]:
     """Return the band of the product of stages, and sentences on its limits."""
     if bands is None or not bands.replicates or any(stage.status == NOT_RISING for stage in stages):
         return None, []
@@ -83,7 +85,7 @@ def spread_of(stages: Sequence[Maximum], bands: Bands | None) -> tuple[Spread | 
         reason = f"{plural(records, 'record')}, and it needs {FEWEST_RECORDS}"
         return None, [f"there is no confidence band: {reason}"]
     if not fitted:
-        return Spread(drawn=None, others=others, confidence=bands.confidence), []
+        return PriorRange(drawn=None, others=others, confidence=bands.confidence), []
     drawn = draw_replicates(fitted, bands)
     left_out = bands.replicates - len(drawn.values)
     words = f"{left_out:,} of {plural(bands.replicates, 'redrawn suite')} have no curve"
@@ -91,4 +93,4 @@ def spread_of(stages: Sequence[Maximum], bands: Bands | None) -> tuple[Spread | 
         return None, [f"there is no confidence band: {words}"]
     few = left_out > MOST_LEFT_OUT * bands.replicates
     sentences = [f"{words} and are left out of the band, which is too narrow"] if few else []
-    return Spread(drawn=drawn, others=others, confidence=bands.confidence), sentences
+    return PriorRange(drawn=drawn, others=others, confidence=bands.confidence), sentences

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rocksteady.risk.fits._likelihood import slopes, solve_score
 from rocksteady.risk.fits._maximum import Maximum
 from rocksteady.risk.fits._status import FITTED, kinds_of
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.bands import BandOptions
 
 Floats = NDArray[np.float64]
 Pair = tuple[float, float]
@@ -132,7 +132,7 @@ def _log_odds(stages: Sequence[Maximum], logs: Floats, at: Floats) -> tuple[Floa
     return log_p - np.log(stands), np.concatenate(parts, axis=-1) / stands[..., None]
 
 
-def draw_replicates(stages: Sequence[Maximum], bands: Bands) -> Replicates:
+def draw_replicates(stages: Sequence[Maximum], bands: BandOptions) -> Replicates:
     """Return the fits of suites redrawn from the records of fitted stages.
 
     Records are drawn with replacement, all trials of a record together and the same records for

@@ -14,7 +14,7 @@ LEAST_REPLICATES = 100
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Bands:
+class BandOptions:
     """Hold the options of a bootstrap by record.
 
     Records are drawn with replacement, all trials of a record together, and each redrawn suite is
@@ -44,9 +44,9 @@ class Bands:
 
     Examples
     --------
-    >>> from rocksteady import Bands
-    >>> Bands(confidence=0.95)
-    Bands(confidence=0.95, replicates=1000, seed=0)
+    >>> from rocksteady.risk import BandOptions
+    >>> BandOptions(confidence=0.95)
+    BandOptions(confidence=0.95, replicates=1000, seed=0)
     """
 
     confidence: Confidence = CONFIDENCE

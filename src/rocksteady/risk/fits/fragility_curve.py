@@ -14,7 +14,7 @@ from rocksteady.results.doubts import FEW_RECORDS, NOT_IDENTIFIED, with_misfit
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.fits._banding import Spread, spread_of
+from rocksteady.risk.fits._banding import PriorRange, spread_of
 from rocksteady.risk.fits._goodness import goodness_of
 from rocksteady.risk.fits._likelihood import family_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
@@ -31,7 +31,7 @@ from rocksteady.risk.fits._values import (
     range_words,
     value_words,
 )
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.bands import BandOptions
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +39,7 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class FragilityCurve(Result):
-    """Hold a fragility curve, from `rocksteady.fit_curve`.
+    """Hold a fragility curve, from `rocksteady.risk.fit_curve`.
 
     Attributes
     ----------
@@ -97,8 +97,8 @@ class FragilityCurve(Result):
     stripes: tuple[Row, ...]
     median_band: tuple[float, float] | None = None
     beta_band: tuple[float, float] | None = None
-    bands: Bands | None = None
-    spread: Spread | None = None
+    bands: BandOptions | None = None
+    spread: PriorRange | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
 
@@ -241,7 +241,7 @@ def fit_curve(
     *,
     family: Literal["lognormal", "logistic"] = "lognormal",
     groups: ArrayLike | Sequence[str] | None = None,
-    bands: Bands | None = None,
+    bands: BandOptions | None = None,
     within: tuple[float, float] | None = None,
     measure: tuple[str, str] = ("intensity", ""),
 ) -> FragilityCurve:
@@ -287,7 +287,7 @@ def fit_curve(
 
     Examples
     --------
-    >>> from rocksteady import fit_curve
+    >>> from rocksteady.risk import fit_curve
     >>> curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40, 40, 40, 40])
     >>> print(f"{curve.median:.3f} {curve.beta:.3f}")
     0.591 0.582
@@ -299,7 +299,7 @@ def fit_curve(
 
 
 def curve_of(
-    best: Maximum, family: str, measure: tuple[str, str], bands: Bands | None
+    best: Maximum, family: str, measure: tuple[str, str], bands: BandOptions | None
 ) -> FragilityCurve:
     """Return the result of a maximum."""
     spread, sentences = spread_of([best], bands)
@@ -340,7 +340,7 @@ def curve_of(
     )
 
 
-def band_facts(bands: Bands | None) -> list[Fact]:
+def band_facts(bands: BandOptions | None) -> list[Fact]:
     """Return what the bands are; nothing without."""
     if bands is None:
         return []

@@ -16,7 +16,7 @@ from rocksteady.results.doubts import with_misfit
 from rocksteady.results.numbers import number, number_or_none
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
-from rocksteady.risk.fits._banding import Spread, spread_of
+from rocksteady.risk.fits._banding import PriorRange, spread_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
@@ -31,7 +31,7 @@ from rocksteady.risk.fits._values import (
     range_words,
     value_words,
 )
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve, band_facts, curve_of
 
 Floats = NDArray[np.float64]
@@ -52,7 +52,7 @@ def _stage(words: str) -> Label:
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class TwoStageCurve(Result):
-    """Hold a fragility curve in two stages, from `rocksteady.fit_two_stages`.
+    """Hold a fragility curve in two stages, from `rocksteady.risk.fit_two_stages`.
 
     P(failure | im) = P(uplift | im) P(failure | uplift, im - offset).
 
@@ -97,8 +97,8 @@ class TwoStageCurve(Result):
     stripes: tuple[Row, ...]
     sampled: Annotated[tuple[float, float], Label()]
     median_band: tuple[float, float] | None = None
-    bands: Bands | None = None
-    spread: Spread | None = None
+    bands: BandOptions | None = None
+    spread: PriorRange | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
     gate: float | None = None
@@ -267,7 +267,7 @@ def fit_two_stages(
     *,
     family: Literal["lognormal", "logistic"] = "lognormal",
     groups: ArrayLike | Sequence[str] | None = None,
-    bands: Bands | None = None,
+    bands: BandOptions | None = None,
     measure: tuple[str, str] = ("intensity", ""),
 ) -> TwoStageCurve:
     """Fit fragility in two stages, uplift and failure given uplift.
@@ -294,7 +294,7 @@ def fit_two_stages(
     family
         Distribution of ln im of both; default "lognormal".
     groups
-        Record of each observation, as for `rocksteady.fit_curve`.
+        Record of each observation, as for `rocksteady.risk.fit_curve`.
     bands
         Options of the confidence bands; default none.
     measure
@@ -308,13 +308,14 @@ def fit_two_stages(
     Raises
     ------
     InputError
-        As for `rocksteady.fit_curve`, and if failures are above uplifted or a gate is not above 0.
+        As for `rocksteady.risk.fit_curve`, and if failures are above uplifted or a gate is not
+        above 0.
 
     Examples
     --------
     A gate at 0.3, above which half of the trials fail at 0.6:
 
-    >>> from rocksteady import fit_two_stages
+    >>> from rocksteady.risk import fit_two_stages
     >>> curve = fit_two_stages(
     ...     [0.2, 0.4, 0.8, 1.6], [0, 40, 40, 40], [0, 9, 27, 39], [40, 40, 40, 40]
     ... )
@@ -403,7 +404,7 @@ def _behind_gate(stages: Sequence[Maximum], gate: float) -> tuple[list[Maximum],
     return [exact, whole], 0.0
 
 
-def _crossings(spread: Spread, median: float) -> tuple[float, float] | None:
+def _crossings(spread: PriorRange, median: float) -> tuple[float, float] | None:
     """Return where the ends of the band cross .5 next to the median; None where one does not."""
     from scipy.optimize import brentq
 

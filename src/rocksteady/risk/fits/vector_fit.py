@@ -29,8 +29,8 @@ LEAST_INDEPENDENCE = 1e-8
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
-class VectorFit(Result):
-    """Hold a probit fit in several intensities, from `rocksteady.fit_vector`.
+class VectorCurve(Result):
+    """Hold a probit fit in several intensities, from `rocksteady.risk.fit_vector`.
 
     P = Phi(c_0 + c_1 ln im_1 + c_2 ln im_2 + ...).
 
@@ -135,11 +135,11 @@ def fit_vector(
     *,
     groups: ArrayLike | Sequence[str] | None = None,
     names: Sequence[str] | None = None,
-) -> VectorFit:
+) -> VectorCurve:
     """Fit the probability of failure to several intensities by maximum likelihood.
 
     A probit regression in the logarithms; with one intensity it is the lognormal curve of
-    `rocksteady.fit_curve`.
+    `rocksteady.risk.fit_curve`.
 
     Parameters
     ----------
@@ -156,18 +156,18 @@ def fit_vector(
 
     Returns
     -------
-    VectorFit
+    VectorCurve
         Its status marks data without a maximum.
 
     Raises
     ------
     InputError
-        As for `rocksteady.fit_curve`, and if the logarithms of the intensities depend linearly on
-        each other, as those of PGA, PGV and PGV/PGA do.
+        As for `rocksteady.risk.fit_curve`, and if the logarithms of the intensities depend
+        linearly on each other, as those of PGA, PGV and PGV/PGA do.
 
     Examples
     --------
-    >>> from rocksteady import fit_vector
+    >>> from rocksteady.risk import fit_vector
     >>> pairs = [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]]
     >>> fit = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
     >>> fit.status, fit.coefficients.round(2).tolist()
@@ -193,7 +193,7 @@ def fit_vector(
     status, coefficients, log_likelihood = _fitted(np.log(rows), *totals)
     failed, tried = (float(total.sum()) for total in totals)
     flat = _flat(failed, tried)
-    return VectorFit(
+    return VectorCurve(
         names=tuple(given_names),
         status=status,
         coefficients=coefficients,

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, Words
 from rocksteady.outcomes import Status
 from rocksteady.risk.fragility.damage_states import DamageState, exceeding
-from rocksteady.seismic.measures.scalar import DEFAULT, Intensity
+from rocksteady.seismic.measures.scalar import DEFAULT, Measure
 
 if TYPE_CHECKING:
     import xarray
@@ -65,7 +65,7 @@ class Labels:
         whole = np.arange(records)[np.newaxis, :, np.newaxis]
         return np.array(np.broadcast_to(whole, (blocks, records, levels)))
 
-    def intensity(self, measure: Intensity) -> Floats:
+    def intensity(self, measure: Measure) -> Floats:
         """Return a measure of the motions as they were scaled, shape (blocks, records, levels)."""
         scale = self.ensemble["scale"].transpose("block", "record", "level").values
         if self.ensemble.attrs["measure"] == measure.key:
@@ -118,19 +118,19 @@ def labels_of(ensemble: "xarray.Dataset") -> Labels:
     )
 
 
-def kept_measures(ensemble: "xarray.Dataset") -> tuple[Intensity, ...]:
+def kept_measures(ensemble: "xarray.Dataset") -> tuple[Measure, ...]:
     """Return the measures that an ensemble holds of its records."""
     kept = [values.attrs for name, values in ensemble.coords.items() if "measure" in values.attrs]
-    return tuple(Intensity(each["measure"], each.get("period_s")) for each in kept)
+    return tuple(Measure(each["measure"], each.get("period_s")) for each in kept)
 
 
-def measure_of(ensemble: "xarray.Dataset") -> Intensity:
+def measure_of(ensemble: "xarray.Dataset") -> Measure:
     """Return the measure that its curves are over: that of its levels, or the default one."""
     key = ensemble.attrs["measure"]
     kept = {each.key: each for each in kept_measures(ensemble)}
     if key in kept:
         return kept[key]
-    default = Intensity(DEFAULT)
+    default = Measure(DEFAULT)
     return kept.get(default.key) or (next(iter(kept.values())) if kept else default)
 
 

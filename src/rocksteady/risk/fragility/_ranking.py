@@ -13,12 +13,12 @@ from rocksteady.risk.fits.vector_fit import fit_vector
 from rocksteady.risk.fragility._labels_of_runs import Labels
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 
 def rank_measures(
     labels: Labels,
-    measures: Sequence[Intensity],
+    measures: Sequence[Measure],
     state: DamageState,
     family: Literal["lognormal", "logistic"],
 ) -> tuple[Efficiency, ...]:
@@ -42,7 +42,7 @@ def rank_measures(
 
 def _alone(
     labels: Labels,
-    measure: Intensity,
+    measure: Measure,
     state: DamageState,
     family: Literal["lognormal", "logistic"],
 ) -> Efficiency:
@@ -67,7 +67,7 @@ def _alone(
 
 
 def _together(
-    labels: Labels, pair: tuple[Intensity, Intensity], state: DamageState
+    labels: Labels, pair: tuple[Measure, Measure], state: DamageState
 ) -> Efficiency | None:
     """Return the efficiency of two measures; None where one follows from the other here."""
     at = np.column_stack([labels.intensity(measure).ravel() for measure in pair])

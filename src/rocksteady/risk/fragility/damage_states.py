@@ -36,7 +36,7 @@ class DamageState:
 
     Examples
     --------
-    >>> from rocksteady import DamageState
+    >>> from rocksteady.risk import DamageState
     >>> DamageState("contents shifted", 0.1).peak
     0.1
     """

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 
 @checked_result
@@ -23,7 +23,7 @@ class Efficiency:
         Log-likelihood of the single runs, and Akaike's criterion.
     """
 
-    measure: tuple[Intensity, ...]
+    measure: tuple[Measure, ...]
     state: str
     status: str
     median: float

@@ -13,7 +13,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
 from rocksteady.risk.ensemble.gates import uplift_of
-from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.fragility_curve import fit_curve
@@ -26,11 +26,11 @@ from rocksteady.risk.fragility._labels_of_runs import (
 )
 from rocksteady.risk.fragility._ranking import rank_measures
 from rocksteady.risk.fragility.damage_states import UPLIFT, DamageState
-from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.seismic.measures.scalar import GIVEN, Intensity
-from rocksteady.sweep.run import Run
+from rocksteady.seismic.measures.scalar import GIVEN, Measure
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -40,7 +40,7 @@ STAGE = "^(uplift|failure given uplift): "
 
 
 @checked
-def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None) -> Fragility:
+def fit_fragility(ensemble: "xarray.Dataset", *, fitting: FitOptions | None = None) -> Fragility:
     """Fit fragility curves to an ensemble of runs.
 
     Every run is a trial, and every record a group: runs of one record depend on each other, so
@@ -51,7 +51,7 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None)
     ensemble
         From `run_ensemble`.
     fitting
-        Damage states, family, bands and measures; default `Fitting()`.
+        Damage states, family, bands and measures; default `FitOptions()`.
 
     Returns
     -------
@@ -68,22 +68,24 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None)
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import Block, Fitting, Record, RestitutionBand, Stripes
-    >>> from rocksteady import fit_fragility, run_ensemble
+    >>> from rocksteady import Block, Record
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
+    >>> from rocksteady import run_ensemble
+    >>> from rocksteady.risk import fit_fragility
     >>> t = 0.02 * np.arange(100)
     >>> suite = [
     ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f} rad/s")
     ...     for f in (4, 6, 9, 12)
     ... ]
-    >>> stripes = Stripes("pgv_m_s", [0.8, 1.2, 1.6, 2.0], beside=())
+    >>> stripes = Levels("pgv_m_s", [0.8, 1.2, 1.6, 2.0], beside=())
     >>> block = Block.rectangle(width=0.4, height=1.6)
     >>> runs = run_ensemble(block, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
-    >>> fragility = fit_fragility(runs, fitting=Fitting(states=["overturned"], bands=None))
+    >>> fragility = fit_fragility(runs, fitting=FitOptions(states=["overturned"], bands=None))
     >>> print(f"{fragility.state('overturned').curve.median:.2f}")
     1.55
     """
     began = time.perf_counter()
-    options = Fitting() if fitting is None else fitting
+    options = FitOptions() if fitting is None else fitting
     labels = labels_of(ensemble)
     measure = measure_of(ensemble)
     states = tuple(_fitted(labels, measure, state, options) for state in options.damage_states)
@@ -107,12 +109,12 @@ def compute_fragility(
     blocks: Block | Sequence[Block],
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    stripes: Stripes | None = None,
+    stripes: Levels | None = None,
     restitution: RestitutionBand | None = None,
     reverse: bool | Literal["both"] = "both",
     vertical: bool | Literal["both"] = "both",
-    fitting: Fitting | None = None,
-    run: Run | None = None,
+    fitting: FitOptions | None = None,
+    run: Execution | None = None,
 ) -> Fragility:
     """Compute the fragility of blocks: run the ensemble, fit the curves.
 
@@ -138,15 +140,16 @@ def compute_fragility(
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import Block, Fitting, Record, RestitutionBand, Stripes, compute_fragility
+    >>> from rocksteady import Block, Record, compute_fragility
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
     >>> t = 0.02 * np.arange(100)
     >>> suite = [Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02) for f in (4, 6, 9, 12)]
     >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.4, height=1.6),
     ...     suite,
-    ...     stripes=Stripes("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
+    ...     stripes=Levels("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
     ...     restitution=RestitutionBand(draws=1),
-    ...     fitting=Fitting(states=["uplift"], bands=None),
+    ...     fitting=FitOptions(states=["uplift"], bands=None),
     ... )
     >>> fragility.state("uplift").plain.status, fragility.state("uplift").plain.step
     ('separated', (0.2, 0.3))
@@ -166,7 +169,7 @@ def compute_fragility(
 
 
 def _fitted(
-    labels: Labels, measure: Intensity, state: DamageState, options: Fitting
+    labels: Labels, measure: Measure, state: DamageState, options: FitOptions
 ) -> StateFragility:
     """Return the fragility of a damage state."""
     intensity, trials = labels.intensity(measure), labels.trials

@@ -6,14 +6,14 @@ from typing import Literal
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fragility.damage_states import DEFAULT_STATES, DamageState, state_of
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Fitting:
+class FitOptions:
     """Options of the curves that are fitted to an ensemble.
 
     Parameters
@@ -24,7 +24,7 @@ class Fitting:
     family
         "lognormal" (default) or "logistic".
     bands
-        Options of the confidence bands; default `Bands()`, None or no replicates for none.
+        Options of the confidence bands; default `BandOptions()`, None or no replicates for none.
     measures
         Measures whose efficiency is compared; by default all that the ensemble holds.
 
@@ -35,15 +35,15 @@ class Fitting:
 
     Examples
     --------
-    >>> from rocksteady import Fitting
-    >>> [state.name for state in Fitting(states=["uplift", 0.4, "overturned"]).states]
+    >>> from rocksteady.risk import FitOptions
+    >>> [state.name for state in FitOptions(states=["uplift", 0.4, "overturned"]).states]
     ['uplift', 'theta/alpha > 0.4', 'overturned']
     """
 
     states: Sequence[DamageState | float | str] = DEFAULT_STATES
     family: Literal["lognormal", "logistic"] = "lognormal"
-    bands: Bands | None = Bands()  # noqa: RUF009 -- it is frozen
-    measures: Sequence[Intensity] | None = None
+    bands: BandOptions | None = BandOptions()  # noqa: RUF009 -- it is frozen
+    measures: Sequence[Measure] | None = None
 
     def __post_init__(self) -> None:
         """Validate."""

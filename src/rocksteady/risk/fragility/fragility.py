@@ -16,9 +16,9 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
-from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fitting import FitOptions
 from rocksteady.risk.fragility.state_fragility import StateFragility
-from rocksteady.seismic.measures.scalar import GIVEN, Intensity
+from rocksteady.seismic.measures.scalar import GIVEN, Measure
 
 if TYPE_CHECKING:
     import xarray
@@ -72,10 +72,10 @@ class Fragility(Result):
     """
 
     ensemble: "xarray.Dataset"
-    measure: Intensity
+    measure: Measure
     states: tuple[StateFragility, ...]
     ranking: tuple[Efficiency, ...]
-    fitting: Fitting
+    fitting: FitOptions
     warnings: tuple[str, ...]
     records: int
     runs: int

@@ -102,7 +102,8 @@ def fit_restitution(
 
     Examples
     --------
-    >>> from rocksteady import Block, fit_restitution, free_rocking_peaks
+    >>> from rocksteady import Block, fit_restitution
+    >>> from rocksteady.formulas import free_rocking_peaks
     >>> block = Block.rectangle(width=0.05, height=0.5)
     >>> peaks = block.alpha * free_rocking_peaks(0.6, 0.95, 12, alpha=block.alpha)
     >>> fit = fit_restitution(peaks, block)

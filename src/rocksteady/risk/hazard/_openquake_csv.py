@@ -15,7 +15,7 @@ from rocksteady.risk.hazard._hazard_text import (
 )
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import ground_measure, written
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 _POE: Final = "poe-"
 _FEW: Final = 20
@@ -37,7 +37,7 @@ def find_names(text: HazardText) -> tuple[int, str | None] | None:
 def read_sites(
     text: HazardText,
     names: tuple[int, str | None],
-    measure: Intensity | None,
+    measure: Measure | None,
     poe_years: float | None,
 ) -> list[HazardCurve]:
     """Return the curve of each site.
@@ -113,7 +113,7 @@ def rate_of(text: HazardText, poe: float | None, years: float, line: int) -> flo
     return math.inf if poe == 1.0 else abs(math.log1p(-poe)) / years
 
 
-def _measure(text: HazardText, header: str, measure: Intensity | None) -> tuple[Intensity, float]:
+def _measure(text: HazardText, header: str, measure: Measure | None) -> tuple[Measure, float]:
     """Return the measure, and the unit of the file's levels in that of the measure."""
     match = _IMT.search(header)
     if match is None:
@@ -138,7 +138,7 @@ def _measure(text: HazardText, header: str, measure: Intensity | None) -> tuple[
     return stated, _openquake_unit(stated)
 
 
-def _openquake_unit(measure: Intensity) -> float:
+def _openquake_unit(measure: Measure) -> float:
     """Return the unit that OpenQuake has levels of a measure in: g, and cm/s."""
     return 0.01 if measure.name == "pgv_m_s" else 1.0
 

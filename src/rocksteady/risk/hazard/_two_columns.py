@@ -17,7 +17,7 @@ from rocksteady.risk.hazard._hazard_text import (
 from rocksteady.risk.hazard._openquake_csv import rate_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import ground_measure, written
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 VELOCITIES: Final = {
     "m/s": 1.0,
@@ -48,7 +48,7 @@ _NAME_IT: Final = 'name the columns, as "PGA [g], annual rate", or give measure=
 
 def read_columns(
     text: HazardText,
-    measure: Intensity | None,
+    measure: Measure | None,
     level_unit: str | None,
     poe_years: float | None,
 ) -> HazardCurve:
@@ -139,8 +139,8 @@ def _swapped(names: tuple[str, str]) -> bool:
 
 
 def _level(
-    text: HazardText, name: str, given: Intensity | None, level_unit: str | None
-) -> tuple[Intensity, float]:
+    text: HazardText, name: str, given: Measure | None, level_unit: str | None
+) -> tuple[Measure, float]:
     """Return the measure of a column's name, and its unit in that of the measure."""
     named = _measure_named(name)
     if named == "sa_g":
@@ -182,7 +182,7 @@ def _level(
     return words, wanted
 
 
-def _kind(measure: Intensity) -> str:
+def _kind(measure: Measure) -> str:
     """Return what the unit of a measure is of."""
     return "velocity" if measure.unit == "m/s" else "acceleration"
 
@@ -196,7 +196,7 @@ def _measure_named(name: str) -> str | None:
     return "sa_g" if _SPECTRAL.search(name) or "spectral acc" in name else None
 
 
-def _size(written: object, measure: Intensity) -> float | None:
+def _size(written: object, measure: Measure) -> float | None:
     """Return a unit in that of a measure, or None of what is no such unit."""
     if not isinstance(written, str):
         return None

@@ -23,7 +23,7 @@ from rocksteady.risk.hazard._fragile import Converted, Fragile
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import measure_fact, written
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 Floats = NDArray[np.float64]
 
@@ -51,15 +51,15 @@ SENTENCES = (
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class BranchTest(Result):
-    """Test of hazard branches against a standing object, from `rocksteady.reject_branches`.
+class HazardBranchCheck(Result):
+    """Test of hazard branches against a standing object, from `check_hazard_branches`.
 
     Attributes
     ----------
     fragility, branches
         What was given.
     measure, age_years, alpha_cv, level
-        As given to `rocksteady.reject_branches`.
+        As given to `rocksteady.risk.check_hazard_branches`.
     annual_rates
         Rate of toppling on each branch, the mean over alpha [1/year], shape (branches,).
     survival
@@ -71,7 +71,7 @@ class BranchTest(Result):
 
     fragility: Fragile
     branches: tuple[HazardCurve, ...]
-    measure: Intensity
+    measure: Measure
     age_years: Annotated[float, Label("Age", unit="years")]
     alpha_cv: Annotated[float, Label("Coefficient of variation of alpha")]
     level: Annotated[float, Label("Level of rejection")]
@@ -143,16 +143,16 @@ class BranchTest(Result):
 
 
 @checked
-def reject_branches(
+def check_hazard_branches(
     fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     branches: Sequence[HazardCurve],
     age_years: Annotated[float, Bounds(0.0, OLDEST_YEARS, "(]", "give an age in years")],
     *,
-    measure: Intensity | str | None = None,
+    measure: Measure | str | None = None,
     block: Block | None = None,
     alpha_cv: Annotated[float, Bounds(0.0, 1.0, "[]", "give a share, as .05")] = 0.05,
     level: Annotated[float, Bounds(0.0, 1.0, "()", "give a confidence, as .95")] = 0.95,
-) -> BranchTest:
+) -> HazardBranchCheck:
     """Test branches of a hazard model against a standing object.
 
     If it topples at a rate r, it stands for its age with the probability exp(-age r): a branch is
@@ -179,7 +179,7 @@ def reject_branches(
 
     Returns
     -------
-    BranchTest
+    HazardBranchCheck
         Of each branch rate, survival, confidence, verdict and posterior weight.
 
     Raises
@@ -195,10 +195,10 @@ def reject_branches(
 
     Examples
     --------
-    >>> from rocksteady import HazardCurve, reject_branches
+    >>> from rocksteady.risk import HazardCurve, check_hazard_branches
     >>> low = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-3, 1e-6], name="low")
     >>> high = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-2, 1e-4], name="high")
-    >>> test = reject_branches((0.3, 0.4), [low, high], 10_000.0)
+    >>> test = check_hazard_branches((0.3, 0.4), [low, high], 10_000.0)
     >>> test.rejected.tolist(), test.confidence.round(2).tolist()
     ([False, True], [0.53, 1.0])
     """
@@ -208,7 +208,7 @@ def reject_branches(
     rates = np.array([[_rate(curve, factor, hazard) for factor in factors] for hazard in branches])
     survival = np.exp(-age_years * rates) @ weights
     total = float(prior @ survival)
-    return BranchTest(
+    return HazardBranchCheck(
         fragility=curve.curve,
         branches=tuple(branches),
         measure=words,

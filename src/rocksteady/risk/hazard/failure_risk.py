@@ -30,7 +30,7 @@ from rocksteady.risk.hazard.hazard_measures import (
     measure_fact,
     written,
 )
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 Floats = NDArray[np.float64]
 
@@ -93,7 +93,7 @@ class Risk(Result):
 
     fragility: Fragile
     hazard: HazardCurve
-    measure: Intensity
+    measure: Measure
     factor: float
     years: float
     beta_u: Annotated[float, Label("beta_U", number)]
@@ -281,7 +281,7 @@ def compute_risk(
     hazard: HazardCurve,
     years: Annotated[float, Bounds(0.0, LONGEST_YEARS, "(]", "give a time in years")] = 50.0,
     *,
-    measure: Intensity | str | None = None,
+    measure: Measure | str | None = None,
     block: Block | None = None,
     beta_u: Annotated[float, Bounds(0.0, 20.0, "[]", "give 0, or .2 to .4")] = 0.0,
 ) -> Risk:
@@ -301,7 +301,7 @@ def compute_risk(
     years
         Time of the probability [years]; default 50.
     measure
-        What the fragility is over: an `Intensity`, or its text as ``"sa_g:1.0"`` or, with a block,
+        What the fragility is over: an `Measure`, or its text as ``"sa_g:1.0"`` or, with a block,
         ``"p_pgv_per_uplift"``; default None, that of a `Fragility`, otherwise the hazard's own.
     block
         Block of a fragility over a dimensionless measure; none by default.
@@ -328,7 +328,8 @@ def compute_risk(
 
     Examples
     --------
-    >>> from rocksteady import HazardCurve, compute_risk
+    >>> from rocksteady import compute_risk
+    >>> from rocksteady.risk import HazardCurve
     >>> hazard = HazardCurve(measure="pgv_m_s", levels=[0.001, 100.0], rates=[100.0, 1e-8])
     >>> risk = compute_risk((0.4653, 0.592), hazard)
     >>> print(f"{risk.annual_rate:.5f} {risk.closed_form_rate:.5f} {risk.hclpf:.4f}")
@@ -368,9 +369,9 @@ def compute_risk(
 def fragility_over(
     fragility: Fragility | FragilityCurve | TwoStageCurve | tuple[float, float],
     hazard: HazardCurve,
-    measure: Intensity | str | None,
+    measure: Measure | str | None,
     block: Block | None,
-) -> tuple[Converted, Intensity, tuple[str, ...]]:
+) -> tuple[Converted, Measure, tuple[str, ...]]:
     """Return a fragility over the measure of a hazard, its own measure, and remarks.
 
     Raises

@@ -16,7 +16,7 @@ from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.hazard.hazard_measures import ground_measure, measure_fact
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 Floats = NDArray[np.float64]
 
@@ -56,7 +56,7 @@ class HazardCurve(Result):
     Parameters
     ----------
     measure
-        An `Intensity` of the ground, or its text: ``"pga_g"``, ``"pgv_m_s"``, ``"sa_g:1.0"`` with
+        An `Measure` of the ground, or its text: ``"pga_g"``, ``"pgv_m_s"``, ``"sa_g:1.0"`` with
         a period in seconds, ``"sa_avg_g:1.0"``.
     levels
         Levels of the measure, ascending, in units of 9.80665 m/s^2 or in m/s, shape (levels,).
@@ -89,7 +89,7 @@ class HazardCurve(Result):
     0.0025
     """
 
-    measure: Annotated[Intensity | str, ground_measure]
+    measure: Annotated[Measure | str, ground_measure]
     levels: Annotated[Floats, _row]
     rates: Annotated[Floats, _row]
     name: str = ""
@@ -146,7 +146,7 @@ class HazardCurve(Result):
             )
 
     @property
-    def intensity(self) -> Intensity:
+    def intensity(self) -> Measure:
         """The measure."""
         return ground_measure("measure", self.measure)
 

@@ -11,7 +11,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.records.core.numbers import number as read_number
 from rocksteady.results.description import Fact
 from rocksteady.seismic.measures.free_sides import first_side
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 GROUND: Final = {"pga_g": False, "pgv_m_s": False, "sa_g": True, "sa_avg_g": True}
 """What a hazard curve can be over, and whether it has a period."""
@@ -22,7 +22,7 @@ SAME_PERIOD: Final = 1e-6
 """Relative difference of two periods that are the same, written with fewer digits."""
 
 
-def intensity_named(name: str, measure: object) -> Intensity:
+def intensity_named(name: str, measure: object) -> Measure:
     """Return a measure from its text, as ``"pga_g"`` or ``"sa_g:1.0"``.
 
     Parameters
@@ -37,12 +37,12 @@ def intensity_named(name: str, measure: object) -> Intensity:
     InputError
         If it is neither.
     """
-    if isinstance(measure, Intensity):
+    if isinstance(measure, Measure):
         return measure
     word, colon, period = measure.partition(":") if isinstance(measure, str) else ("", "", "")
     period_s = read_number(period) if colon else None
     try:
-        intensity = Intensity(word, period_s)
+        intensity = Measure(word, period_s)
     except InputError as error:
         raise InputError(name, measure, error.valid, error.hint) from None
     if colon and period_s is None:
@@ -51,7 +51,7 @@ def intensity_named(name: str, measure: object) -> Intensity:
     return intensity
 
 
-def ground_measure(name: str, measure: object) -> Intensity:
+def ground_measure(name: str, measure: object) -> Measure:
     """Return a measure of the ground alone, with its period where it needs one.
 
     Parameters and errors are those of `intensity_named`; what needs a block, or does not grow with
@@ -65,24 +65,24 @@ def ground_measure(name: str, measure: object) -> Intensity:
         names = ", ".join(f"{each}:PERIOD" if needs else each for each, needs in GROUND.items())
         raise InputError(
             name,
-            written(measure) if isinstance(measure, Intensity) else measure,
+            written(measure) if isinstance(measure, Measure) else measure,
             f"a hazard curve is over one of {names}",
             'write a period in seconds, as "sa_g:1.0"',
         )
     return intensity
 
 
-def written(measure: Intensity) -> str:
+def written(measure: Measure) -> str:
     """Return the text of a measure, as ``sa_g:1.0``."""
     return measure.name if measure.period_s is None else f"{measure.name}:{measure.period_s!r}"
 
 
-def measure_fact(measure: Intensity) -> Fact:
+def measure_fact(measure: Measure) -> Fact:
     """Return the fact of a measure."""
     return Fact("measure", written(measure), "Measure", str(measure))
 
 
-def fragility_factor(measure: Intensity, hazard: Intensity, block: Block | None) -> float:
+def fragility_factor(measure: Measure, hazard: Measure, block: Block | None) -> float:
     """Return what a hazard's intensity is multiplied by to be the fragility's.
 
     p PGV/(g tan alpha) of a PGV [m/s] is PGV times p/(g tan alpha), and PGA/(g tan alpha) of a PGA

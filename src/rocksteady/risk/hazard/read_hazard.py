@@ -11,14 +11,14 @@ from rocksteady.risk.hazard._openquake_csv import find_names, read_sites
 from rocksteady.risk.hazard._two_columns import read_columns
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import ground_measure
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 
 @checked
 def read_hazard_curves(
     path: str | PathLike[str],
     *,
-    measure: Intensity | str | None = None,
+    measure: Measure | str | None = None,
     level_unit: str | None = None,
     poe_years: float | None = None,
 ) -> list[HazardCurve]:

@@ -25,7 +25,7 @@ from rocksteady.seismic.spectra.many import blocks_of
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -67,7 +67,7 @@ class Scatter:
 
     Examples
     --------
-    >>> from rocksteady import Scatter
+    >>> from rocksteady.calibration import Scatter
     >>> Scatter(0.05, draws=8).draws
     8
     """
@@ -78,7 +78,7 @@ class Scatter:
 
 
 @checked
-def fates_on_records(
+def compute_test_fates(
     blocks: Block | Sequence[Block] | Mapping[str, Sequence[Block]],
     tests: Observations | Sequence[ShakingTest],
     *,
@@ -86,7 +86,7 @@ def fates_on_records(
     scatter: Scatter | None = None,
     outputs: Sequence[str] = KEPT,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Run every block through every test, at every gain, from rest.
 
@@ -115,7 +115,7 @@ def fates_on_records(
     model
         `Nonlinear()` (default) or `Linear()`.  `Nonlinear(tolerance=1e-8)` takes a third less time.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Execution()`.
 
     Returns
     -------
@@ -134,11 +134,12 @@ def fates_on_records(
     --------
     The share of two slendernesses that fall in a test whose gain is known to a tenth:
 
-    >>> from rocksteady import Block, Record, ShakingTest, Status, fates_on_records
+    >>> from rocksteady import Block, Record, Status
+    >>> from rocksteady.calibration import ShakingTest, compute_test_fates
     >>> record = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3, name="shock")
     >>> test = ShakingTest(name="first", record=record, object="column")
     >>> columns = [Block.from_p(alpha=alpha, p=3.0) for alpha in (0.15, 0.25)]
-    >>> fates = fates_on_records(columns, [test], gains=[0.9, 1.0, 1.1], outputs=["status"])
+    >>> fates = compute_test_fates(columns, [test], gains=[0.9, 1.0, 1.1], outputs=["status"])
     >>> (fates.status == Status.OVERTURNED).mean(["gain", "draw"]).values.round(2)
     array([[1.  , 0.67]])
     """

@@ -23,10 +23,10 @@ from rocksteady.risk.observations._sides import (
     least_momentum_ratio,
     sides_of_numbers,
 )
-from rocksteady.risk.observations.spread import Spread, spread_of
+from rocksteady.risk.observations.spread import PriorRange, spread_of
 
 Floats = NDArray[np.float64]
-Given = Spread | float | str
+Given = PriorRange | float | str
 
 LARGEST_M: Final = 20.0
 """Longest size [m]: larger ones are taken for millimetres or centimetres."""
@@ -50,11 +50,11 @@ BOUNDS: Final[Mapping[str, tuple[float, float, str]]] = {
 }  # fmt: skip
 """Lowest and highest of each number, and what to do; in the order of the parameters."""
 
-DEFAULTS: Final[Mapping[str, Spread]] = {
-    "base": Spread.between(0.6, 1.0),
-    "offset": Spread.exactly(0.0),
-    "housner_factor": Spread.between(0.85, 1.1),
-    "scatter": Spread.between(0.0, 0.1),
+DEFAULTS: Final[Mapping[str, PriorRange]] = {
+    "base": PriorRange.between(0.6, 1.0),
+    "offset": PriorRange.exactly(0.0),
+    "housner_factor": PriorRange.between(0.85, 1.1),
+    "scatter": PriorRange.between(0.0, 0.1),
 }
 """Of what nothing is known."""
 
@@ -77,7 +77,7 @@ class ObjectPrior(Result):
     """Prior of an object: size, base, restitution and scatter.
 
     A number, a text as ``"0.3:0.5"`` (uniform) or ``"0.4+-0.05"`` (normal, cut off at what is
-    possible), or a `Spread`.  The size is given in one of three ways: the outline, angle and
+    possible), or a `PriorRange`.  The size is given in one of three ways: the outline, angle and
     frequency parameter, or the edges.  All numbers are independent of each other.
 
     Parameters
@@ -149,7 +149,7 @@ class ObjectPrior(Result):
     restitution: Given | None = None
     housner_factor: Given | None = None
     scatter: Given | None = None
-    spreads: Mapping[str, Spread] = field(init=False)
+    spreads: Mapping[str, PriorRange] = field(init=False)
     defaults: tuple[str, ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -197,7 +197,7 @@ class ObjectPrior(Result):
             return middle["alpha_rad"]
         return atan2(min(middle["left_m"], middle["right_m"]), middle["mass_centre_height_m"])
 
-    def with_defaults(self, others: Mapping[str, Spread]) -> "ObjectPrior":
+    def with_defaults(self, others: Mapping[str, PriorRange]) -> "ObjectPrior":
         """Return the object with other spreads where its own are defaults.
 
         Parameters
@@ -380,7 +380,7 @@ class ObjectPrior(Result):
             )
 
 
-def possible(key: str, value: Given) -> Spread:
+def possible(key: str, value: Given) -> PriorRange:
     """Return the spread of a number inside what is possible.
 
     Raises

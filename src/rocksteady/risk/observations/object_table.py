@@ -8,7 +8,7 @@ from typing import Any, Final
 from rocksteady.errors import RocksteadyError
 from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
 from rocksteady.risk.observations.object_prior import BOUNDS, ObjectPrior
-from rocksteady.risk.observations.spread import Spread
+from rocksteady.risk.observations.spread import PriorRange
 
 OBJECT_COLUMNS: Final = ("name", *BOUNDS)
 """Columns of an object."""
@@ -83,7 +83,7 @@ def object_prior_of(cells: Mapping[str, str], place: str) -> ObjectPrior:
     for key in BOUNDS:
         cell = cells.get(key, "")
         if cell:
-            given[key] = Spread.parse(cell, name=f"{place}, {key}")
+            given[key] = PriorRange.parse(cell, name=f"{place}, {key}")
     try:
         return ObjectPrior(name=cells["name"], **given)
     except RocksteadyError as error:

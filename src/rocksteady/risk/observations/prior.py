@@ -14,13 +14,13 @@ from rocksteady.results.result import Result
 from rocksteady.risk.observations.files.small_files import content_of, toml_of
 from rocksteady.risk.observations.object_prior import ObjectPrior, possible
 from rocksteady.risk.observations.shaking_test import LARGEST_SIGMA
-from rocksteady.risk.observations.spread import Spread, spread_of
+from rocksteady.risk.observations.spread import PriorRange, spread_of
 
 GENERAL: Final = ("base", "offset", "restitution", "housner_factor", "scatter")
 """Numbers of an object that may be known of all objects alike."""
 
-SIGMA_LN: Final = Spread.between(0.05, 0.2)
-OUTLIERS: Final = Spread.between(0.01, 0.05)
+SIGMA_LN: Final = PriorRange.between(0.05, 0.2)
+OUTLIERS: Final = PriorRange.between(0.01, 0.05)
 
 _NOISE: Final[Mapping[str, tuple[float, str]]] = {
     "sigma_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain), as 0.1"),
@@ -30,7 +30,7 @@ _NOISE: Final[Mapping[str, tuple[float, str]]] = {
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Noise:
+class OutcomeErrors:
     """Priors of the amplitude error and of the share of outliers.
 
     Parameters
@@ -49,12 +49,12 @@ class Noise:
 
     Examples
     --------
-    >>> Noise(sigma_ln=Spread.exactly(0.1)).sigma_ln.fixed
+    >>> OutcomeErrors(sigma_ln=PriorRange.exactly(0.1)).sigma_ln.fixed
     True
     """
 
-    sigma_ln: Spread = SIGMA_LN
-    outliers: Spread = OUTLIERS
+    sigma_ln: PriorRange = SIGMA_LN
+    outliers: PriorRange = OUTLIERS
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -71,7 +71,7 @@ class Prior(Result):
     Parameters
     ----------
     noise
-        Amplitude error and outliers; default `Noise()`.
+        Amplitude error and outliers; default `OutcomeErrors()`.
     defaults
         Spread, number or text by name for every object that has none of its own: of ``base``,
         ``offset``, ``restitution`` or ``housner_factor``, and ``scatter``; default none.
@@ -92,8 +92,8 @@ class Prior(Result):
     (<Spread 0.9:1.0>, ('offset', 'housner_factor', 'scatter'))
     """
 
-    noise: Noise = Noise()
-    defaults: Mapping[str, Spread | float | str] = field(default_factory=dict)
+    noise: OutcomeErrors = OutcomeErrors()
+    defaults: Mapping[str, PriorRange | float | str] = field(default_factory=dict)
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -171,7 +171,7 @@ def read_prior(path: Path | str) -> Prior:
     content = content_of(file, "prior", "name a file in TOML with [noise] and [object]")
     values = toml_of(content, file.name)
     known: Mapping[str, tuple[str, ...]] = {"noise": tuple(_NOISE), "object": GENERAL}
-    tables: dict[str, dict[str, Spread]] = {"noise": {}, "object": {}}
+    tables: dict[str, dict[str, PriorRange]] = {"noise": {}, "object": {}}
     for table, content_of_table in values.items():
         if table not in known or not isinstance(content_of_table, dict):
             raise InputError(
@@ -193,7 +193,7 @@ def read_prior(path: Path | str) -> Prior:
             tables[table][key] = spread_of(name, value)
     sources = {file.name: hashlib.sha256(content).hexdigest()}
     try:
-        noise = Noise(**tables["noise"])
+        noise = OutcomeErrors(**tables["noise"])
         return Prior(noise=noise, defaults=tables["object"], sources=sources)
     except InputError as error:
         place = "[object]" if error.name == "defaults" else error.name

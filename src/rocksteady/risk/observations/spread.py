@@ -25,7 +25,7 @@ _LONGEST: Final = 200
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Spread:
+class PriorRange:
     """Distribution of a number before the tests.
 
     A value (`exactly`), a uniform density between two bounds (`between`), or a normal density that
@@ -47,11 +47,11 @@ class Spread:
 
     Examples
     --------
-    >>> Spread.parse("0.6:1.0").quantile([0.0, 0.5, 1.0]).tolist()
+    >>> PriorRange.parse("0.6:1.0").quantile([0.0, 0.5, 1.0]).tolist()
     [0.6, 0.8, 1.0]
-    >>> Spread.parse("0.30+-0.02").within("height_m", 0.0, 1.0)
+    >>> PriorRange.parse("0.30+-0.02").within("height_m", 0.0, 1.0)
     <Spread 0.3+-0.02>
-    >>> Spread.exactly(0.25).fixed
+    >>> PriorRange.exactly(0.25).fixed
     True
     """
 
@@ -86,24 +86,24 @@ class Spread:
             )
 
     @classmethod
-    def exactly(cls, value: float) -> "Spread":
+    def exactly(cls, value: float) -> "PriorRange":
         """Return a number without any spread."""
         return cls(low=value, high=value)
 
     @classmethod
-    def between(cls, low: float, high: float) -> "Spread":
+    def between(cls, low: float, high: float) -> "PriorRange":
         """Return a uniform density between two bounds."""
         return cls(low=low, high=high)
 
     @classmethod
     def around(
         cls, mean: float, sd: float, *, low: float = -math.inf, high: float = math.inf
-    ) -> "Spread":
+    ) -> "PriorRange":
         """Return a normal density, cut off at bounds where they are given."""
         return cls(low=low, high=high, mean=mean, sd=sd)
 
     @classmethod
-    def parse(cls, text: str, *, name: str = "spread") -> "Spread":
+    def parse(cls, text: str, *, name: str = "spread") -> "PriorRange":
         """Return the spread of a text.
 
         Parameters
@@ -116,7 +116,7 @@ class Spread:
         Raises
         ------
         InputError
-            If it is none of the three, or as for `Spread`.
+            If it is none of the three, or as for `PriorRange`.
         """
         given: object = text
         parts = parts_of(given) if isinstance(given, str) else None
@@ -146,7 +146,7 @@ class Spread:
         """The value, the mean of both bounds, or the mean of the normal density."""
         return 0.5 * (self.low + self.high) if self.mean is None else self.mean
 
-    def within(self, name: str, low: float, high: float, *, hint: str = "") -> "Spread":
+    def within(self, name: str, low: float, high: float, *, hint: str = "") -> "PriorRange":
         """Return the spread inside what is possible.
 
         Parameters
@@ -265,7 +265,7 @@ def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:
     return (float(first), float(second)), ":" if sign == ":" else "+-"
 
 
-def spread_of(name: str, value: "Spread | float | str") -> Spread:
+def spread_of(name: str, value: "PriorRange | float | str") -> PriorRange:
     """Return what a caller means by a spread, a number or a text.
 
     Raises
@@ -274,8 +274,8 @@ def spread_of(name: str, value: "Spread | float | str") -> Spread:
         If it is none of them.
     """
     given: object = value
-    if isinstance(given, Spread):
+    if isinstance(given, PriorRange):
         return given
     if isinstance(given, str):
-        return Spread.parse(given, name=name)
-    return Spread.exactly(finite(name, given, hint="give a number, or a text as '0.3:0.5'"))
+        return PriorRange.parse(given, name=name)
+    return PriorRange.exactly(finite(name, given, hint="give a number, or a text as '0.3:0.5'"))

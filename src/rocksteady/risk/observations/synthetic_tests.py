@@ -18,11 +18,11 @@ from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
-from rocksteady.risk.observations.fates import Scatter, fates_on_records
+from rocksteady.risk.observations.fates import Scatter, compute_test_fates
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
-from rocksteady.seismic.measures.scalar import measure_scalar
+from rocksteady.seismic.measures.scalar import compute_measure
 
 Floats = NDArray[np.float64]
 
@@ -91,7 +91,7 @@ def make_synthetic_tests(
 
     Examples
     --------
-    >>> from rocksteady import make_synthetic_suite
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> make_synthetic_tests(motions=make_synthetic_suite(6))
     <Observations: 24 tests of 1 object on 6 records: 9 fell, 15 stood>
     """
@@ -101,7 +101,7 @@ def make_synthetic_tests(
             "truth",
             Words("stands against a wall"),
             "objects of tests rock to both sides",
-            "give a block without a wall, or run its tests with fates_on_records",
+            "give a block without a wall, or run its tests with compute_test_fates",
         )
     records = make_synthetic_suite(MOTIONS) if motions is None else list(motions)
     if not records:
@@ -120,7 +120,7 @@ def make_synthetic_tests(
         )
         for place, gain in enumerate(nominal.ravel().tolist())
     ]
-    ends = fates_on_records(
+    ends = compute_test_fates(
         block,
         unknown,
         gains=error.reshape(-1, 1),
@@ -138,7 +138,7 @@ def make_synthetic_tests(
 def _gains(truth: Block, records: list[Record], gains: ArrayLike | None) -> Floats:
     """Return the gains of the table, shape (motions, gains)."""
     if gains is None:
-        unit = [measure_scalar(record, "p_pgv_per_uplift", truth) for record in records]
+        unit = [compute_measure(record, "p_pgv_per_uplift", truth) for record in records]
         return np.array([[level / each for level in LEVELS] for each in unit])
     values = real_array("gains", gains)
     fits = values.ndim == 1 or (values.ndim == 2 and len(values) == len(records))

@@ -59,8 +59,8 @@ WORDS: Mapping[str, tuple[str, str]] = {
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
-class IntensityMeasures(Result):
-    """Intensity measures of a record, from `rocksteady.measure_intensity`.
+class Measures(Result):
+    """Intensity measures of a record, from `rocksteady.compute_measures`.
 
     All are exact for an acceleration that is linear between samples, from rest, except
     `arias_of_samples_m_s`, `mean_period_s`, which is made of the samples' Fourier amplitudes, and
@@ -192,13 +192,13 @@ class IntensityMeasures(Result):
 
 
 @checked
-def measure_intensity(
+def compute_measures(
     record: Record,
     block: Block | None = None,
     *,
     damping: float = DAMPING,
     threshold_m_s2: float = 0.05 * STANDARD_GRAVITY,
-) -> IntensityMeasures:
+) -> Measures:
     """Measure the intensity of a record: PGA, Arias intensity, durations and more.
 
     Parameters
@@ -215,7 +215,7 @@ def measure_intensity(
 
     Returns
     -------
-    IntensityMeasures
+    Measures
         Equations and sources are in ``docs/guides/measures.md``.
 
     Raises
@@ -229,9 +229,9 @@ def measure_intensity(
     A period of a sine of 2 m/s^2 and 1 Hz, whose velocity grows to 2/pi and falls to 0 again:
 
     >>> import numpy as np
-    >>> from rocksteady import Block, Record, measure_intensity
+    >>> from rocksteady import Block, Record, compute_measures
     >>> samples = 2.0 * np.sin(2.0 * np.pi * np.arange(1001) / 1000)
-    >>> result = measure_intensity(Record(acceleration_m_s2=samples, dt_s=0.001))
+    >>> result = compute_measures(Record(acceleration_m_s2=samples, dt_s=0.001))
     >>> print(f"{result.pgv_m_s:.4f} {result.pgd_m:.4f} {result.cav_m_s:.4f}")
     0.6366 0.3183 1.2732
     """
@@ -244,7 +244,7 @@ def measure_intensity(
     squares = float(np.trapezoid(np.square(record.acceleration_m_s2), dx=record.dt_s))
     strong = strong_shaking(record, threshold)
     spectrum = compute_response_spectrum(record, HOUSNER_PERIODS_S, damping=damping)
-    return IntensityMeasures(
+    return Measures(
         record=record,
         block=block,
         pga_m_s2=pga,

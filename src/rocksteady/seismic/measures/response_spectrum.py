@@ -169,7 +169,8 @@ def compute_response_spectrum(
     --------
     A step of the acceleration doubles the displacement that it has in the end:
 
-    >>> from rocksteady import Record, compute_response_spectrum
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import compute_response_spectrum
     >>> step = Record(acceleration_m_s2=[1.0] * 101, dt_s=0.01)
     >>> result = compute_response_spectrum(step, [0.5], damping=0.0)
     >>> result.pseudo_acceleration_m_s2.round(12), result.acceleration_m_s2.round(12)
@@ -206,7 +207,7 @@ def compute_response_spectrum(
 
 
 @checked
-def average_spectral_acceleration(
+def compute_average_acceleration(
     record: Record,
     period_s: Annotated[float, Bounds(0.0, LARGEST, "(]", "give a period in seconds")],
     *,
@@ -240,9 +241,10 @@ def average_spectral_acceleration(
 
     Examples
     --------
-    >>> from rocksteady import Record, average_spectral_acceleration
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import compute_average_acceleration
     >>> record = Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=0.1)
-    >>> print(f"{average_spectral_acceleration(record, 1.0):.6f}")
+    >>> print(f"{compute_average_acceleration(record, 1.0):.6f}")
     0.189090
     """
     hint = "give two parts of T, as (0.2, 3.0)"

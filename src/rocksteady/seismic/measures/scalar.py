@@ -14,7 +14,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.response_spectrum import (
-    average_spectral_acceleration,
+    compute_average_acceleration,
     compute_response_spectrum,
 )
 from rocksteady.seismic.measures.time_course import integrate_record
@@ -58,7 +58,7 @@ MEASURES: Final = {
 
 @checked
 @dataclass(frozen=True)
-class Intensity:
+class Measure:
     """Measure of intensity of a ground motion, by its name.
 
     Parameters
@@ -78,10 +78,10 @@ class Intensity:
 
     Examples
     --------
-    >>> from rocksteady import Intensity
-    >>> print(Intensity("sa_g", 0.5))
+    >>> from rocksteady.measures import Measure
+    >>> print(Measure("sa_g", 0.5))
     Sa(0.5 s) [g]
-    >>> Intensity("pgv_per_pga_s").scales
+    >>> Measure("pgv_per_pga_s").scales
     False
     """
 
@@ -155,7 +155,7 @@ class Intensity:
 
 
 @checked
-def measure_scalar(record: Record, intensity: Intensity | str, block: Block | None = None) -> float:
+def compute_measure(record: Record, intensity: Measure | str, block: Block | None = None) -> float:
     """Measure one intensity of a record as it is.
 
     Parameters
@@ -180,15 +180,16 @@ def measure_scalar(record: Record, intensity: Intensity | str, block: Block | No
 
     Examples
     --------
-    >>> from rocksteady import Block, Record, measure_scalar
+    >>> from rocksteady import Block, Record
+    >>> from rocksteady.measures import compute_measure
     >>> record = Record(acceleration_m_s2=[0.0, 2.0, -2.0, 0.0], dt_s=0.2)
-    >>> print(f"{measure_scalar(record, 'pgv_m_s'):.3f}")
+    >>> print(f"{compute_measure(record, 'pgv_m_s'):.3f}")
     0.300
     >>> block = Block.rectangle(width=0.32, height=1.8)
-    >>> print(f"{measure_scalar(record, 'p_pgv_per_uplift', block):.4f}")
+    >>> print(f"{compute_measure(record, 'p_pgv_per_uplift', block):.4f}")
     0.4881
     """
-    measure = intensity if isinstance(intensity, Intensity) else Intensity(intensity)
+    measure = intensity if isinstance(intensity, Measure) else Measure(intensity)
     if block is None and measure.needs_block:
         raise InputError(
             "block",
@@ -230,6 +231,6 @@ def _plain(record: Record) -> tuple[float, float, float, float]:
 def _spectral(record: Record, name: str, period: float) -> float:
     """Return Sa or Sa_avg at a period [g]."""
     if name == "sa_avg_g":
-        return average_spectral_acceleration(record, period) / STANDARD_GRAVITY
+        return compute_average_acceleration(record, period) / STANDARD_GRAVITY
     spectrum = compute_response_spectrum(record, [period])
     return float(spectrum.pseudo_acceleration_m_s2[0]) / STANDARD_GRAVITY

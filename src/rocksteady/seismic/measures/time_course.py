@@ -241,7 +241,8 @@ def integrate_record(record: Record) -> IntegratedRecord:
 
     Examples
     --------
-    >>> from rocksteady import Record, integrate_record
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import integrate_record
     >>> course = integrate_record(Record(acceleration_m_s2=[1.0, 1.0, -1.0, -1.0], dt_s=1.0))
     >>> course.velocity_m_s.tolist(), course.peak_velocity
     ([0.0, 1.0, 1.0, 0.0], Peak(value=1.25, t_s=1.5))

@@ -44,7 +44,7 @@ SpectrumRestitution = Restitution | tuple[Literal["wall"], Restitution]
 
 PEAKS_AGREE_TO = 1e-12
 """Part to which the peaks of a cell are those of its single run, whose table is in units of the
-block: times one and the run's growth (`rocksteady.Trajectory.growth`)."""
+block: times one and the run's growth (`rocksteady.histories.Trajectory.growth`)."""
 DIGITS = 53
 """Binary digits of a uniform number, and of the key that is made of it."""
 
@@ -81,11 +81,11 @@ class Fared(NamedTuple):
     status: Integers
     """Codes of `rocksteady.Status`."""
     impacts: Integers
-    """As `rocksteady.Impacts` counts them."""
+    """As `rocksteady.histories.Impacts` counts them."""
     peak_angle: Floats
-    """Largest |theta|/alpha, as in `rocksteady.Trajectory.peak`."""
+    """Largest |theta|/alpha, as in `rocksteady.histories.Trajectory.peak`."""
     peak_velocity: Floats
-    """Largest |d(theta/alpha)/d(p t)|, as in `rocksteady.Trajectory.peak_velocity`."""
+    """Largest |d(theta/alpha)/d(p t)|, as in `rocksteady.histories.Trajectory.peak_velocity`."""
 
 
 def shaken_fates(

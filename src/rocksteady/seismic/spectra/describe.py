@@ -11,7 +11,7 @@ from rocksteady.outcomes import Status
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, percent, plural, quantity
-from rocksteady.seismic.spectra.suite import QUANTILES, summarise_spectra
+from rocksteady.seismic.spectra.suite import QUANTILES, compute_suite_spectrum
 from rocksteady.sweep.cases.labelled import as_dataset
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def describe(dataset: "Labelled") -> Description:
     rows = _rows(dataset)
     suite: list[dict[str, Any]] = []
     if dataset.sizes.get("record", 1) > 1:
-        summary = summarise_spectra(as_dataset(dataset))
+        summary = compute_suite_spectrum(as_dataset(dataset))
         facts.append(Fact("quantiles", list(QUANTILES)))
         suite = _suite_rows(summary)
     shown = suite or rows

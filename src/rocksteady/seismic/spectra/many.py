@@ -38,7 +38,7 @@ from rocksteady.sweep.cases.cells import Cells, Variable
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -58,7 +58,7 @@ def simulate_many(
     scales: ArrayLike | None = None,
     reverse: bool | Literal["both"] = False,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Simulate many blocks on many records at many levels, from rest.
 
@@ -84,7 +84,7 @@ def simulate_many(
     model
         `Linear()` or `Nonlinear()` (default), the full equations.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Execution()`.
 
     Returns
     -------
@@ -125,7 +125,7 @@ def cells_of_many(
     scales: ArrayLike | None = None,
     reverse: bool | Literal["both"] = False,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Cells:
     """Return the runs of many blocks on many records as cells.
 

@@ -42,7 +42,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -321,7 +321,7 @@ def find_overturning_scales(
     within: tuple[float, float] | None = None,
     resolution: float | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> OverturningScales:
     """Find all scales of records at which they overturn a block at rest.
 

@@ -38,7 +38,7 @@ from rocksteady.sweep.cases.cells import Cells, Variable
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.labelled import as_dataset
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -61,7 +61,7 @@ def compute_rocking_spectrum(
     model: Model | None = None,
     scales: ArrayLike | None = None,
     gravity: float = STANDARD_GRAVITY,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> "xarray.Dataset":
     """Compute rocking spectra: peak rotation and velocity of blocks on records.
 
@@ -92,7 +92,7 @@ def compute_rocking_spectrum(
     gravity
         Acceleration of gravity [m/s^2]; default 9.80665.
     run
-        Executor, workers, store and progress; default `Run()`.
+        Executor, workers, store and progress; default `Execution()`.
 
     Returns
     -------
@@ -152,7 +152,7 @@ def spectrum_cells(
     model: Model | None,
     scales: ArrayLike | None,
     gravity: float,
-    run: Run | None,
+    run: Execution | None,
 ) -> "Labelled":
     """Return rocking spectra as cells.
 

@@ -20,7 +20,7 @@ QUANTILES = (0.16, 0.5, 0.84)
 
 
 @checked
-def summarise_spectra(
+def compute_suite_spectrum(
     spectra: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":
     """Summarise the spectra of a suite by quantiles and the share of falls.
@@ -51,11 +51,12 @@ def summarise_spectra(
 
     Examples
     --------
-    >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
+    >>> from rocksteady import Record, compute_rocking_spectrum
+    >>> from rocksteady.measures import compute_suite_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 4.0)]
     >>> spectra = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
-    >>> summary = summarise_spectra(spectra, quantiles=(0.5,))
+    >>> summary = compute_suite_spectrum(spectra, quantiles=(0.5,))
     >>> summary.peak_angle.values.round(4)
     array([[0.0771, 0.0185]])
     >>> summary.overturned.values.round(3)

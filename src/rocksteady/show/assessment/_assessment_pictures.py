@@ -9,7 +9,7 @@ from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.show.assessment._demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
-from rocksteady.show.plots.risk.tornado import plot_ranking, plot_tornado
+from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, picture_address
 from rocksteady.show.style import palette
 from rocksteady.show.style.wording import greek, key_words, percent, span
@@ -51,7 +51,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     if len(ranked) > 1 and any(each.beta > 0.0 for each in ranked):
         best = " and ".join(greek(part.label) for part in ranked[0].measure)
         pictures["ranking"] = picture(
-            lambda axes: plot_ranking(fragility, axes),
+            lambda axes: plot_measure_efficiency(fragility, axes),
             0.7 + ROW * len(ranked),
             f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
             phone=False,

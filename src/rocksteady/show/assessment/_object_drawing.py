@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.results.numbers import length, number
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.show.style import palette
@@ -23,7 +23,7 @@ SMALL = 8.0
 """Size of text [points]."""
 
 
-def draw_object(described: ObjectFile) -> "Figure":
+def draw_object(described: DescribedObject) -> "Figure":
     """Draw an object on its two edges, in metres or millimetres.
 
     Where the outline is not given, a dashed line stands for it, twice as high as the mass centre.
@@ -68,7 +68,7 @@ def draw_object(described: ObjectFile) -> "Figure":
     return figure
 
 
-def _outline(described: ObjectFile, base: float, high: float) -> tuple[float, float, bool]:
+def _outline(described: DescribedObject, base: float, high: float) -> tuple[float, float, bool]:
     """Return width and height of the outline, and whether they are given."""
     shape = described.given.geometry
     if shape.width_m is None or shape.height_m is None:
@@ -100,7 +100,9 @@ def _draw_ground(axes: "Axes", half: float, size: float) -> None:
         axes.plot([place, place - 0.7 * deep], [0.0, -0.7 * deep], color=palette.FAINT, lw=0.6)
 
 
-def _write_angle(axes: "Axes", described: ObjectFile, place: tuple[float, float, float]) -> None:
+def _write_angle(
+    axes: "Axes", described: DescribedObject, place: tuple[float, float, float]
+) -> None:
     """Draw the slenderness of the side that lifts first, between edge, mass centre and vertical."""
     from matplotlib.patches import Arc
 

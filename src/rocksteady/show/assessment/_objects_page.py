@@ -30,7 +30,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     table
         From `rocksteady.assess_objects`.
     manifest
-        From `rocksteady.make_manifest`.
+        From `rocksteady.export.make_manifest`.
     """
     rows = table.sorted_by("judged")
     places = {key: _places(rows, key, descending) for key, _, descending in ORDERS}

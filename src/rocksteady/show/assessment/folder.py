@@ -10,7 +10,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.components import LossComponent
-from rocksteady.show.export.ensemble_rows import write_results_csv
+from rocksteady.show.export.ensemble_rows import write_runs_csv
 from rocksteady.show.export.files import save_csv, save_text
 from rocksteady.show.export.folders import check_own_folder, fill_own_folder
 from rocksteady.show.export.manifest import make_manifest, write_manifest
@@ -68,14 +68,17 @@ def write_assessment(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite, write_assessment
+    >>> from rocksteady import assess_object
+    >>> from rocksteady.export import write_assessment
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import DescribedObject
     >>> values = {
     ...     "name": "cabinet",
     ...     "friction": 0.1,
     ...     "geometry": {"width_m": 0.4, "height_m": 1.8},
     ...     "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
     ... }
-    >>> assessment = assess_object(ObjectFile(values=values), make_synthetic_suite(2))
+    >>> assessment = assess_object(DescribedObject(values=values), make_synthetic_suite(2))
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_assessment(assessment, folder)]
     ['report.html', 'run.json']
@@ -127,7 +130,7 @@ def _fill(
     described, fragility = assessment.described, assessment.fragility
     notes: list[str] = []
     if fragility is not None:
-        write_results_csv(stage / "results.csv", fragility.ensemble)
+        write_runs_csv(stage / "results.csv", fragility.ensemble)
         notes = _write_curves(assessment, fragility, stage)
     answer = assessment.to_dict()
     answer.pop("seconds")  # the same inputs give the same bytes

@@ -41,7 +41,7 @@ from rocksteady.show.style.wording import (
 
 
 @checked
-def write_report(
+def write_assessment_page(
     path: Path | str,
     assessment: Assessment | ObjectsTable,
     *,
@@ -76,8 +76,10 @@ def write_report(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite
-    >>> cabinet = ObjectFile(
+    >>> from rocksteady import assess_object
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import DescribedObject
+    >>> cabinet = DescribedObject(
     ...     values={
     ...         "name": "cabinet",
     ...         "friction": 0.1,
@@ -87,7 +89,7 @@ def write_report(
     ... )
     >>> assessment = assess_object(cabinet, make_synthetic_suite(2, seed=0))
     >>> with TemporaryDirectory() as folder:
-    ...     file = write_report(f"{folder}/report.html", assessment)
+    ...     file = write_assessment_page(f"{folder}/report.html", assessment)
     ...     print(file.read_text(encoding="utf-8").count("<h1>"))
     1
     """
@@ -108,7 +110,8 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
     assessment
         From `rocksteady.assess_object` or `rocksteady.assess_objects`.
     manifest
-        From `rocksteady.make_manifest`: versions, command, and the hashes of motions and files.
+        From `rocksteady.export.make_manifest`: versions, command, and the hashes of motions and
+        files.
     """
     if isinstance(assessment, ObjectsTable):
         return objects_html(assessment, manifest)

@@ -9,7 +9,7 @@ from rocksteady.results.rendering import printable
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.validate import Validation
 from rocksteady.show.calibration._calibration_tables import FIRST, ordered
-from rocksteady.show.plots.observations.ladders import MOST, plot_ladders, rungs_of
+from rocksteady.show.plots.observations.ladders import MOST, plot_test_ladders, rungs_of
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.reliability import plot_reliability
 from rocksteady.show.plots.observations.residuals import MOST as MOST_RESIDUALS
@@ -73,7 +73,7 @@ def _ladders(calibration: Calibration) -> list[Picture]:
     starts = range(0, len(rungs), MOST)[:MOST_PICTURES]
     return [
         picture(
-            partial(plot_ladders, calibration, first=first),
+            partial(plot_test_ladders, calibration, first=first),
             1.2 + ROW * len(rungs[first : first + MOST]),
             f"Outcomes over the {label} of {plural(len(rungs[first : first + MOST]), 'record')}, "
             "with the predicted probability as shade.",

@@ -35,7 +35,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
     calibration
         From `rocksteady.calibrate`.
     manifest
-        From `rocksteady.make_manifest`: versions and command.
+        From `rocksteady.export.make_manifest`: versions and command.
     """
     tests, validation = calibration.tests.tests, calibration.validation
     unexpected = unexpected_rows(calibration)

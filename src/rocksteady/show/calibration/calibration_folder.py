@@ -41,8 +41,8 @@ def write_calibration(
     -------
     list of Path
         ``report.html``; ``fit.json`` with scores, parameters and hashes; ``posterior.csv`` with the
-        draws that `rocksteady.read_posterior` reads; ``predictions.csv`` with each test predicted
-        without its group; ``parameters.csv``.
+        draws that `rocksteady.calibration.read_posterior` reads; ``predictions.csv`` with each
+        test predicted without its group; ``parameters.csv``.
 
     Raises
     ------
@@ -53,11 +53,14 @@ def write_calibration(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Block, Linear, Sampling, calibrate, write_calibration
-    >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.export import write_calibration
+    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2), model=Linear())
-    >>> few = Sampling(draws=30, gains=2, rounds=1)
+    >>> few = DrawOptions(draws=30, gains=2, rounds=1)
     >>> calibration = calibrate(tests, sampling=few, model=Linear())
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_calibration(calibration, folder)]

@@ -23,7 +23,7 @@ ROWS = 8192
 
 
 def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
-    """Save a dataset as CSV; errors are as for `export`, and call the file `name`."""
+    """Save a dataset as CSV; errors are as for `write_dataset`, and call the file `name`."""
     refuse_others(dataset)
     outputs = {str(key): array.variable for key, array in dataset.data_vars.items()}
     first = next(iter(outputs.values()))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 @checked
-def export(dataset: "xarray.Dataset", file: Path | str) -> None:
+def write_dataset(dataset: "xarray.Dataset", file: Path | str) -> None:
     """Save a gridded result as NetCDF or CSV, according to the file's extension.
 
     Parameters
@@ -42,12 +42,13 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
     --------
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import DimensionlessBlock, map_attractors, export
+    >>> from rocksteady import DimensionlessBlock, map_attractors
+    >>> from rocksteady.export import write_dataset
     >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0]}
     >>> result = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
     >>> with TemporaryDirectory() as folder:
     ...     file = Path(folder) / "map.csv"
-    ...     export(result[["kind", "period"]], file)
+    ...     write_dataset(result[["kind", "period"]], file)
     ...     print(file.read_text(encoding="utf-8"))
     amplitude,frequency_ratio,kind,period
     0.5,1.0,rest,0

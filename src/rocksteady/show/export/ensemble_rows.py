@@ -31,7 +31,7 @@ HEAD = (
 
 
 @checked
-def write_results_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
+def write_runs_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     """Write an ensemble as a table, a row for each run.
 
     Parameters
@@ -59,13 +59,14 @@ def write_results_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Block, Record, RestitutionBand, Stripes, run_ensemble
+    >>> from rocksteady import Block, Record, run_ensemble
+    >>> from rocksteady.risk import Levels, RestitutionBand
     >>> cabinet = Block.rectangle(width=0.4, height=1.6)
     >>> shock = Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=0.3, name="shock")
-    >>> stripes = Stripes("pga_g", [0.2], beside=())
+    >>> stripes = Levels("pga_g", [0.2], beside=())
     >>> runs = run_ensemble(cabinet, shock, stripes=stripes, restitution=RestitutionBand(draws=1))
     >>> with TemporaryDirectory() as folder:
-    ...     print(write_results_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0])
+    ...     print(write_runs_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0])
     block,record,direction,vertical,level,scale,restitution,status,peak_angle,impacts,uplift_time_s
     """
     file = Path(path)

@@ -54,8 +54,8 @@ def make_manifest(
     Returns
     -------
     dict
-        For `rocksteady.write_manifest`. SHA-256 hashes are of a file's bytes, and of a record's
-        samples [m/s^2] as 64-bit floats, least significant byte first.
+        For `rocksteady.export.write_manifest`. SHA-256 hashes are of a file's bytes, and of a
+        record's samples [m/s^2] as 64-bit floats, least significant byte first.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def write_manifest(path: Path | str, manifest: Mapping[str, Any]) -> Path:
     path
         The file, which is replaced.
     manifest
-        From `rocksteady.make_manifest`.
+        From `rocksteady.export.make_manifest`.
 
     Returns
     -------

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def save_netcdf(name: str, file: Path, dataset: "xarray.Dataset") -> None:
-    """Save a dataset as NetCDF-4; errors are as for `export`, and call the file `name`."""
+    """Save a dataset as NetCDF-4; errors are as for `write_dataset`, and call the file `name`."""
     import h5netcdf
 
     refuse_others(dataset)

@@ -82,7 +82,7 @@ def write_openquake(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import LossComponent, LossState
+    >>> from rocksteady.export import LossComponent, LossState
     >>> falls = LossState(name="overturned", median=0.3, beta=0.5)
     >>> vase = LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,), no_damage=0.1)
     >>> with TemporaryDirectory() as folder:

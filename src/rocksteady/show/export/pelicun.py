@@ -59,7 +59,7 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import LossComponent, LossState
+    >>> from rocksteady.export import LossComponent, LossState
     >>> falls = LossState(name="overturned", median=0.466, beta=0.592)
     >>> cabinet = LossComponent(
     ...     identifier="RS.cabinet", measure="pgv_m_s", states=(falls,), floor=True

@@ -12,7 +12,7 @@ def provenance(
     Parameters
     ----------
     manifest
-        From `rocksteady.make_manifest`.
+        From `rocksteady.export.make_manifest`.
     source, sha256
         Name and hash of the object's file, which stands first; none of an object without one.
     """

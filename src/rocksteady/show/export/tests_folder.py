@@ -53,7 +53,9 @@ def write_tests(folder: Path | str, observations: Observations, *, force: bool =
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Block, make_synthetic_suite, make_synthetic_tests, read_tests
+    >>> from rocksteady import Block, read_tests
+    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> made = make_synthetic_tests(
     ...     Block.rectangle(width=0.15, height=0.6), make_synthetic_suite(2)
     ... )

@@ -42,7 +42,8 @@ def facade_html(check: FacadeCheck, manifest: Mapping[str, Any], words: Language
     check
         From `rocksteady.check_facade`.
     manifest
-        From `rocksteady.make_manifest`: versions, command, and the hashes of motions and files.
+        From `rocksteady.export.make_manifest`: versions, command, and the hashes of motions and
+        files.
     words
         Language of the page.
     """

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.show.facade._facade_tables import length, places
-from rocksteady.show.plots.facades.capacity import plot_capacity
+from rocksteady.show.plots.facades.capacity import plot_facade_capacity
 from rocksteady.show.plots.facades.languages import Language
 from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
-from rocksteady.show.plots.facades.section import plot_facade
+from rocksteady.show.plots.facades.section import plot_facade_section
 from rocksteady.show.report import PHONE, picture, picture_address
 from rocksteady.show.style.page import SCREEN, Page
 
@@ -31,11 +31,11 @@ def pictures_of(check: FacadeCheck, words: Language) -> dict[str, dict[str, str]
     code = words.code
     pictures = {
         "section": _beside(
-            lambda axes: plot_facade(check.facade, axes, language=code),
+            lambda axes: plot_facade_section(check.facade, axes, language=code),
             SECTION, _words_of_section(check, words),
         ),
         "capacity": _beside(
-            lambda axes: plot_capacity(check, axes, language=code),
+            lambda axes: plot_facade_capacity(check, axes, language=code),
             CAPACITY, _words_of_capacity(check, words),
         ),
     }  # fmt: skip

@@ -10,7 +10,7 @@ from rocksteady.outcomes import Status
 from rocksteady.results.numbers import number
 from rocksteady.risk.facades.elastic_spectrum import ElasticSpectrum
 from rocksteady.risk.facades.facade import Facade
-from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
 from rocksteady.risk.facades.remark import Remark
 from rocksteady.risk.facades.spectrum_table import SpectrumTable
@@ -101,7 +101,7 @@ def check_rows(check: FacadeCheck, words: Language) -> list[Row]:
     return [_check_row(each, words, free=check.facade.free) for each in check.checks]
 
 
-def _check_row(each: Check, words: Language, *, free: bool) -> Row:
+def _check_row(each: LimitStateCheck, words: Language, *, free: bool) -> Row:
     """Return a check in words."""
     word, look = LOOKS[each.satisfied]
     key = f"quantity_{each.method}"

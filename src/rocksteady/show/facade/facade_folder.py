@@ -25,7 +25,7 @@ SCHEMA = "rocksteady/facade/1"
 
 
 @checked
-def write_facade_folder(
+def write_facade(
     check: "FacadeCheck",
     out: Path | str,
     *,
@@ -75,10 +75,12 @@ def write_facade_folder(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Facade, check_facade, write_facade_folder
+    >>> from rocksteady import check_facade
+    >>> from rocksteady.codes import Facade
+    >>> from rocksteady.export import write_facade
     >>> wall = Facade(name="front", thickness_m=0.3, height_m=3.0)
     >>> with TemporaryDirectory() as folder:
-    ...     [file.name for file in write_facade_folder(check_facade(wall), folder, language="it")]
+    ...     [file.name for file in write_facade(check_facade(wall), folder, language="it")]
     ['checks.csv', 'facade.json', 'report.html', 'run.json']
     """
     words = language_of(language)

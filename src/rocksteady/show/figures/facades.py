@@ -4,11 +4,11 @@ from typing import TYPE_CHECKING
 
 from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.risk.facades.facade_runs import FacadeRuns
-from rocksteady.show.plots.facades.capacity import plot_capacity
+from rocksteady.show.plots.facades.capacity import plot_facade_capacity
 from rocksteady.show.plots.facades.headline import title_of
 from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
-from rocksteady.show.plots.facades.section import plot_facade
+from rocksteady.show.plots.facades.section import plot_facade_section
 from rocksteady.show.style.page import SCREEN, Page
 
 if TYPE_CHECKING:
@@ -56,9 +56,9 @@ def facade_figure(check: FacadeCheck, *, language: str = "en", page: Page = SCRE
                 len(ratios), 2, height_ratios=ratios, width_ratios=[0.7, 1.0]
             )
             places = [grid[0, 0], grid[0, 1], *([grid[1, :]] if rows else [])]
-        plot_facade(check.facade, figure.add_subplot(places[0]), language=language)
+        plot_facade_section(check.facade, figure.add_subplot(places[0]), language=language)
         legend = page.legend
-        plot_capacity(check, figure.add_subplot(places[1]), language=language, legend=legend)
+        plot_facade_capacity(check, figure.add_subplot(places[1]), language=language, legend=legend)
         if runs is not None:
             axes = figure.add_subplot(places[2])
             plot_facade_runs(runs, axes, language=language, legend=legend)

@@ -52,7 +52,8 @@ def map_figure(
     page
         Width of the figure, and place of its legend.
     by
-        What colours the cells, as for `rocksteady.plot_map`; all panels have the same colours.
+        What colours the cells, as for `rocksteady.plots.outcomes`; all panels have the same
+        colours.
 
     Raises
     ------

@@ -8,7 +8,7 @@ from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
 from rocksteady.show.plots.observations.back_analysis import plot_back_analysis
-from rocksteady.show.plots.observations.ladders import plot_ladders
+from rocksteady.show.plots.observations.ladders import plot_test_ladders
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.predictions import NAMED, plot_predictions
 from rocksteady.show.plots.observations.reliability import plot_reliability
@@ -49,7 +49,7 @@ def calibration_figure(calibration: Calibration, title: str = "", page: Page = S
             third.remove()
         else:
             plot_reliability(calibration, third, legend=page.legend)
-        plot_ladders(calibration, first, most=ROWS, legend=page.legend)
+        plot_test_ladders(calibration, first, most=ROWS, legend=page.legend)
     return figure
 
 
@@ -76,7 +76,7 @@ def predictions_figure(predictions: Predictions, title: str = "", page: Page = S
     Parameters
     ----------
     predictions
-        From `rocksteady.Calibration.predict`.
+        From `rocksteady.calibration.Calibration.predict`.
     title
         Above the panel.
     page

@@ -88,25 +88,25 @@ def cloud_figure(
     page
         Width of the figure, and place of its legends.
     """
-    from rocksteady.show.plots.orbits import plot_section
+    from rocksteady.show.plots.orbits import plot_poincare_section
 
     with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
         panels = _panels_of_motion(figure, page.stacks(11.6), (1.25, 0.9, 1.0))
         _draw_motion(part, panels, page, mark="impacts")
-        plot_section(whole, panels[-1], since=since, legend=page.legend)
+        plot_poincare_section(whole, panels[-1], since=since, legend=page.legend)
     return figure
 
 
 def orbits_figure(orbits: "Sequence[Orbit]", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of orbits: their Poincare section beside their multipliers."""
-    from rocksteady.show.plots.orbits import plot_multipliers, plot_section
+    from rocksteady.show.plots.orbits import plot_multipliers, plot_poincare_section
 
     with page.figure(10.4, 4.8, title, stacked=1.75) as figure:
         if page.stacks(10.4):
             section, plane = figure.subplots(2, 1, height_ratios=(1.0, 1.2))
         else:
             section, plane = figure.subplots(1, 2, width_ratios=(1.3, 1.0))
-        plot_section(orbits, section, legend=page.legend)
+        plot_poincare_section(orbits, section, legend=page.legend)
         plot_multipliers(orbits, plane, legend=page.legend)
         if not any(orbit.admissible for orbit in orbits):
             _write_across(section, NO_MOTION)
@@ -178,13 +178,17 @@ def steady_figure(
     page
         Width of the figure, and place of its legends.
     """
-    from rocksteady.show.plots.steady import LOGARITHMIC_SPAN, plot_orbit, plot_regions
+    from rocksteady.show.plots.steady import (
+        LOGARITHMIC_SPAN,
+        plot_steady_orbit,
+        plot_steady_regions,
+    )
 
     with page.figure(9.6, 4.4, title, stacked=1.75) as figure:
         motion, base, plane = _panels_of_motion(figure, page.stacks(9.6), (1.0, 1.0))
         motion.axhline(0.0, color=palette.INK, lw=0.7)
         for number, (label, orbit) in enumerate(orbits):
-            plot_orbit(orbit, motion, label=label, series=number)
+            plot_steady_orbit(orbit, motion, label=label, series=number)
             base.plot(
                 orbit.tau / (2.0 * math.pi),
                 orbit.excitation,
@@ -207,7 +211,7 @@ def steady_figure(
         top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
         if top > LOGARITHMIC_SPAN:
             top *= 20.0
-        plot_regions(curves, plane, point=point, top=top, legend=page.legend)
+        plot_steady_regions(curves, plane, point=point, top=top, legend=page.legend)
     return figure
 
 

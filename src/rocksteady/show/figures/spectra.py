@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 from rocksteady.show.plots.spectra import (
     MOST_CURVES,
-    plot_overturned_share,
     plot_rocking_spectrum,
+    plot_share_that_falls,
     plot_spectrum_map,
     plot_suite_spectrum,
     slenderness_text,
@@ -27,7 +27,7 @@ def spectrum_figure(dataset: "xarray.Dataset", title: str = "", page: Page = SCR
     Parameters
     ----------
     dataset
-        From `rocksteady.compute_rocking_spectrum`, as for `rocksteady.plot_rocking_spectrum`, but
+        From `rocksteady.compute_rocking_spectrum`, as for `rocksteady.plots.rocking_spectrum`, but
         of any number of slendernesses: more than six are a map.
     title
         Above the panels.
@@ -52,7 +52,8 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
     Parameters
     ----------
     summary
-        From `rocksteady.summarise_spectra`, of one scale and at most six slendernesses.
+        From `rocksteady.measures.compute_suite_spectrum`, of one scale and at most six
+        slendernesses.
     title
         Above the panels.
     page
@@ -74,7 +75,7 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
             last = number + 1 == len(parts)
             has_legend = last if page.legend == "right" else number == 0
             plot_suite_spectrum(part, above, legend=page.legend if has_legend else "none")
-            plot_overturned_share(part, below)
+            plot_share_that_falls(part, below)
             above.set(xlabel="", title=slenderness_text(float(part["alpha"])))
             above.tick_params(labelbottom=False)
             below.set_ylabel("overturned [%]")

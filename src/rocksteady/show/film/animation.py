@@ -235,7 +235,7 @@ def animate(
 ) -> "FuncAnimation":
     """Return a film of the block on its moving ground, to scale, above its time history.
 
-    The picture is that of `plot_block`.  A block that overturns turns black when it
+    The picture is that of `plots.block`.  A block that overturns turns black when it
     passes |theta| = alpha for the last time, and is followed to twice alpha.  Where the ground
     moves further than four half-diagonals the camera goes with it, past lines that stand still.
     The last picture stays for a second.

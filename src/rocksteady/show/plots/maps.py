@@ -77,7 +77,7 @@ STRIP = 0.035
 
 
 @checked
-def plot_map(
+def plot_outcomes(
     dataset: "xarray.Dataset",
     ax: "Axes | None" = None,
     *,
@@ -88,7 +88,7 @@ def plot_map(
 
     Over two axes each cell has the fill of its class, or of a quantity with a colour bar; the
     frequency is to the right and the other axis upwards, whatever their order in the map (else the
-    first upwards, the second to the right; angle and velocity as in `plot_basins`).  Each cell
+    first upwards, the second to the right; angle and velocity as in `plots.basins`).  Each cell
     reaches half way to its neighbours.
     Patterns stand where there is no answer: undecided, no such start, not computed (kind -128).
 
@@ -142,7 +142,7 @@ def plot_map(
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> axes = {"amplitude": [0.5, 1.5, 2.5], "frequency_ratio": [1.0, 2.0, 4.0, 8.0]}
     >>> result = map_attractors(block, axes=axes)
-    >>> axes = plot_map(result, Figure().add_subplot())
+    >>> axes = plot_outcomes(result, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
     at rest  33.3 %

@@ -207,8 +207,8 @@ def plot_base(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed where a
-        block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
+        The axes: time as in `plots.trajectory`, the acceleration in units of alpha g; dashed where
+        a block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
         their own alpha, of one against a wall at 1 alone.  Impulses are arrows without a scale.
 
     Examples

@@ -37,7 +37,7 @@ MARKERS = {1: "^", -1: "v"}
 
 
 @checked
-def plot_section(
+def plot_poincare_section(
     motions: Orbit | Iterable[Orbit] | Attractor | Trajectory,
     ax: "Axes | None" = None,
     *,
@@ -82,7 +82,7 @@ def plot_section(
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     >>> orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> axes = plot_section(orbits, Figure().add_subplot())
+    >>> axes = plot_poincare_section(orbits, Figure().add_subplot())
     >>> [number.get_text() for number in axes.texts]  # the second is no motion
     ['1', '3']
     """
@@ -129,7 +129,7 @@ def plot_multipliers(
 
     Inside the circle the plane is drawn to scale.  Where a modulus exceeds 2, moduli above 1 are
     drawn by their logarithm, at the true angle; rings mark powers of ten.  Colours, fills and
-    numbers are those of `plot_section`; a number stands beside the larger multiplier.
+    numbers are those of `plots.poincare_section`; a number stands beside the larger multiplier.
 
     Parameters
     ----------

@@ -68,7 +68,7 @@ def plot_overturning(
     ax
         Axes to draw on; default: axes of a new figure.
     closed_form
-        Whether to draw `rocksteady.overturning_threshold`.
+        Whether to draw `rocksteady.formulas.overturning_amplitude`.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
         right, or below narrow ones.

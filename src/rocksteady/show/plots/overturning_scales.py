@@ -104,7 +104,7 @@ def plot_fatal_kicks(
     Parameters
     ----------
     kicks
-        From `rocksteady.find_fatal_kick`, at two moments or more.
+        From `rocksteady.find_fatal_kicks`, at two moments or more.
     ax
         Axes to draw on; default: axes of a new figure.
     legend
@@ -123,9 +123,9 @@ def plot_fatal_kicks(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, State, find_fatal_kick
+    >>> from rocksteady import DimensionlessBlock, State, find_fatal_kicks
     >>> block, start = DimensionlessBlock(restitution=0.9), State(angle=0.5, velocity=0.0)
-    >>> kicks = find_fatal_kick(block, start=start, times_pt=[0.0, 0.5, 1.0])
+    >>> kicks = find_fatal_kicks(block, start=start, times_pt=[0.0, 0.5, 1.0])
     >>> axes = plot_fatal_kicks(kicks, Figure().add_subplot())
     >>> [line.get_label() for line in axes.get_lines()][:2]
     ['positive kick', 'negative kick']

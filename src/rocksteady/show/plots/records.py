@@ -40,7 +40,7 @@ def plot_integrated_record(
     Parameters
     ----------
     course
-        From `rocksteady.integrate_record`.
+        From `rocksteady.measures.integrate_record`.
     ax
         Axes to draw on; default: axes of a new figure.
     quantity
@@ -59,7 +59,8 @@ def plot_integrated_record(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, integrate_record
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import integrate_record
     >>> course = integrate_record(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
     >>> axes = plot_integrated_record(course, Figure().add_subplot(), quantity="velocity")
     >>> axes.get_ylabel(), axes.texts[0].get_text()
@@ -112,7 +113,7 @@ def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
     Parameters
     ----------
     course
-        From `rocksteady.integrate_record`.
+        From `rocksteady.measures.integrate_record`.
     ax
         Axes to draw on; default: axes of a new figure.
 
@@ -124,7 +125,8 @@ def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, integrate_record
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import integrate_record
     >>> course = integrate_record(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
     >>> axes = plot_husid(course, Figure().add_subplot())
     >>> axes.get_ylabel()
@@ -166,7 +168,7 @@ def plot_response_spectra(
     Parameters
     ----------
     spectra
-        One or several of `rocksteady.compute_response_spectrum`, at the same periods.
+        One or several of `rocksteady.measures.compute_response_spectrum`, at the same periods.
     ax
         Axes to draw on; default: axes of a new figure.
     legend
@@ -186,7 +188,8 @@ def plot_response_spectra(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, compute_response_spectrum
+    >>> from rocksteady import Record
+    >>> from rocksteady.measures import compute_response_spectrum
     >>> record = Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1, name="three")
     >>> spectrum = compute_response_spectrum(record, [0.1, 0.5, 1.0])
     >>> axes = plot_response_spectra(spectrum, Figure().add_subplot())

@@ -267,7 +267,8 @@ def plot_suite_spectrum(
     Parameters
     ----------
     summary
-        From `rocksteady.summarise_spectra`, of one slenderness and scale and three quantiles.
+        From `rocksteady.measures.compute_suite_spectrum`, of one slenderness and scale and three
+        quantiles.
     ax
         Axes to draw on; default: axes of a new figure.
     quantity
@@ -288,11 +289,12 @@ def plot_suite_spectrum(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
+    >>> from rocksteady import Record, compute_rocking_spectrum
+    >>> from rocksteady.measures import compute_suite_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 1.0)]
     >>> spectrum = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
-    >>> axes = plot_suite_spectrum(summarise_spectra(spectrum), Figure().add_subplot())
+    >>> axes = plot_suite_spectrum(compute_suite_spectrum(spectrum), Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['median of 3 records', '16 to 84 %']
     """
@@ -327,13 +329,13 @@ def plot_suite_spectrum(
 
 
 @checked
-def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
+def plot_share_that_falls(summary: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
     """Draw the share of records that overturn blocks of one slenderness.
 
     Parameters
     ----------
     summary
-        As for `plot_suite_spectrum`.
+        As for `plots.suite_spectrum`.
     ax
         Axes to draw on; default: axes of a new figure.
 
@@ -379,7 +381,7 @@ def drawable(dataset: "xarray.Dataset") -> "xarray.Dataset":
             "dataset",
             Words(f"has {line.sizes[several[0]]} values of {several[0]}"),
             "one record and one scale are drawn",
-            "select one with .isel, or draw the summarise_spectra of the records",
+            "select one with .isel, or draw the compute_suite_spectrum of the records",
         )
     _check_periods(line)
     return line.sortby("period")
@@ -397,8 +399,8 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
         raise InputError(
             "summary",
             given,
-            "it is the result of summarise_spectra",
-            "compute summarise_spectra(compute_rocking_spectrum(records, ...))",
+            "it is the result of compute_suite_spectrum",
+            "compute compute_suite_spectrum(compute_rocking_spectrum(records, ...))",
         )
     curve = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
     if set(curve.dims) - {"quantile", "period"} or curve.sizes["quantile"] != 3:

@@ -32,7 +32,7 @@ LOGARITHMIC_SPAN = 30.0
 
 
 @checked
-def plot_orbit(
+def plot_steady_orbit(
     orbit: SteadyOrbit, ax: "Axes | None" = None, *, label: str = "", series: int = 0
 ) -> "Axes":
     """Draw one period of a symmetric steady state.
@@ -40,7 +40,7 @@ def plot_orbit(
     Parameters
     ----------
     orbit
-        From `rocksteady.compute_steady_orbit`.
+        From `rocksteady.orbits.compute_steady_orbit`.
     ax
         Axes to draw on; default: axes of a new figure.
     label
@@ -56,11 +56,11 @@ def plot_orbit(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import compute_steady_orbit
+    >>> from rocksteady.orbits import compute_steady_orbit
     >>> axes = Figure().add_subplot()
     >>> for branch in (1, 2):
     ...     orbit = compute_steady_orbit(0.75, 4.0, 0.5, branch=branch)
-    ...     axes = plot_orbit(orbit, axes, label=f"branch {branch}", series=branch - 1)
+    ...     axes = plot_steady_orbit(orbit, axes, label=f"branch {branch}", series=branch - 1)
     >>> print(len(axes.lines), axes.get_xlim()[1])
     2 1.0
     """
@@ -82,7 +82,7 @@ def plot_orbit(
 
 
 @checked
-def plot_regions(
+def plot_steady_regions(
     curves: RegionMap,
     ax: "Axes | None" = None,
     *,
@@ -99,7 +99,7 @@ def plot_regions(
     Parameters
     ----------
     curves
-        From `rocksteady.compute_region_map`.
+        From `rocksteady.orbits.compute_region_map`.
     ax
         Axes to draw on; default: axes of a new figure.
     point
@@ -121,9 +121,9 @@ def plot_regions(
     --------
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import compute_region_map
+    >>> from rocksteady.orbits import compute_region_map
     >>> curves = compute_region_map(np.linspace(0.1, 14.0, 300), 0.5)
-    >>> axes = plot_regions(curves, Figure().add_subplot(), point=(4.0, 2.0))
+    >>> axes = plot_steady_regions(curves, Figure().add_subplot(), point=(4.0, 2.0))
     >>> print(axes.get_ylim()[1], [number.get_text() for number in axes.texts])
     6.0 ['1', '2', '4']
     """

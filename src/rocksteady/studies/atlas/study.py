@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from rocksteady import Run, __version__
+from rocksteady import Execution, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import svg_data_uri
@@ -215,7 +215,7 @@ def atlas(
     amplitude: ArrayLike | None = None,
     frequency_ratio: ArrayLike | None = None,
     orders: tuple[int, ...] = ORDERS,
-    run: Run | None = None,
+    run: Execution | None = None,
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> Atlas:
@@ -232,8 +232,8 @@ def atlas(
     orders
         n of the families whose regions are followed, odd.
     run
-        Executor and number of workers; by default `Run()`.  `parts` and `done` are in the place of
-        its store and its progress.
+        Executor and number of workers; by default `Execution()`.  `parts` and `done` are in the
+        place of its store and its progress.
     parts
         Where what is finished is kept, to go on with after an interruption.
     done
@@ -262,12 +262,14 @@ def atlas(
     plane = plane_of(
         restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
     )
-    how = replace((run or Run()).in_memory("an atlas keeps its cells in its parts"), progress=None)
+    how = replace(
+        (run or Execution()).in_memory("an atlas keeps its cells in its parts"), progress=None
+    )
     began = time.perf_counter()
     if parts is not None:
         parts.begin()
 
-    def kept(name: str, chunk: int) -> Run:
+    def kept(name: str, chunk: int) -> Execution:
         return how if parts is None else replace(how, store=parts.store(name, chunk))
 
     families = tuple(

@@ -8,24 +8,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Axis,
-    Grid,
-    Linear,
-    Nonlinear,
-    Output,
-    RecordDemand,
-    Run,
-    Status,
-    evaluate,
-    simulate_many,
-)
+from rocksteady import Execution, Linear, Nonlinear, Status, simulate_many
+from rocksteady.codes import RecordDemand
 from rocksteady.studies.facade_checks._plane import Plane
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Model = Linear | Nonlinear
-Kept = Callable[[str], Run]
+Kept = Callable[[str], Execution]
 """Returns how a part of the study is run, and where it is kept."""
 
 Q = 2.0
@@ -136,7 +127,7 @@ def checked_walls(plane: Plane, *, kept: Kept, done: Callable[[str], None]) -> C
     plane
         Walls, records and levels.
     kept
-        Returns the `Run` of a part, by its name.
+        Returns the `Execution` of a part, by its name.
     done
         Called with the name of each part.
     """
@@ -174,7 +165,7 @@ def scaled(plane: Plane, pga_g: float) -> tuple[RecordDemand, list[float]]:
     return RecordDemand(records=tuple(each.scaled(by) for each, by in pairs)), factors
 
 
-def _spectral(plane: Plane, run: Run) -> Floats:
+def _spectral(plane: Plane, run: Execution) -> Floats:
     """Return the largest S_D up to T_SLV at a PGA of 1 g [m], shape (rows, records).
 
     A bare wall's T_SLV follows from its height alone.
@@ -199,7 +190,7 @@ def _runs(
     name: str,
     how: tuple[Model, float | Literal["housner"]],
     levels: tuple[int, ...],
-    run: Run,
+    run: Execution,
 ) -> Dynamics:
     """Return the runs of all walls at some levels."""
     model, restitution = how

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import plot_capacity, plot_trajectory
+from rocksteady import plots
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend, line_scale, text_size
 from rocksteady.show.style.line_colours import inks_of
@@ -238,10 +238,10 @@ def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
             grid = figure.add_gridspec(2, 2, height_ratios=(1.0, 0.62))
             places = [grid[0, 0], grid[0, 1], grid[1, :]]
         first, second, third = (figure.add_subplot(each) for each in places)
-        plot_capacity(wall.check, first)
+        plots.facade_capacity(wall.check, first)
         first.set_title("Capacity and demand", pad=16.0)
         draw_records(wall, second)
-        plot_trajectory(wall.history, third, span=_span(wall), legend="none")
+        plots.trajectory(wall.history, third, span=_span(wall), legend="none")
         name = palette.shortened(wall.runs.records[wall.governing], 24)
         third.set_title(f"Run under {name}, {wall.direction}")
         third.set_ylabel(r"$\theta/\theta_0 = d/d_0$")

@@ -6,7 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady import Facade, InputError, Record, RecordDemand, make_synthetic_suite
+from rocksteady import Record
+from rocksteady.codes import Facade, RecordDemand
+from rocksteady.errors import InputError
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.results.numbers import plural
 
 Floats = NDArray[np.float64]

@@ -8,16 +8,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import (
-    FacadeCheck,
-    FacadeDemand,
-    FacadeRuns,
-    Linear,
-    Trajectory,
-    check_facade,
-    run_facade,
-    simulate,
-)
+from rocksteady import Linear, check_facade, simulate
+from rocksteady.codes import FacadeCheck, FacadeDemand, FacadeRuns, run_facade
+from rocksteady.histories import Trajectory
 from rocksteady.studies.facade_checks._checked_walls import DAMPING, SHARE, CheckedWalls, scaled
 
 Floats = NDArray[np.float64]

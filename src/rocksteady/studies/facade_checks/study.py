@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady import Record, Run, __version__
+from rocksteady import Execution, Record, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import PHONE, picture_address, render
@@ -236,7 +236,7 @@ def plane_of(
 def facade_checks(
     plane: Plane,
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> FacadeChecks:
@@ -247,8 +247,8 @@ def facade_checks(
     plane
         Walls, records and levels, from `plane_of`.
     run
-        Executor and number of workers; by default `Run()`.  `parts` and `done` are in the place of
-        its store and its progress.
+        Executor and number of workers; by default `Execution()`.  `parts` and `done` are in the
+        place of its store and its progress.
     parts
         Where what is finished is kept, to go on with after an interruption.
     done
@@ -266,13 +266,13 @@ def facade_checks(
     ModelError
         If the run has a store.
     """
-    how = (run or Run()).in_memory("a study of facades keeps its cells in its parts")
+    how = (run or Execution()).in_memory("a study of facades keeps its cells in its parts")
     how = replace(how, progress=None)
     began = time.perf_counter()
     if parts is not None:
         parts.begin()
 
-    def kept(name: str) -> Run:
+    def kept(name: str) -> Execution:
         return how if parts is None else replace(how, store=parts.store(name))
 
     walls = checked_walls(plane, kept=kept, done=done)

@@ -9,7 +9,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rocksteady import InputError, __version__
+from rocksteady import __version__
+from rocksteady.errors import InputError
 from rocksteady.show.export import folders
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri

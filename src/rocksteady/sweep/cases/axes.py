@@ -51,7 +51,8 @@ class Axis:
 
     Examples
     --------
-    >>> from rocksteady import Axis, Harmonic
+    >>> from rocksteady import Harmonic
+    >>> from rocksteady.sweeps import Axis
     >>> Axis(name="amplitude", values=[0.5, 1.0, 2.0]).values
     array([0.5, 1. , 2. ])
     >>> motions = {f"{A:g}": Harmonic(amplitude=A, frequency_ratio=2.0) for A in (1.0, 2.0)}

@@ -33,7 +33,7 @@ class Grid:
 
     Examples
     --------
-    >>> from rocksteady import Axis, Grid
+    >>> from rocksteady.sweeps import Axis, Grid
     >>> grid = Grid(
     ...     axes=(Axis(name="amplitude", values=[1.0, 2.0]), Axis(name="phase", values=[0, 1, 2]))
     ... )

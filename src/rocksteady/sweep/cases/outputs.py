@@ -40,7 +40,7 @@ class Output:
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import Output
+    >>> from rocksteady.sweeps import Output
     >>> kind = Output(name="kind", dtype=np.int8, flags={0: "rest", 1: "overturned"})
     >>> kind.attributes["flag_meanings"]
     'rest overturned'

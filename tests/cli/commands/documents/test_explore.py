@@ -9,19 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    ExplorerView,
-    Harmonic,
-    MissingKernelsError,
-    OutputError,
-    State,
-    named_block,
-    read_record,
-    write_explorer,
-)
+from rocksteady import Block, Harmonic, State, read_record, write_explorer
+from rocksteady.errors import MissingKernelsError, OutputError
 from rocksteady.explorer import write
 from rocksteady.explorer.module import page_module
+from rocksteady.export import ExplorerView
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.explorer.test_page import Reader
@@ -128,7 +120,7 @@ def test_one_number_of_the_shaking_is_enough(tmp_path: Path) -> None:
 def test_named_blocks_keep_their_restitution(name: str, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     assert rocksteady(f"explore --block {name} --no-browser --out", page).code == 0
-    assert float(view_in(page)["r"]) == named_block(name).restitution
+    assert float(view_in(page)["r"]) == Block.named(name).restitution
     assert view_in(page)["units"] == "si"
 
 

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Scan, back_analyse, read_record, read_survey
+from rocksteady import back_analyse, read_record, read_survey
+from rocksteady.calibration import ScanOptions
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
@@ -32,7 +33,7 @@ def test_the_json_is_what_the_function_finds(place: Path) -> None:
     found = back_analyse(
         read_survey(place / "cemetery.csv"),
         [read_record(file) for file in files],
-        scan=Scan(levels=6, draws=2, trials=1),
+        scan=ScanOptions(levels=6, draws=2, trials=1),
     )
     same = found.to_dict()
     for key in ("measures", "record_weights", "temper", "share", "limits", "runs", "bound"):

@@ -6,7 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, Linear, make_synthetic_suite, make_synthetic_tests, write_tests
+from rocksteady import Block, Linear
+from rocksteady.calibration import make_synthetic_tests
+from rocksteady.export import write_tests
+from rocksteady.motions import make_synthetic_suite
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
 from tests.every import every

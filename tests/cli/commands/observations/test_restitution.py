@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, free_rocking_peaks
+from rocksteady import Block
+from rocksteady.formulas import free_rocking_peaks
 from tests.cli.program import rocksteady
 
 BLOCK = Block.rectangle(width=0.05, height=0.5)

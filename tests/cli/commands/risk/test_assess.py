@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, assess_two_numbers
+from rocksteady import Block
+from rocksteady.risk import assess_by_formula
 from tests.cli.program import refused, rocksteady
 from tests.descriptions import fits
 from tests.every import every
@@ -49,7 +50,7 @@ def test_any_block_is_taken() -> None:
         "assess --left-m 0.1 --right-m 0.2 --height-m 1.8 --pga-g 1 --pgv-m-s 1 --json"
     )
     block = Block.asymmetric(left=0.1, right=0.2, height=1.8)
-    assert ran.json["probability"] == assess_two_numbers(block, 1.0, 1.0).probability
+    assert ran.json["probability"] == assess_by_formula(block, 1.0, 1.0).probability
 
 
 def test_where_it_slides_there_is_no_probability_and_check_is_negative() -> None:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import assess_object, make_synthetic_suite, read_object
+from rocksteady import assess_object, read_object
+from rocksteady.motions import make_synthetic_suite
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 

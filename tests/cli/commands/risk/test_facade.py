@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import make_synthetic_suite, read_record, run_facade
+from rocksteady import read_record
+from rocksteady.codes import run_facade
+from rocksteady.motions import make_synthetic_suite
 from rocksteady.risk.facades.read_facade import read_facade
 from tests.cli.motion_files import at2
 from tests.cli.program import refused, rocksteady

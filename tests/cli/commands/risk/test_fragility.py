@@ -8,15 +8,8 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import (
-    Block,
-    Fitting,
-    RestitutionBand,
-    Stripes,
-    compute_fragility,
-    open_store,
-    read_record,
-)
+from rocksteady import Block, compute_fragility, open_store, read_record
+from rocksteady.risk import FitOptions, Levels, RestitutionBand
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
@@ -42,9 +35,9 @@ def test_the_json_keeps_the_contract(folder: Path) -> None:
     found = compute_fragility(
         Block.rectangle(width=0.32, height=1.8),
         [read_record(file) for file in files],
-        stripes=Stripes(levels=[0.3, 0.8, 2.0]),
+        stripes=Levels(levels=[0.3, 0.8, 2.0]),
         restitution=RestitutionBand(draws=1),
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
     )
     same = found.to_dict()
     for key in ("fits", "points", "ranking", "runs", "records", "levels", "warnings", "measure"):

@@ -11,15 +11,14 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    BasinSampling,
     DimensionlessBlock,
     Harmonic,
     Pulse,
-    compute_basin_shares,
     compute_basins,
     compute_erosion,
     compute_fate_basins,
 )
+from rocksteady.basins import SamplingOptions, compute_basin_shares
 from rocksteady.cli.app import run as run_program
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
@@ -195,7 +194,7 @@ def test_an_axis_of_frequencies_is_shares(tmp_path: Path) -> None:
         Harmonic(amplitude=0.5, frequency_ratio=2.0),
         "frequency_ratio",
         axis("", "1.9:2.1:3"),
-        sampling=BasinSampling(**AXES, seed=3),
+        sampling=SamplingOptions(**AXES, seed=3),
     )
     values = ran.json
     assert (values["erosion"], values["fractions"]) == (None, None)

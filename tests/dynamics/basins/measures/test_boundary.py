@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import InputError, ModelError, check_boundary
+from rocksteady.basins import check_boundary
 from rocksteady.dynamics.basins.measures.boundary import smooth_entropy
+from rocksteady.errors import InputError, ModelError
 from tests.dynamics.basins.measures.labelled_sets import cantor, disc, newton, tilted_plane
 from tests.every import every
 

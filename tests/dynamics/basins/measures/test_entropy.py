@@ -9,15 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from rocksteady import (
-    BasinEntropies,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    compute_basin_entropy,
-    compute_basins,
-    compute_erosion,
-)
+from rocksteady import DimensionlessBlock, Harmonic, compute_basins, compute_erosion
+from rocksteady.basins import BasinEntropies, compute_basin_entropy
+from rocksteady.errors import InputError
 from tests.every import every
 
 

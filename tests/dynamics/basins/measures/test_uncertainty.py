@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from rocksteady import InputError, compute_uncertainty_exponent
+from rocksteady.basins import compute_uncertainty_exponent
+from rocksteady.errors import InputError
 from tests.dynamics.basins.measures.labelled_sets import cantor, disc, newton, tilted_plane
 from tests.every import every
 

@@ -7,26 +7,26 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    AttractorKind,
-    BasinMatching,
-    BasinSampling,
-    BasinShares,
     Block,
     DimensionlessBlock,
+    Execution,
     Harmonic,
-    InputError,
-    ModelError,
     Nonlinear,
-    Orbit,
-    Run,
     Store,
-    compute_basin_shares,
     compute_basins,
-    compute_uncertainty_exponent,
     find_orbits,
     find_steady_states,
-    sweep_attractor,
 )
+from rocksteady.basins import (
+    BasinShares,
+    MatchingOptions,
+    SamplingOptions,
+    compute_basin_shares,
+    compute_uncertainty_exponent,
+)
+from rocksteady.errors import InputError, ModelError
+from rocksteady.orbits import Orbit, sweep_attractor
+from rocksteady.outcomes import AttractorKind
 from tests.dynamics.kicks import apart
 from tests.every import every
 
@@ -35,9 +35,9 @@ BREAKING = np.linspace(1.85, 2.05, 9)
 """Frequency ratios around a symmetry breaking at A = 2, restitution 0.8."""
 
 
-def sampling(seed: int | None = 1, count: int = 24, **more: Any) -> BasinSampling:
+def sampling(seed: int | None = 1, count: int = 24, **more: Any) -> SamplingOptions:
     window = np.linspace(-1.2, 1.2, count)
-    return BasinSampling(**{"angles": window, "velocities": window, "seed": seed} | more)
+    return SamplingOptions(**{"angles": window, "velocities": window, "seed": seed} | more)
 
 
 def broken(values: Any = BREAKING, **more: Any) -> BasinShares:
@@ -115,7 +115,11 @@ def test_against_a_wall() -> None:
     block = DimensionlessBlock(restitution=0.6, one_sided=True)
     motion = Harmonic(amplitude=1.0, frequency_ratio=4.0)
     found = compute_basin_shares(
-        block, motion, "restitution", [0.0, 0.4, 0.6], sampling=BasinSampling(seed=1, max_cycles=50)
+        block,
+        motion,
+        "restitution",
+        [0.0, 0.4, 0.6],
+        sampling=SamplingOptions(seed=1, max_cycles=50),
     )
     alone = compute_basins(
         block, motion, angles=found.angle, velocities=found.velocity, seed=1, max_cycles=50
@@ -196,7 +200,7 @@ def test_a_small_basin_is_found_from_its_neighbours() -> None:
 
 
 def test_a_threshold_of_nothing_renames_and_vanished_ones_come_back() -> None:
-    tight = broken(matching=BasinMatching(threshold=1e-6))
+    tight = broken(matching=MatchingOptions(threshold=1e-6))
     assert all(one.present.sum() == 1 for one in tight.families if one.typical.orbit is not None)
     assert tight.families[0].present.all()
     motion = Harmonic(amplitude=0.5, frequency_ratio=1.0)
@@ -208,7 +212,7 @@ def test_a_threshold_of_nothing_renames_and_vanished_ones_come_back() -> None:
             "frequency_ratio",
             there_and_gone,
             sampling=sampling(1, 60),
-            matching=BasinMatching(threshold=math.inf, vanished=vanished),
+            matching=MatchingOptions(threshold=math.inf, vanished=vanished),
         )
         for vanished in (True, False)
     )
@@ -232,8 +236,8 @@ def test_rest_ends_at_uplift_and_a_still_base_knows_rest_and_falls() -> None:
 
 def test_a_store_and_another_executor_give_the_same(tmp_path: Any) -> None:
     path = tmp_path / "shares.zarr"
-    first = broken(run=Run(store=path, executor="serial"))
-    again = broken(run=Run(store=Store(path, resume=True)))
+    first = broken(run=Execution(store=path, executor="serial"))
+    again = broken(run=Execution(store=Store(path, resume=True)))
     np.testing.assert_array_equal(first.label, again.label)
     np.testing.assert_array_equal(first.label, broken().label)
     assert [one.name for one in first.families] == [one.name for one in again.families]
@@ -286,9 +290,9 @@ def test_the_nonlinear_model_needs_a_block_and_a_window_of_many_states() -> None
         compute_basin_shares(block, motion, "amplitude", [1.0], model=Nonlinear())
     with pytest.raises(InputError, match="angles"):
         compute_basin_shares(
-            block, motion, "amplitude", [1.0], sampling=BasinSampling(angles=[0.0])
+            block, motion, "amplitude", [1.0], sampling=SamplingOptions(angles=[0.0])
         )
     with pytest.raises(InputError, match="seed"):
-        BasinSampling(seed=-1)
+        SamplingOptions(seed=-1)
     with pytest.raises(InputError, match="max_cycles"):
-        BasinSampling(max_cycles=0)
+        SamplingOptions(max_cycles=0)

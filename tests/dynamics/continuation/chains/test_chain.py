@@ -5,16 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    ModelError,
-    Orbit,
-    find_orbits,
-    find_steady_states,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits, find_steady_states
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
+from rocksteady.errors import ModelError
+from rocksteady.orbits import Orbit
 from tests.dynamics.continuation.branches import setting, symmetric_start
 
 

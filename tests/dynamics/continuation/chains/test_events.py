@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from rocksteady import BranchPoint, find_orbits, follow_branch
+from rocksteady import find_orbits
+from rocksteady.branches import BranchPoint, follow_branch
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     RANGES,

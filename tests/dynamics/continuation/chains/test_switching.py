@@ -6,17 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BranchPoint,
-    ModelError,
-    PointType,
-    find_attractor,
-    find_orbits,
-    follow_branch,
-)
+from rocksteady import find_attractor, find_orbits
+from rocksteady.branches import BranchPoint, PointType, follow_branch
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.switching import switched
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
+from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.equations import Linear
 from tests.dynamics.continuation.branches import (

@@ -12,7 +12,7 @@ from typing import Any
 import mpmath as mp
 import numpy as np
 
-from rocksteady import BranchPoint
+from rocksteady.branches import BranchPoint
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.curves._codimension_two import touching
 

@@ -7,14 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    BifurcationCurves,
-    BranchPoint,
-    CurveSearch,
-    DimensionlessBlock,
-    Harmonic,
-    find_bifurcation_curves,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_bifurcation_curves
+from rocksteady.branches import BifurcationCurves, BranchPoint, CurveOptions
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.branches import random_start
@@ -33,7 +27,7 @@ def around_the_doubling_graze() -> BifurcationCurves:
         DimensionlessBlock(restitution=0.87),
         Harmonic(amplitude=3.0, frequency_ratio=4.2),
         within=((4.4, 5.4), (2.5, 4.0)),
-        search=CurveSearch(orders=(3,), lines=(1, 1), max_impacts=4),
+        search=CurveOptions(orders=(3,), lines=(1, 1), max_impacts=4),
     )
 
 
@@ -88,7 +82,7 @@ def over_restitution() -> BifurcationCurves:
         Harmonic(amplitude=2.0, frequency_ratio=1.8),
         ("restitution", "amplitude"),
         within=((0.1, 0.4), (1.2, 2.5)),
-        search=CurveSearch(orders=(1,), lines=(1, 0), max_impacts=4, max_period=2),
+        search=CurveOptions(orders=(1,), lines=(1, 0), max_impacts=4, max_period=2),
     )
 
 
@@ -118,7 +112,7 @@ def test_the_breaking_graze_of_the_subharmonic_motion() -> None:
         DimensionlessBlock(restitution=0.8),
         Harmonic(amplitude=3.0, frequency_ratio=3.0),
         within=((10.5, 12.0), (6.0, 20.0)),
-        search=CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2),
+        search=CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2),
     )
     point = point_of(found, "breaking-graze")
     assert values_of(point) == pytest.approx(solved_again(point, (1, 0)), abs=1e-9)
@@ -136,7 +130,7 @@ def with_grazes() -> BifurcationCurves:
         Harmonic(amplitude=4.91004502, frequency_ratio=5.4),
         ("restitution", "frequency_ratio"),
         within=((0.3, 0.6), (5.0, 6.0)),
-        search=CurveSearch(orders=(5,), lines=(5, 0), max_impacts=4, max_period=5),
+        search=CurveOptions(orders=(5,), lines=(5, 0), max_impacts=4, max_period=5),
     )
 
 
@@ -166,7 +160,7 @@ def test_a_cusp_of_motions_that_hang_together_with_no_symmetric_one() -> None:
         Harmonic(amplitude=2.0, frequency_ratio=1.8),
         ("restitution", "amplitude"),
         within=((0.84, 0.92), (1.55, 1.8)),
-        search=CurveSearch(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
+        search=CurveOptions(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
     )
     point = point_of(found, "cusp")
     exact = solved_again(point, (2, 0))
@@ -201,7 +195,9 @@ def test_a_fold_and_a_flip_exclude_each_other(seed: int) -> None:
 
 
 def held_to_their_conditions(
-    restitution: float, within: tuple[tuple[float, float], tuple[float, float]], search: CurveSearch
+    restitution: float,
+    within: tuple[tuple[float, float], tuple[float, float]],
+    search: CurveOptions,
 ) -> BifurcationCurves:
     """Hold all points of a plane to their conditions in 50 digits, and list nothing twice."""
     block = DimensionlessBlock(restitution=restitution)
@@ -217,13 +213,13 @@ def held_to_their_conditions(
 @pytest.mark.parametrize(
     ("within", "search"),
     [
-        (HILLTOP, CurveSearch(lines=(2, 1), max_impacts=2)),
+        (HILLTOP, CurveOptions(lines=(2, 1), max_impacts=2)),
         # Motions of two periods graze on the hilltop too: the touch of the first is the second's.
-        (((0.75, 0.9), (1.5, 1.8)), CurveSearch(lines=(0, 1), max_impacts=2, everywhere=True)),
+        (((0.75, 0.9), (1.5, 1.8)), CurveOptions(lines=(0, 1), max_impacts=2, everywhere=True)),
     ],
 )
 def test_motions_that_graze_on_the_hilltop_meet_nothing_there(
-    within: tuple[tuple[float, float], tuple[float, float]], search: CurveSearch
+    within: tuple[tuple[float, float], tuple[float, float]], search: CurveOptions
 ) -> None:
     found = held_to_their_conditions(0.8, within, search)
     (curve,) = (
@@ -239,15 +235,15 @@ def test_motions_that_graze_on_the_hilltop_meet_nothing_there(
 @pytest.mark.parametrize(
     ("restitution", "within", "search", "least"),
     [
-        (0.8, HILLTOP, CurveSearch(max_impacts=6), 0),
-        (0.45, LOW, CurveSearch(max_impacts=4, everywhere=True), 3),
-        (0.95, FAST, CurveSearch(orders=(1, 3), max_impacts=4), 5),
+        (0.8, HILLTOP, CurveOptions(max_impacts=6), 0),
+        (0.45, LOW, CurveOptions(max_impacts=4, everywhere=True), 3),
+        (0.95, FAST, CurveOptions(orders=(1, 3), max_impacts=4), 5),
     ],
 )
 def test_no_point_is_false_and_nothing_listed_twice(
     restitution: float,
     within: tuple[tuple[float, float], tuple[float, float]],
-    search: CurveSearch,
+    search: CurveOptions,
     least: int,
 ) -> None:
     assert len(held_to_their_conditions(restitution, within, search).points) >= least

@@ -5,16 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import (
-    BranchPoint,
-    InputError,
-    ModelError,
-    find_steady_states,
-    follow_bifurcation,
-    follow_branch,
-    region_boundaries,
-    symmetry_breaking_amplitude,
-)
+from rocksteady import find_steady_states
+from rocksteady.branches import BranchPoint, follow_bifurcation, follow_branch
+from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     first,
@@ -88,13 +83,13 @@ def test_symmetry_breaks_on_the_closed_form_all_along(plane: tuple[str, str], or
 @every("order", [1, 3])
 def test_folds_run_along_the_existence_boundary(plane: tuple[str, str], order: int) -> None:
     frequency = 4.0 if order == 1 else 6.0
-    edge = float(region_boundaries(frequency, 0.8, order=order).existence)
+    edge = float(compute_region_boundaries(frequency, 0.8, order=order).existence)
     start = symmetric_start(1.05 * edge, frequency, 0.8, order=order)
     branch = follow_branch(start, "amplitude", (0.1, 6.0), direction=-1)
     points = both_ways(first(branch, "fold"), plane)
     assert len(points) > 20
     for point in points:
-        exact = region_boundaries(point.frequency_ratio, point.restitution, order=order)
+        exact = compute_region_boundaries(point.frequency_ratio, point.restitution, order=order)
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
@@ -103,7 +98,7 @@ def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
     restitution: float, order: int
 ) -> None:
     # Near a fold all terms of the derivative by the one phase vanish like e^-T together.
-    edge = float(region_boundaries(4.5, restitution, order=order).existence)
+    edge = float(compute_region_boundaries(4.5, restitution, order=order).existence)
     start = symmetric_start(1.1 * edge, 4.5, restitution, order=order)
     fold = first(follow_branch(start, "amplitude", (1e-4, 8.0), direction=-1), "fold")
     lowest = 0.3 if order < 5 else 0.6  # half cycles of 31 and of 26 pivot times
@@ -113,7 +108,7 @@ def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
     assert points[-1].frequency_ratio == lowest
     assert len(points) < 200
     for point in points:
-        exact = region_boundaries(point.frequency_ratio, restitution, order=order)
+        exact = compute_region_boundaries(point.frequency_ratio, restitution, order=order)
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 

@@ -6,18 +6,17 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    BifurcationCurves,
     Block,
-    CurveSearch,
     DimensionlessBlock,
     Harmonic,
     Linear,
-    ModelError,
     Nonlinear,
     find_bifurcation_curves,
     find_orbits,
 )
+from rocksteady.branches import BifurcationCurves, CurveOptions
 from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits.chains import LANDING
 from tests.dynamics.continuation.curves.jets import solved_twice
 from tests.dynamics.shooting import Rocking
@@ -49,7 +48,7 @@ def subharmonics(
         block,
         Harmonic(amplitude=3.0, frequency_ratio=4.2),
         within=within,
-        search=CurveSearch(orders=(3,), lines=(1, 0), max_impacts=2, max_period=3, max_branches=3),
+        search=CurveOptions(orders=(3,), lines=(1, 0), max_impacts=2, max_period=3, max_branches=3),
         model=model,
     )
 
@@ -63,7 +62,7 @@ def harmonics(
         Harmonic(amplitude=2.0, frequency_ratio=1.8),
         OVER_RESTITUTION,
         within=((0.1, 0.4), (1.2, 2.8)),
-        search=CurveSearch(lines=(1, 0), max_impacts=4, max_period=2),
+        search=CurveOptions(lines=(1, 0), max_impacts=4, max_period=2),
         model=model,
     )
 
@@ -112,7 +111,7 @@ def test_cusps_are_those_of_shooting() -> None:
         Harmonic(amplitude=2.0, frequency_ratio=1.8),
         OVER_RESTITUTION,
         within=((0.84, 0.92), (1.55, 1.8)),
-        search=CurveSearch(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
+        search=CurveOptions(lines=(1, 0), max_impacts=6, max_period=4, everywhere=True),
         model=Nonlinear(),
     )
     held_to_shooting(found, "cusp", most=1)
@@ -125,7 +124,7 @@ def test_a_fold_graze_and_the_doubling_graze_beside_it_are_those_of_shooting() -
         Harmonic(amplitude=4.91004502, frequency_ratio=5.4),
         ("restitution", "frequency_ratio"),
         within=((0.3, 0.6), (5.0, 6.0)),
-        search=CurveSearch(orders=(5,), lines=(3, 0), max_impacts=4, max_period=5),
+        search=CurveOptions(orders=(5,), lines=(3, 0), max_impacts=4, max_period=5),
         model=Nonlinear(),
     )
     held_to_shooting(found, "fold-graze")
@@ -163,7 +162,7 @@ def leaning(block: Block, model: Linear | Nonlinear, lean: float, rate: float) -
         block,
         Harmonic(amplitude=2.2 / lean, frequency_ratio=2.0 / rate),
         within=((1.5 / rate, 2.6 / rate), (1.6 / lean, 3.0 / lean)),
-        search=CurveSearch(lines=(1, 1), max_impacts=2, max_period=1),
+        search=CurveOptions(lines=(1, 1), max_impacts=2, max_period=1),
         model=model,
     )
 
@@ -236,7 +235,7 @@ def test_over_restitution_both_impacts_have_the_same() -> None:
         Harmonic(amplitude=2.2, frequency_ratio=2.0),
         ("restitution", "frequency_ratio"),
         within=((0.6, 0.95), (1.5, 2.6)),
-        search=CurveSearch(lines=(1, 0), max_impacts=2, max_period=1),
+        search=CurveOptions(lines=(1, 0), max_impacts=2, max_period=1),
     )
     assert found.curves
     told = found.to_dict()

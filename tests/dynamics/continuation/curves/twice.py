@@ -5,7 +5,7 @@ from itertools import permutations
 
 import numpy as np
 
-from rocksteady import BifurcationCurve, BifurcationCurves, BranchPoint
+from rocksteady.branches import BifurcationCurve, BifurcationCurves, BranchPoint
 
 Impacts = np.ndarray
 

@@ -10,19 +10,16 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    InputError,
     Linear,
-    ModelError,
     Nonlinear,
-    NoRest,
     find_attractor,
     find_orbits,
-    find_resting_branches,
-    follow_resting_orbit,
-    sweep_attractor,
 )
+from rocksteady.branches import NoRest, find_resting_branches, follow_resting_branch
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.equations import Model
+from rocksteady.orbits import sweep_attractor
 from tests.dynamics.continuation.resting.bounces import way_from_uplift
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -193,7 +190,7 @@ def test_gaps_say_why() -> None:
 def test_an_orbit_is_followed_to_both_ends_of_its_branch() -> None:
     motion = Harmonic(amplitude=1.04, frequency_ratio=2.0)
     (orbit,) = (o for o in find_orbits(BLOCK, motion, max_period=1, seeds=2) if o.rest_phases)
-    branch = follow_resting_orbit(orbit, "amplitude", (0.9, 1.1))
+    branch = follow_resting_branch(orbit, "amplitude", (0.9, 1.1))
     other = first_branch(BLOCK, "amplitude", (0.99, 1.078))
     assert branch.within == other.within
     assert branch.at(1.04).orbit.states == orbit.states
@@ -203,7 +200,7 @@ def test_what_cannot_be_is_refused() -> None:
     motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     moving = find_orbits(BLOCK, motion, max_period=1, seeds=2)[0]
     with pytest.raises(ModelError, match="never comes to rest"):
-        follow_resting_orbit(moving, "amplitude", (1.0, 3.0))
+        follow_resting_branch(moving, "amplitude", (1.0, 3.0))
     with pytest.raises(InputError, match="amplitude, frequency_ratio, restitution"):
         find_resting_branches(BLOCK, motion, "phase", (0.0, 1.0))
     with pytest.raises(InputError, match="lower end"):

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import FloatRect, Page
 
-from rocksteady import DimensionlessBlock, Harmonic, Rest, Steady, sweep_attractor
+from rocksteady import DimensionlessBlock, Harmonic, Rest, Steady
+from rocksteady.orbits import sweep_attractor
 from tests.explorer.browser.watched import TABLED, Explorer, drawn, link, until, values
 
 STRIP = "[data-panel='strip']"

@@ -5,18 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Harmonic,
-    InputError,
-    Linear,
-    Nonlinear,
-    Pulse,
-    Record,
-    Status,
-    Trajectory,
-    simulate,
-)
+from rocksteady import Block, Harmonic, Linear, Nonlinear, Pulse, Record, Status, simulate
+from rocksteady.errors import InputError
+from rocksteady.histories import Trajectory
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.blocks.housner_forms import Restitution
 from rocksteady.model.equations import Model

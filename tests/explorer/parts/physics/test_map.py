@@ -13,11 +13,11 @@ from rocksteady import (
     Rest,
     State,
     Steady,
-    compute_region_map,
     find_steady_states,
     map_attractors,
 )
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.orbits import compute_region_map
 from rocksteady.outcomes import AttractorKind
 from tests.explorer.in_node import InNode
 

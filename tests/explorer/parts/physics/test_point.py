@@ -7,24 +7,22 @@ import numpy as np
 import pytest
 
 from rocksteady import (
-    Attractor,
     Block,
     DimensionlessBlock,
     Harmonic,
-    ImpactState,
     Linear,
-    ModelError,
     Nonlinear,
     Rest,
     State,
     Status,
     Steady,
-    Trajectory,
     find_attractor,
-    find_attractors,
     find_steady_states,
     simulate,
 )
+from rocksteady.errors import ModelError
+from rocksteady.histories import ImpactState, Trajectory
+from rocksteady.orbits import Attractor, find_attractors
 from tests.explorer.in_node import InNode
 
 SCRIPT = """

@@ -5,20 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Linear,
-    Nonlinear,
-    Pulse,
-    Status,
-    find_overturning_windows,
-    overturning_threshold,
-    simulate,
-)
+from rocksteady import Block, Linear, Nonlinear, Pulse, Status, find_overturning_windows, simulate
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.overturning._cases import _tables
 from rocksteady.dynamics.overturning.window_cells import follow
+from rocksteady.formulas import overturning_amplitude
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.pulses import PULSES
 from tests.explorer.in_node import InNode
@@ -149,7 +141,7 @@ def test_the_last_window_of_a_half_sine_begins_at_the_closed_form(in_node: InNod
     block = {"shape": "half-sine", "restitution": 0.9, "nonlinear": False, "alpha": 0.2}
     found = in_node(ASK % ("windows", "pulseWindows"), [{**block, "ratio": w} for w in ratios])
     for ratio, one in zip(ratios, found, strict=True):
-        closed = overturning_threshold("half-sine", ratio)
+        closed = overturning_amplitude("half-sine", ratio)
         assert one["windows"][-1]["impacts"] == 0
         assert one["windows"][-1]["low"] == pytest.approx(closed, rel=1e-12)
 

@@ -16,9 +16,9 @@ from rocksteady import (
     State,
     Steady,
     find_steady_states,
-    sweep_attractor,
 )
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.orbits import sweep_attractor
 from tests.explorer.in_node import InNode
 
 STARTS: dict[str, Any] = {

@@ -5,14 +5,14 @@ from typing import Any
 
 import pytest
 
-from rocksteady.risk.assess.described.facts import derive_facts
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.facts import compute_object_facts
+from rocksteady.risk.assess.described.objects import DescribedObject
 from tests.every import every
 
 
 def facts_of(geometry: dict[str, Any] | None = None, **keys: Any) -> Any:
     sizes = geometry or {"width_m": 0.32, "height_m": 1.8}
-    return derive_facts(ObjectFile(values={"name": "x", "geometry": sizes, **keys}))
+    return compute_object_facts(DescribedObject(values={"name": "x", "geometry": sizes, **keys}))
 
 
 def test_the_numbers_of_the_worked_example() -> None:

@@ -5,16 +5,18 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, InputError, ObjectFile, read_objects
+from rocksteady import Block, read_objects
+from rocksteady.errors import InputError
+from rocksteady.risk import DescribedObject
 from rocksteady.risk.assess._sensitivity import band_of
 from tests.every import every
 
 SIZE = {"width_m": 0.4, "height_m": 1.6}
 
 
-def _object(restitution: object, **geometry: Any) -> ObjectFile:
+def _object(restitution: object, **geometry: Any) -> DescribedObject:
     values = {"name": "desk", "geometry": {**SIZE, **geometry}, "restitution": restitution}
-    return ObjectFile(values=values)
+    return DescribedObject(values=values)
 
 
 def test_an_object_has_the_factor_of_its_own_value() -> None:

@@ -8,14 +8,14 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
-from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
+from rocksteady.risk.assess.described.objects import EXAMPLE, DescribedObject, read_object
 from tests.every import every
 
 SIZES = {"width_m": 0.32, "height_m": 1.8}
 
 
-def made(geometry: dict[str, Any] | None = None, **keys: Any) -> ObjectFile:
-    return ObjectFile(
+def made(geometry: dict[str, Any] | None = None, **keys: Any) -> DescribedObject:
+    return DescribedObject(
         values={"name": "x", "geometry": geometry or SIZES, **keys}, source="desk.toml"
     )
 
@@ -165,7 +165,7 @@ def test_what_is_wrong_is_named_in_one_line(values: dict[str, Any], line: str) -
     if line.startswith("desk.toml: name is missing"):
         whole = values
     with pytest.raises(RocksteadyError) as refusal:
-        ObjectFile(values=whole, source="desk.toml")
+        DescribedObject(values=whole, source="desk.toml")
     assert line in str(refusal.value)
     assert str(refusal.value).startswith("desk.toml")
     assert "\n" not in str(refusal.value)

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 import statsmodels.api as sm
 
-from rocksteady import ObjectPrior, ShakingTest, measure_intensity
+from rocksteady import compute_measures
+from rocksteady.calibration import ObjectPrior, ShakingTest
 from rocksteady.risk.calibration.held_out import rivals
 from tests.risk.calibration.trials import make_records
 
@@ -61,7 +62,7 @@ def test_measures_are_those_of_the_record_and_the_outline() -> None:
     column = ObjectPrior(name="column", width_m=0.2, height_m=0.8, base="0.6:1.0")
     test = ShakingTest(name="t", record=record, object="column", gain=1.7)
     row = rivals.measures_of([test], {"column": column})[0]
-    found = measure_intensity(record)
+    found = compute_measures(record)
     uplift = 9.80665 * 0.25
     assert row[0] == pytest.approx(math.log(1.7 * found.pga_m_s2 / uplift))
     assert row[2:] == pytest.approx(np.log([found.pgv_per_pga_s, found.significant_5_95_s]))

@@ -5,20 +5,20 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import score_predictions
+from rocksteady.calibration import compute_scores
 from rocksteady.errors import InputError
 from tests.every import every
 
 
 def test_scores_of_four_tests_by_hand() -> None:
-    found = score_predictions([0.9, 0.35, 0.62, 0.2], [1, 1, 0, 0], replicates=0)
+    found = compute_scores([0.9, 0.35, 0.62, 0.2], [1, 1, 0, 0], replicates=0)
     assert found.accuracy[0] == 0.5
     assert found.f1[0] == 2 * 1 / (2 + 2)
     assert found.brier[0] == pytest.approx((0.01 + 0.4225 + 0.3844 + 0.04) / 4)
     assert found.log_score[0] == pytest.approx(-math.log(0.9 * 0.35 * 0.38 * 0.8) / 4)
     assert found.ece[0] == pytest.approx((0.1 + 0.65 + 0.62 + 0.2) / 4)
     assert (found.tests, found.groups) == (4, 4)
-    assert score_predictions([0.5], [1], replicates=0).accuracy[0] == 1.0
+    assert compute_scores([0.5], [1], replicates=0).accuracy[0] == 1.0
 
 
 def test_calibration_error_is_that_of_bins() -> None:
@@ -29,13 +29,13 @@ def test_calibration_error_is_that_of_bins() -> None:
     for low in np.arange(10) / 10:
         own = (p >= low) & (p < low + 0.1)
         expected += own.mean() * abs(p[own].mean() - fell[own].mean())
-    assert score_predictions(p, fell, replicates=0).ece[0] == pytest.approx(expected, rel=1e-6)
+    assert compute_scores(p, fell, replicates=0).ece[0] == pytest.approx(expected, rel=1e-6)
 
 
 def test_interval_of_independent_tests_is_that_of_a_share() -> None:
     rng = np.random.default_rng(2)
     fell = (rng.random(400) < 0.9).astype(float)
-    value, low, high = score_predictions(np.ones(400), fell).accuracy
+    value, low, high = compute_scores(np.ones(400), fell).accuracy
     error = math.sqrt(value * (1 - value) / 400)
     assert (high - low) / (2 * 1.645 * error) == pytest.approx(1.0, abs=0.1)
 
@@ -44,14 +44,14 @@ def test_tests_that_stay_together_widen_the_interval() -> None:
     rng = np.random.default_rng(3)
     fell = np.repeat((rng.random(40) < 0.7).astype(float), 10)
     groups = [str(place // 10) for place in range(400)]
-    alone = score_predictions(np.full(400, 0.7), fell).accuracy
-    together = score_predictions(np.full(400, 0.7), fell, groups=groups).accuracy
+    alone = compute_scores(np.full(400, 0.7), fell).accuracy
+    together = compute_scores(np.full(400, 0.7), fell, groups=groups).accuracy
     ratio = (together[2] - together[1]) / (alone[2] - alone[1])
     assert ratio == pytest.approx(math.sqrt(10), rel=0.2)
 
 
 def test_one_group_has_no_interval_and_no_fall_no_f1() -> None:
-    found = score_predictions([0.1, 0.2], [0, 0], groups=["a", "a"])
+    found = compute_scores([0.1, 0.2], [0, 0], groups=["a", "a"])
     assert math.isnan(found.accuracy[1])
     assert math.isnan(found.f1[0])
 
@@ -59,4 +59,4 @@ def test_one_group_has_no_interval_and_no_fall_no_f1() -> None:
 @every(("p", "fell"), [([], []), ([0.5], [1, 0]), ([1.2], [1]), ([0.5], [2]), ([np.nan], [1])])
 def test_what_cannot_be_scored_is_refused(p: list[float], fell: list[int]) -> None:
     with pytest.raises(InputError, match=r"probabilities|fell"):
-        score_predictions(p, fell)
+        compute_scores(p, fell)

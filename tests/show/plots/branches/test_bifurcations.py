@@ -18,33 +18,26 @@ from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from rocksteady import (
-    AttractorSweep,
+from rocksteady import DimensionlessBlock, Harmonic, Steady, find_orbits, plots
+from rocksteady.branches import (
     BifurcationCurve,
     BifurcationCurves,
     BifurcationDiagram,
     Branch,
+    BranchOptions,
     BranchPoint,
-    BranchSearch,
-    CodimensionTwo,
-    CurveSearch,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
+    CodimensionTwoPoint,
+    CurveOptions,
     PointType,
     Region,
-    Steady,
     find_branches,
-    find_orbits,
     find_resting_branches,
     follow_bifurcation,
     follow_branch,
-    plot_bifurcation_curves,
-    plot_bifurcations,
-    region_boundaries,
-    sweep_attractor,
-    symmetry_breaking_amplitude,
 )
+from rocksteady.errors import InputError
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import AttractorSweep, compute_region_boundaries, sweep_attractor
 from rocksteady.show.figures.single import bifurcation_figure
 from rocksteady.show.plots.branches._resting import NUMBER
 from rocksteady.show.style import palette
@@ -70,7 +63,7 @@ def diagram_of(branches: tuple[Branch, ...], parameter: str) -> BifurcationDiagr
         motion=Harmonic(amplitude=1.0, frequency_ratio=2.0),
         parameter=parameter,
         within=(0.1, 1.0),
-        search=BranchSearch(doublings=0),
+        search=BranchOptions(doublings=0),
         branches=branches,
         sweeps=(),
         cascade=None,
@@ -127,24 +120,24 @@ def curve_lines(axes: Axes, colour: str) -> list[Line2D]:
 @pytest.mark.slow
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels() -> None:
     axes = Figure().add_subplot()
-    assert plot_bifurcations(over_frequency(), sweeps(), axes) is axes
+    assert plots.bifurcations(over_frequency(), sweeps(), axes) is axes
     assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
     assert axes.get_ylabel() == palette.LABELS["flight_peak"]
     assert axes.get_xlim() == (1.6, 2.4)
-    assert plot_bifurcation_curves(curves(), axes) is axes
+    assert plots.bifurcation_curves(curves(), axes) is axes
 
 
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings() -> None:
     settings = dict(mpl.rcParams)
-    assert plot_bifurcations(over_frequency()).figure is plt.gcf()
-    assert plot_bifurcation_curves(curves()).figure is plt.gcf()
+    assert plots.bifurcations(over_frequency()).figure is plt.gcf()
+    assert plots.bifurcation_curves(curves()).figure is plt.gcf()
     assert dict(mpl.rcParams) == settings
     plt.close("all")
 
 
 def test_every_flight_is_a_line_and_nothing_drawn_is_nan() -> None:
     branches = over_amplitude()
-    axes = plot_bifurcations(branches, ax=Figure().add_subplot())
+    axes = plots.bifurcations(branches, ax=Figure().add_subplot())
     expected = sum(
         branch.peaks.shape[1] // (2 if branch.symmetric else 1) * len(branch.stretches)
         for branch in branches
@@ -157,7 +150,7 @@ def test_every_flight_is_a_line_and_nothing_drawn_is_nan() -> None:
 
 def test_the_highest_line_is_the_highest_peak() -> None:
     branch = over_frequency()[1]
-    axes = plot_bifurcations([branch], ax=Figure().add_subplot())
+    axes = plots.bifurcations([branch], ax=Figure().add_subplot())
     drawn = {
         (x, y)
         for line in lines_of(axes, marked=False)
@@ -169,7 +162,7 @@ def test_the_highest_line_is_the_highest_peak() -> None:
 
 def test_stable_parts_are_solid_and_thick_and_unstable_ones_dashed_and_thin() -> None:
     symmetric = over_frequency()[0]
-    axes = plot_bifurcations([symmetric], ax=Figure().add_subplot())
+    axes = plots.bifurcations([symmetric], ax=Figure().add_subplot())
     unstable, stable = lines_of(axes, marked=False)
     breaking = float(symmetric.bifurcations[0].frequency_ratio)
     assert breaking == pytest.approx(1.948378, abs=5e-7)  # TW6
@@ -199,7 +192,7 @@ def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
     points = tuple(follow_branch(start, "amplitude", (0.1, 3.0), inadmissible=True))
     branch = Branch(parameter="amplitude", points=points)
     assert not branch.admissible.all()
-    axes = plot_bifurcations([branch], ax=Figure().add_subplot())
+    axes = plots.bifurcations([branch], ax=Figure().add_subplot())
     faint = [line for line in lines_of(axes, marked=False) if line.get_alpha() is not None]
     assert faint
     graze = next(point for point in points if point.type == "grazing")
@@ -210,7 +203,7 @@ def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
 
 
 def test_colours_tell_kinds_apart_and_the_legend_names_them() -> None:
-    axes = plot_bifurcations(over_frequency(), ax=Figure().add_subplot())
+    axes = plots.bifurcations(over_frequency(), ax=Figure().add_subplot())
     assert legend_of(axes) == [
         "symmetric",
         "unsymmetric",
@@ -229,10 +222,10 @@ def test_colours_tell_kinds_apart_and_the_legend_names_them() -> None:
 
 
 def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
-    axes = plot_bifurcations(over_amplitude(), ax=Figure().add_subplot())
+    axes = plots.bifurcations(over_amplitude(), ax=Figure().add_subplot())
     marks = {line.get_marker(): data(line) for line in lines_of(axes, marked=True)}
     assert set(marks) == MARKS
-    fold = float(region_boundaries(2.0, 0.8).existence)
+    fold = float(compute_region_boundaries(2.0, 0.8).existence)
     assert marks["s"][0].min() == pytest.approx(fold, abs=1e-8)
     breaking = float(symmetry_breaking_amplitude(2.0, 0.8))
     at = np.abs(marks["D"][0] - breaking) < 1e-8
@@ -250,7 +243,7 @@ def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
 
 
 def test_both_sides_are_mirror_images_of_each_other() -> None:
-    axes = plot_bifurcations(over_frequency(), sweeps(), Figure().add_subplot(), side="both")
+    axes = plots.bifurcations(over_frequency(), sweeps(), Figure().add_subplot(), side="both")
     assert axes.get_ylabel() == palette.LABELS["flight_extreme"]
     low, high = axes.get_ylim()
     assert low == -high
@@ -268,7 +261,7 @@ def dots(axes: Axes, colour: str) -> set[tuple[float, float]]:
 
 
 def test_the_dots_of_a_sweep_are_its_peaks_and_its_way_has_its_look() -> None:
-    axes = plot_bifurcations(over_frequency(), sweeps(), Figure().add_subplot())
+    axes = plots.bifurcations(over_frequency(), sweeps(), Figure().add_subplot())
     for trail, colour in zip(sweeps(), palette.SWEEPS, strict=True):
         expected = {
             (value, abs(peak))
@@ -305,7 +298,7 @@ def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     trail = sweep_attractor(BARE, shaking, "amplitude", np.linspace(0.1, 3.0, 59))
     assert {"rest", "overturned"} <= set(trail.kinds)
-    axes = plot_bifurcations((), [trail], Figure().add_subplot())
+    axes = plots.bifurcations((), [trail], Figure().add_subplot())
     for kind, colour in (("overturned", palette.OVERTURNED), ("rest", palette.GROUND)):
         assert covered(trail.values, bars(axes, colour)) == [each == kind for each in trail.kinds]
     assert legend_of(axes) == ["upward sweep", "overturned", "at rest"]
@@ -314,14 +307,14 @@ def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
 
 
 def test_the_axis_of_angles_ends_where_it_is_told() -> None:
-    axes = plot_bifurcations(over_amplitude(), ax=Figure().add_subplot(), top=0.05)
+    axes = plots.bifurcations(over_amplitude(), ax=Figure().add_subplot(), top=0.05)
     assert axes.get_ylim() == (0.0, 0.05)
 
 
 def test_branches_over_different_parameters_are_refused() -> None:
     for branches in ((*over_amplitude(), *over_frequency()), ()):
         with pytest.raises(InputError, match="one parameter"):
-            plot_bifurcations(branches, ax=Figure().add_subplot())
+            plots.bifurcations(branches, ax=Figure().add_subplot())
 
 
 def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> None:
@@ -345,14 +338,14 @@ def test_a_figure_of_nothing_says_so() -> None:
 
 
 def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
-    axes = plot_bifurcation_curves(curves(), Figure().add_subplot())
+    axes = plots.bifurcation_curves(curves(), Figure().add_subplot())
     assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
     assert axes.get_ylabel() == palette.LABELS["amplitude"]
     assert legend_of(axes) == ["fold", "symmetry breaking"]
     assert len(axes.lines) == 4
     for line in axes.lines[:2]:
         w, a = data(line)
-        np.testing.assert_allclose(a, region_boundaries(w, 0.8).existence, rtol=1e-7)
+        np.testing.assert_allclose(a, compute_region_boundaries(w, 0.8).existence, rtol=1e-7)
         assert line.get_linestyle() == "-"
     for line in axes.lines[2:]:
         w, a = data(line)
@@ -361,14 +354,14 @@ def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
 
 
 def test_the_names_of_curves_stand_on_their_lines() -> None:
-    axes = plot_bifurcation_curves(curves(), Figure().add_subplot())
+    axes = plots.bifurcation_curves(curves(), Figure().add_subplot())
     names = {text.get_text(): text for text in axes.texts}
     assert set(names) == {"fold", "symmetry breaking"}
     w, amplitude = names["fold"].get_position()
-    assert amplitude == pytest.approx(float(region_boundaries(w, 0.8).existence), abs=0.03)
+    assert amplitude == pytest.approx(float(compute_region_boundaries(w, 0.8).existence), abs=0.03)
     w, amplitude = names["symmetry breaking"].get_position()
     assert amplitude == pytest.approx(float(symmetry_breaking_amplitude(w, 0.8)), abs=0.03)
-    none = plot_bifurcation_curves(curves(), Figure().add_subplot(), labels=False)
+    none = plots.bifurcation_curves(curves(), Figure().add_subplot(), labels=False)
     assert not none.texts
 
 
@@ -383,9 +376,9 @@ def test_a_plane_marks_its_points_and_names_its_regions() -> None:
         motion=Harmonic(amplitude=1.0, frequency_ratio=2.0),
         parameters=PLANE,
         within=((0.1, 6.0), (1.0, 4.0)),
-        search=CurveSearch(),
+        search=CurveOptions(),
         curves=(curve,),
-        points=(CodimensionTwo(point=special, curves=(1,)),),
+        points=(CodimensionTwoPoint(point=special, curves=(1,)),),
         regions=(Region(place=(1.0, 3.0), motions=("symmetric",), extent=(0, 0.5, 1.5)),),
         complete=True,
     )
@@ -401,14 +394,14 @@ def test_a_plane_marks_its_points_and_names_its_regions() -> None:
 
 
 def test_curves_take_their_axes_in_any_order_and_refuse_other_names() -> None:
-    axes = plot_bifurcation_curves(curves(), Figure().add_subplot(), parameters=PLANE)
+    axes = plots.bifurcation_curves(curves(), Figure().add_subplot(), parameters=PLANE)
     assert axes.get_xlabel() == palette.LABELS["amplitude"]
     with pytest.raises(InputError, match="amplitude, frequency_ratio, restitution"):
-        plot_bifurcation_curves(curves(), Figure().add_subplot(), parameters=("amplitude", "x"))
+        plots.bifurcation_curves(curves(), Figure().add_subplot(), parameters=("amplitude", "x"))
 
 
 def test_no_curves_are_empty_axes_with_labels() -> None:
-    axes = plot_bifurcation_curves([[]], Figure().add_subplot())
+    axes = plots.bifurcation_curves([[]], Figure().add_subplot())
     assert not axes.lines
     assert axes.get_legend() is None
     assert axes.get_xlabel()
@@ -421,7 +414,7 @@ def test_values_spaced_by_ratio_get_a_logarithmic_axis() -> None:
         (np.linspace(2.0, 8.0, 9), "linear"),
     ):
         trail = sweep_attractor(block, shaking, "frequency_ratio", values[::-1])
-        axes = plot_bifurcations((), [trail], Figure().add_subplot())
+        axes = plots.bifurcations((), [trail], Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (values[0], values[-1])
 
@@ -430,7 +423,7 @@ def test_orbits_with_rest_that_hug_the_axis_are_shown_in_an_inset() -> None:
     resting = find_resting_branches(BARE, Harmonic(amplitude=1.0, frequency_ratio=2.0), *REST)
     (branch,) = resting.branches[:1]
     high = [each for each in over_amplitude() if np.nanmax(each.peaks) > 0.3][:1]
-    axes = plot_bifurcations([*high, branch], ax=Figure(figsize=(6.0, 4.0)).add_subplot())
+    axes = plots.bifurcations([*high, branch], ax=Figure(figsize=(6.0, 4.0)).add_subplot())
     (inset,) = axes.child_axes
     low, most = inset.get_ylim()
     highest = float(np.nanmax(np.abs(branch.peaks)))
@@ -447,11 +440,11 @@ def test_orbits_with_rest_that_hug_the_axis_are_shown_in_an_inset() -> None:
 
 def test_orbits_with_rest_that_are_seen_anyway_need_no_inset() -> None:
     resting = find_resting_branches(BARE, Harmonic(amplitude=1.0, frequency_ratio=2.0), *REST)
-    axes = plot_bifurcations(resting, ax=Figure(figsize=(6.0, 4.0)).add_subplot())
+    axes = plots.bifurcations(resting, ax=Figure(figsize=(6.0, 4.0)).add_subplot())
     assert not axes.child_axes
     flat = Figure(figsize=(6.0, 1.2)).add_subplot()
     high = [each for each in over_amplitude() if np.nanmax(each.peaks) > 0.3][:1]
-    assert not plot_bifurcations([*high, *resting.branches], ax=flat).child_axes
+    assert not plots.bifurcations([*high, *resting.branches], ax=flat).child_axes
 
 
 def test_the_colour_of_rest_is_like_no_other_of_the_first_kinds() -> None:

@@ -10,25 +10,19 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from rocksteady import (
-    DimensionlessBlock,
-    DoublingCascade,
-    Harmonic,
-    InputError,
-    find_cascade,
-    find_orbits,
-    plot_cascade,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits, plots
+from rocksteady.branches import Cascade, find_cascade
+from rocksteady.errors import InputError
 
 
 @pytest.fixture(scope="module", name="cascade")
-def _cascade() -> DoublingCascade:
+def _cascade() -> Cascade:
     motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
     return find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
 
 
-def test_distances_ratios_and_slope_are_drawn(cascade: DoublingCascade) -> None:
+def test_distances_ratios_and_slope_are_drawn(cascade: Cascade) -> None:
     axes = cascade.plot(Figure().add_subplot())
     line, dots = axes.lines
     assert dots.get_ydata() == pytest.approx(np.abs(np.diff(cascade.values)))
@@ -40,14 +34,14 @@ def test_distances_ratios_and_slope_are_drawn(cascade: DoublingCascade) -> None:
     assert "Ω" in axes.get_ylabel()
 
 
-def test_one_doubling_has_no_distance(cascade: DoublingCascade) -> None:
+def test_one_doubling_has_no_distance(cascade: Cascade) -> None:
     one = dataclasses.replace(cascade, points=cascade.points[:1])
     with pytest.raises(InputError, match="has one doubling"):
-        plot_cascade(one, Figure().add_subplot())
+        plots.cascade(one, Figure().add_subplot())
     two = dataclasses.replace(cascade, points=cascade.points[:2])
-    assert not plot_cascade(two, Figure().add_subplot()).texts
+    assert not plots.cascade(two, Figure().add_subplot()).texts
 
 
-def test_a_point_is_plotted_as_its_orbit(cascade: DoublingCascade) -> None:
+def test_a_point_is_plotted_as_its_orbit(cascade: Cascade) -> None:
     axes = cascade.points[0].plot(Figure().add_subplot())
     assert "phase" in axes.get_xlabel()

@@ -13,12 +13,12 @@ from rocksteady.risk.facades.actions import Tie
 from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.show.export.files import figure_bytes
-from rocksteady.show.plots.facades.capacity import plot_capacity
+from rocksteady.show.plots.facades.capacity import plot_facade_capacity
 from tests.show.facade.checked_facades import alone, site, thin, tied
 
 
 def drawn(language: str = "en") -> Axes:
-    return plot_capacity(thin(), Figure().add_subplot(), language=language)
+    return plot_facade_capacity(thin(), Figure().add_subplot(), language=language)
 
 
 def points_of(axes: Axes, label: str) -> tuple[float, float]:
@@ -41,7 +41,7 @@ def test_it_drops_where_a_tie_that_is_not_verified_ends() -> None:
             name="held", thickness_m=0.3, height_m=3.0, confidence_factor=1.0,
             ties=(Tie(name="rod", force_kn=2.0, z_m=3.0, **until),),  # type: ignore[arg-type]
         )  # fmt: skip
-        axes = plot_capacity(check_facade(facade), Figure().add_subplot())
+        axes = plot_facade_capacity(check_facade(facade), Figure().add_subplot())
         x, y = (np.asarray(values, dtype=float) for values in axes.lines[0].get_data())
         # M = 16.2 x .15 + 2 x 3 = 8.43 and 2.43, K = D = 24.3: alpha_0 .346914 and .1.
         drop = np.array([8.43, 2.43]) / 24.3 / 0.75 - end / 1500.0
@@ -74,7 +74,7 @@ def test_the_linear_demand_is_half_the_peak() -> None:
 
 
 def test_a_demand_of_runs_stands_at_their_mean() -> None:
-    axes = plot_capacity(tied(), Figure().add_subplot())
+    axes = plot_facade_capacity(tied(), Figure().add_subplot())
     runs = tied().runs
     assert runs is not None
     assert runs.mean_m is not None
@@ -83,7 +83,7 @@ def test_a_demand_of_runs_stands_at_their_mean() -> None:
 
 
 def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
-    legend = plot_capacity(alone(), Figure().add_subplot()).get_legend()
+    legend = plot_facade_capacity(alone(), Figure().add_subplot()).get_legend()
     assert legend is not None
     assert len(legend.get_texts()) == 3
 
@@ -104,7 +104,7 @@ def test_italian_axes_have_italian_words_and_commas() -> None:
 
 def test_it_is_legible_on_dark_paper_and_refuses_other_languages() -> None:
     with matplotlib.style.context("dark_background"):
-        axes = plot_capacity(thin(), Figure().add_subplot())
+        axes = plot_facade_capacity(thin(), Figure().add_subplot())
         assert axes.lines[0].get_color() == "#f2f2f2"
         assert figure_bytes(axes.figure, "svg")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="language"):

@@ -7,13 +7,14 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from rocksteady import InputError, plot_ladders
+from rocksteady import plots
+from rocksteady.errors import InputError
 from rocksteady.show.style.page import Page
 from tests.show.calibrated import calibrated, hostile
 
 
 def drawn() -> Axes:
-    return plot_ladders(calibrated(), Figure().add_subplot())
+    return plots.test_ladders(calibrated(), Figure().add_subplot())
 
 
 def marks(axes: Axes, label: str) -> list[float]:
@@ -65,15 +66,15 @@ def test_records_are_in_the_order_of_what_it_takes() -> None:
 
 
 def test_rows_can_be_parted() -> None:
-    axes = plot_ladders(calibrated(), Figure().add_subplot(), first=4, most=3)
+    axes = plots.test_ladders(calibrated(), Figure().add_subplot(), first=4, most=3)
     assert len(axes.get_yticks()) == 2
     with pytest.raises(InputError, match="first is 6: there are 6 rows"):
-        plot_ladders(calibrated(), Figure().add_subplot(), first=6)
+        plots.test_ladders(calibrated(), Figure().add_subplot(), first=6)
 
 
 def test_hostile_names_are_shown_as_they_are() -> None:
     with Page(width_mm=84.0).figure(6.6, 4.0, "") as figure:
-        axes = plot_ladders(hostile(), figure.add_subplot())
+        axes = plots.test_ladders(hostile(), figure.add_subplot())
         figure.draw_without_rendering()
     assert all("<script" in text.get_text() for text in axes.get_yticklabels())
 

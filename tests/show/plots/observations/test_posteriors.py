@@ -8,12 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 
-from rocksteady import InputError, plot_posterior
+from rocksteady import plots
+from rocksteady.errors import InputError
 from tests.show.calibrated import calibrated
 
 
 def drawn(parameter: str = "alpha_rad") -> Axes:
-    return plot_posterior(calibrated(), Figure().add_subplot(), parameter=parameter)
+    return plots.posterior(calibrated(), Figure().add_subplot(), parameter=parameter)
 
 
 def test_both_densities_have_the_area_of_one_and_the_mean_of_their_draws() -> None:
@@ -39,7 +40,7 @@ def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
     assert "not identified" in [str(each.get_label()) for each in drawn().lines]
     row = few | {"median": 0.24, "low": 0.21, "high": 0.26}
     known = replace(calibrated(), parameters=(row,))
-    axes = plot_posterior(known, Figure().add_subplot())
+    axes = plots.posterior(known, Figure().add_subplot())
     lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in axes.lines}
     interval = next(x for label, x in lines.items() if label.startswith("90"))
     assert interval.tolist() == [row["low"], row["high"]]
@@ -52,4 +53,4 @@ def test_what_is_not_there_is_refused() -> None:
     with pytest.raises(InputError, match="parameter = 'alfa' is not valid: the parameters are"):
         drawn("alfa")
     with pytest.raises(InputError, match="object = 'vase' is not valid: the objects are"):
-        plot_posterior(calibrated(), Figure().add_subplot(), object="vase")
+        plots.posterior(calibrated(), Figure().add_subplot(), object="vase")

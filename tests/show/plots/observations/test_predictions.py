@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from rocksteady import plot_predictions
+from rocksteady import plots
 from tests.show.calibrated import calibrated
 
 
 def test_rows_are_in_the_order_of_their_probability() -> None:
     found = calibrated().validation.predictions
     unknown = replace(found, fell=(None, *found.fell[1:]))
-    axes = plot_predictions(unknown, Figure().add_subplot())
+    axes = plots.predictions(unknown, Figure().add_subplot())
     order = np.argsort(found.p, kind="stable")
     names = [text.get_text() for text in axes.get_yticklabels()]
     assert names == [found.test[place] for place in order]
@@ -36,5 +36,5 @@ def test_many_tests_have_no_names() -> None:
         if key != "warnings"
     }
     twice = replace(found, **double)
-    axes = plot_predictions(twice, Figure().add_subplot())
+    axes = plots.predictions(twice, Figure().add_subplot())
     assert axes.get_ylabel() == "tests in the order of their probability"

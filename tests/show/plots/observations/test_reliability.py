@@ -5,13 +5,14 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from rocksteady import InputError, plot_reliability
+from rocksteady import plots
+from rocksteady.errors import InputError
 from tests.show.calibrated import calibrated, unscored
 
 
 def test_points_are_shares_of_tests_by_tenths() -> None:
     found = calibrated()
-    axes = plot_reliability(found, Figure().add_subplot())
+    axes = plots.reliability(found, Figure().add_subplot())
     p, fell = found.validation.predictions.p, found.tests.fell
     tenth = np.minimum((10.0 * p).astype(int), 9)
     expected = [(p[tenth == k].mean(), fell[tenth == k].mean()) for k in np.unique(tenth)]
@@ -25,4 +26,4 @@ def test_points_are_shares_of_tests_by_tenths() -> None:
 
 def test_without_scores_there_is_no_picture() -> None:
     with pytest.raises(InputError, match="calibration has no held-out scores"):
-        plot_reliability(unscored(), Figure().add_subplot())
+        plots.reliability(unscored(), Figure().add_subplot())

@@ -5,7 +5,8 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import InputError, plot_residuals
+from rocksteady import plots
+from rocksteady.errors import InputError
 from tests.show.calibrated import calibrated
 
 
@@ -21,7 +22,7 @@ def points(axes: Axes) -> dict[int, float]:
 @pytest.mark.parametrize("by", ["record", "session"])
 def test_residuals_are_falls_less_those_predicted(by: str) -> None:
     found = calibrated()
-    axes = plot_residuals(found, Figure().add_subplot(), by=by)
+    axes = plots.residuals(found, Figure().add_subplot(), by=by)
     p, fell = found.validation.predictions.p, found.tests.fell
     names = np.array(
         [test.record.name if by == "record" else test.session for test in found.tests.tests]
@@ -39,4 +40,4 @@ def test_residuals_are_falls_less_those_predicted(by: str) -> None:
 
 def test_there_are_two_groupings() -> None:
     with pytest.raises(InputError, match="by = 'day' is not valid"):
-        plot_residuals(calibrated(), Figure().add_subplot(), by="day")
+        plots.residuals(calibrated(), Figure().add_subplot(), by="day")

@@ -7,13 +7,14 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import InputError, plot_learning, plot_temper
+from rocksteady import plots
+from rocksteady.errors import InputError
 from tests.show.calibrated import calibrated, unscored
 
 
 def test_the_chosen_temper_and_the_untempered_are_marked_on_the_curve() -> None:
     found = calibrated()
-    axes = plot_temper(found, Figure().add_subplot(), score="brier")
+    axes = plots.temper(found, Figure().add_subplot(), score="brier")
     curve = next(each for each in axes.lines if each.get_marker() == "o")
     x, y = (np.asarray(values) for values in curve.get_data())
     assert x.tolist() == sorted(found.temper_scores)
@@ -29,7 +30,7 @@ def test_the_chosen_temper_and_the_untempered_are_marked_on_the_curve() -> None:
 
 def test_the_block_stands_beside_the_logistic_and_the_base_rate() -> None:
     curve = calibrated().validation.learning
-    axes = plot_learning(calibrated(), Figure().add_subplot(), score="brier")
+    axes = plots.learning(calibrated(), Figure().add_subplot(), score="brier")
     drawn = {str(each.get_label()): np.asarray(each.get_ydata()).tolist() for each in axes.lines}
     assert drawn == {
         "calibrated block": [row["calibrated"].brier[0] for row in curve],
@@ -38,7 +39,7 @@ def test_the_block_stands_beside_the_logistic_and_the_base_rate() -> None:
     }
 
 
-@pytest.mark.parametrize("plot", [plot_temper, plot_learning])
+@pytest.mark.parametrize("plot", [plots.temper, plots.learning])
 def test_refusals(plot: Callable[..., Axes]) -> None:
     with pytest.raises(InputError, match="score = 'auc' is not valid: the scores are accuracy"):
         plot(calibrated(), Figure().add_subplot(), score="auc")

@@ -15,17 +15,8 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
-from rocksteady import (
-    Basins,
-    Block,
-    DimensionlessBlock,
-    Erosion,
-    Harmonic,
-    compute_basins,
-    compute_erosion,
-    plot_basins,
-    plot_erosion,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, compute_basins, compute_erosion, plots
+from rocksteady.basins import Basins, Erosion
 from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import basins_figure, erosion_figure
 from rocksteady.show.plots.portraits.basins import fills_of, plot_safe_basin
@@ -57,16 +48,16 @@ def eroded(top: float = 1.0) -> Erosion:
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
-    "basins": lambda ax: plot_basins(found(), ax),
-    "mirrored": lambda ax: plot_basins(found(2.0, 1.9, 0.8), ax),
-    "erosion": lambda ax: plot_erosion(eroded(), ax),
-    "before": lambda ax: plot_erosion(eroded(0.2), ax),
+    "basins": lambda ax: plots.basins(found(), ax),
+    "mirrored": lambda ax: plots.basins(found(2.0, 1.9, 0.8), ax),
+    "erosion": lambda ax: plots.erosion(eroded(), ax),
+    "before": lambda ax: plots.erosion(eroded(0.2), ax),
     "safe": lambda ax: plot_safe_basin(eroded(), 2, ax),
 }
-plots = every("draw", PLOTS.values())
+drawings = every("draw", PLOTS.values())
 
 
-@plots
+@drawings
 def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -77,7 +68,7 @@ def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
-@plots
+@drawings
 def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
     draw: Callable[[Axes | None], Axes],
 ) -> None:
@@ -101,7 +92,7 @@ def colours_seen(axes: Axes) -> "np.ndarray[tuple[int, ...], np.dtype[np.str_]]"
 
 def test_each_cell_has_the_fill_of_its_attractor() -> None:
     given = found()
-    axes = plot_basins(given, Figure().add_subplot())
+    axes = plots.basins(given, Figure().add_subplot())
     fills = np.array(fills_of(given.attractors))
     assert np.array_equal(colours_seen(axes), fills[given.label])
     (image,) = axes.images
@@ -112,7 +103,7 @@ def test_each_cell_has_the_fill_of_its_attractor() -> None:
 
 def test_the_attractors_stand_where_they_are_at_that_phase() -> None:
     given = found()
-    axes = plot_basins(given, Figure().add_subplot())
+    axes = plots.basins(given, Figure().add_subplot())
     drawn = {
         (float(x), float(y))
         for line in axes.lines
@@ -132,7 +123,7 @@ def test_the_attractors_stand_where_they_are_at_that_phase() -> None:
 
 def test_the_legend_has_every_share() -> None:
     given = found()
-    legend = plot_basins(given, Figure().add_subplot()).get_legend()
+    legend = plots.basins(given, Figure().add_subplot()).get_legend()
     assert legend is not None
     texts = [text.get_text() for text in legend.get_texts()]
     for text, one, part in zip(texts, given.attractors, given.fractions(), strict=True):
@@ -166,7 +157,7 @@ def test_the_erosion_is_drawn_with_its_threshold_and_drops() -> None:
     drops = [
         drop for name in ("integrity_factor", "global_integrity") if (drop := given.drop(name))
     ]
-    axes = plot_erosion(given, Figure().add_subplot(), drops=drops)
+    axes = plots.erosion(given, Figure().add_subplot(), drops=drops)
     factor, area, threshold, *marks = axes.lines
     for line, name in ((factor, "integrity_factor"), (area, "global_integrity")):
         drawn = dict(zip(*(np.asarray(each).tolist() for each in line.get_data()), strict=True))
@@ -184,14 +175,14 @@ def test_the_erosion_is_drawn_with_its_threshold_and_drops() -> None:
 
 
 def test_a_threshold_beyond_the_axis_is_said() -> None:
-    legend = plot_erosion(eroded(0.2), Figure().add_subplot()).get_legend()
+    legend = plots.erosion(eroded(0.2), Figure().add_subplot()).get_legend()
     assert legend is not None
     assert any(text.get_text().endswith("(beyond)") for text in legend.get_texts())
 
 
 def test_without_a_threshold_there_is_no_line_of_it() -> None:
     given = replace(eroded(), block=Block.from_p(alpha=0.2, p=2.0), model=Nonlinear())
-    axes = plot_erosion(given, Figure().add_subplot())
+    axes = plots.erosion(given, Figure().add_subplot())
     assert len(axes.lines) == 2
     legend = axes.get_legend()
     assert legend is not None
@@ -226,6 +217,6 @@ def test_amplitudes_spaced_by_ratio_get_a_logarithmic_axis() -> None:
             angles=window,
             velocities=window,
         )
-        axes = plot_erosion(found, Figure().add_subplot())
+        axes = plots.erosion(found, Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (amplitudes[0] if scale == "log" else 0.0, 1.0)

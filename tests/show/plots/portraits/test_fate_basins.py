@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, Pulse, Status, compute_fate_basins, plot_fate_basins
+from rocksteady import DimensionlessBlock, Pulse, Status, compute_fate_basins, plots
 from rocksteady.show.figures.single import fate_basins_figure
 from rocksteady.show.style import palette
 from rocksteady.show.style.page import Page
@@ -18,7 +18,7 @@ FOUND = compute_fate_basins(
 
 
 def test_cells_have_the_fill_of_their_fate_and_the_legend_its_share() -> None:
-    axes = plot_fate_basins(FOUND, Figure().add_subplot())
+    axes = plots.fate_basins(FOUND, Figure().add_subplot())
     (image,) = axes.get_images()
     colours = np.asarray(image.cmap(image.norm(image.get_array())))[..., :3]  # type: ignore[arg-type]
     dark = np.array([int(palette.OVERTURNED[k : k + 2], 16) for k in (1, 3, 5)]) / 255.0
@@ -38,5 +38,5 @@ def test_cells_have_the_fill_of_their_fate_and_the_legend_its_share() -> None:
 def test_a_narrow_page_and_no_legend() -> None:
     figure = fate_basins_figure(FOUND, "title", Page(width_mm=84))
     assert figure.get_size_inches()[0] * 25.4 == 84.0
-    axes = plot_fate_basins(FOUND, Figure().add_subplot(), legend="none")
+    axes = plots.fate_basins(FOUND, Figure().add_subplot(), legend="none")
     assert axes.get_legend() is None

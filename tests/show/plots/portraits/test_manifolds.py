@@ -9,18 +9,14 @@ from matplotlib.figure import Figure
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    Manifold,
-    ModelError,
-    Orbit,
     compute_basins,
-    compute_manifold,
     find_edge_state,
-    find_hilltop_saddles,
     find_orbits,
-    plot_basins,
-    plot_manifolds,
-    plot_section,
+    plots,
 )
+from rocksteady.basins import Manifold, compute_manifold, find_hilltop_saddles
+from rocksteady.errors import ModelError
+from rocksteady.orbits import Orbit
 
 BARE = DimensionlessBlock(restitution=0.9)
 MOTION = Harmonic(amplitude=0.2, frequency_ratio=2.0)
@@ -31,7 +27,7 @@ def test_every_point_is_drawn_and_stable_and_unstable_differ() -> None:
     found = [
         compute_manifold(SADDLE, kind, length=2.0, spacing=0.05) for kind in ("stable", "unstable")
     ]
-    axes = plot_manifolds(found, Figure().add_subplot())
+    axes = plots.manifolds(found, Figure().add_subplot())
     lines = [line for line in axes.lines if line.get_linestyle() in ("-", "--")]
     drawn = sum(len(np.asarray(line.get_xdata())) for line in lines)
     assert drawn == sum(each.points for each in found)
@@ -44,11 +40,11 @@ def test_every_point_is_drawn_and_stable_and_unstable_differ() -> None:
 
 def test_over_basins_the_window_and_the_legend_stay() -> None:
     axis = np.linspace(-1.0, 1.0, 12)
-    axes = plot_basins(
+    axes = plots.basins(
         compute_basins(BARE, MOTION, angles=axis, velocities=axis), Figure().add_subplot()
     )
     limits, legend = (axes.get_xlim(), axes.get_ylim()), axes.get_legend()
-    plot_manifolds(compute_manifold(SADDLE, "stable", length=2.0), axes)
+    plots.manifolds(compute_manifold(SADDLE, "stable", length=2.0), axes)
     assert (axes.get_xlim(), axes.get_ylim()) == limits
     assert axes.get_legend() is legend
 
@@ -57,10 +53,10 @@ def test_over_basins_the_window_and_the_legend_stay() -> None:
 def test_over_impacts_no_line_runs_across_where_the_phase_begins_anew() -> None:
     shaken = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaken, max_period=1, seeds=8)
-    axes = plot_section(orbits, Figure().add_subplot())
+    axes = plots.poincare_section(orbits, Figure().add_subplot())
     before = len(axes.lines)
     found = compute_manifold(orbits[0], "stable", over="impacts", length=4.0, spacing=0.05)
-    plot_manifolds(found, axes)
+    plots.manifolds(found, axes)
     for line in axes.lines[before:]:
         x = np.asarray(line.get_xdata(), dtype=np.float64)
         if line.get_linestyle() == "-":
@@ -69,7 +65,7 @@ def test_over_impacts_no_line_runs_across_where_the_phase_begins_anew() -> None:
 
 def test_over_impacts_a_picture_shows_one_turn_of_the_phase_in_quarters() -> None:
     found = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
-    axes = plot_manifolds(found, Figure().add_subplot())
+    axes = plots.manifolds(found, Figure().add_subplot())
     assert axes.get_xlim() == pytest.approx((0.0, 2.0 * math.pi))
     assert axes.get_ylim() == pytest.approx((0.0, found.window[1]))
     assert axes.get_xticks() == pytest.approx(2.0 * math.pi * np.arange(5) / 4.0)
@@ -86,7 +82,7 @@ def test_what_does_not_go_into_one_picture_is_refused() -> None:
     )
     for several, said in cases:
         with pytest.raises(ModelError, match=said):
-            plot_manifolds(several)
+            plots.manifolds(several)
 
 
 def test_results_draw_themselves() -> None:
@@ -105,13 +101,13 @@ def test_results_draw_themselves() -> None:
 def test_axes_of_another_section_are_refused() -> None:
     shaken = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     orbits = find_orbits(DimensionlessBlock(restitution=0.8), shaken, max_period=1, seeds=8)
-    section = plot_section(orbits, Figure().add_subplot())
+    section = plots.poincare_section(orbits, Figure().add_subplot())
     with pytest.raises(ModelError, match="axes over impacts"):
-        plot_manifolds(compute_manifold(SADDLE, "stable", length=0.5), section)
+        plots.manifolds(compute_manifold(SADDLE, "stable", length=0.5), section)
     window = np.linspace(-1.2, 1.2, 9)
-    states = plot_basins(
+    states = plots.basins(
         compute_basins(BARE, MOTION, angles=window, velocities=window), Figure().add_subplot()
     )
     over = compute_manifold(SADDLE, "stable", over="impacts", spacing=0.1)
     with pytest.raises(ModelError, match="axes over states at a phase"):
-        plot_manifolds(over, states)
+        plots.manifolds(over, states)

@@ -13,16 +13,10 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from rocksteady import (
-    AttractorKind,
-    BasinSampling,
-    BasinShares,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    compute_basin_shares,
-    plot_basin_shares,
-)
+from rocksteady import DimensionlessBlock, Harmonic, plots
+from rocksteady.basins import BasinShares, SamplingOptions, compute_basin_shares
+from rocksteady.errors import InputError
+from rocksteady.outcomes import AttractorKind
 from rocksteady.show.style import palette
 
 WINDOW = np.linspace(-1.2, 1.2, 30)
@@ -35,7 +29,7 @@ def found(parameter: str = "frequency_ratio", *values: float) -> BasinShares:
         Harmonic(amplitude=0.5, frequency_ratio=2.0),
         parameter,
         values or (1.9, 2.0, 2.1, 2.3),
-        sampling=BasinSampling(angles=WINDOW, velocities=WINDOW, seed=1),
+        sampling=SamplingOptions(angles=WINDOW, velocities=WINDOW, seed=1),
     )
 
 
@@ -52,7 +46,7 @@ def heights(band: PolyCollection, value: float) -> float:
 
 @pytest.mark.parametrize("shares", [found(), found("frequency_ratio", 2.3, 2.0, 1.9)])
 def test_bands_have_the_shares_and_add_up_to_100(shares: BasinShares) -> None:
-    axes = plot_basin_shares(shares, Figure(figsize=(7, 4)).add_subplot(), top=1.0)
+    axes = plots.basin_shares(shares, Figure(figsize=(7, 4)).add_subplot(), top=1.0)
     assert axes.get_ylim() == (0.0, 100.0)
     assert axes.get_xlim() == (shares.values.min(), shares.values.max())
     drawn = bands(axes)
@@ -65,7 +59,7 @@ def test_bands_have_the_shares_and_add_up_to_100(shares: BasinShares) -> None:
 
 def test_rest_is_below_and_what_overturns_above_in_their_fills() -> None:
     shares = found()
-    drawn = bands(plot_basin_shares(shares, Figure(figsize=(7, 4)).add_subplot()))
+    drawn = bands(plots.basin_shares(shares, Figure(figsize=(7, 4)).add_subplot()))
     fills = [to_hex(tuple(np.asarray(band.get_facecolor())[0].tolist())) for band in drawn]
     assert (fills[0], fills[-1]) == (palette.REST, palette.OVERTURNED)
     assert palette.SYMMETRIC in fills
@@ -74,7 +68,7 @@ def test_rest_is_below_and_what_overturns_above_in_their_fills() -> None:
 
 def test_every_family_is_named_in_its_band_in_the_legend_or_counted() -> None:
     shares = found()
-    axes = plot_basin_shares(shares, Figure(figsize=(7, 4)).add_subplot(), top=1.0)
+    axes = plots.basin_shares(shares, Figure(figsize=(7, 4)).add_subplot(), top=1.0)
     named = [text.get_text() for text in axes.texts]
     legend = axes.get_legend()
     assert legend is not None
@@ -90,23 +84,23 @@ def test_the_axis_of_shares_goes_from_0_to_100() -> None:
     shares = found()
     falls = next(one for one in shares.families if one.typical.kind is AttractorKind.OVERTURNED)
     assert (1.0 - shares.share[falls.label]).max() < 0.5
-    axes = plot_basin_shares(shares, Figure(figsize=(7, 4)).add_subplot())
+    axes = plots.basin_shares(shares, Figure(figsize=(7, 4)).add_subplot())
     assert axes.get_ylim() == (0.0, 100.0)
-    assert plot_basin_shares(shares, Figure().add_subplot(), top=0.2).get_ylim()[1] == 20.0
+    assert plots.basin_shares(shares, Figure().add_subplot(), top=0.2).get_ylim()[1] == 20.0
 
 
 def test_labels_axes_and_scale() -> None:
     log = found("frequency_ratio", 0.5, 1.0, 2.0, 4.0, 8.0)
-    axes = plot_basin_shares(log, Figure().add_subplot())
+    axes = plots.basin_shares(log, Figure().add_subplot())
     assert axes.get_xscale() == "log"
     assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
-    turned = plot_basin_shares(found("phase", 0.0, 1.0), Figure().add_subplot())
+    turned = plots.basin_shares(found("phase", 0.0, 1.0), Figure().add_subplot())
     assert "phase at the start" in turned.get_xlabel()
     assert found().plot(Figure().add_subplot()).get_ylabel() == "share of the window [%]"
 
 
 def test_what_has_no_picture_is_refused() -> None:
     with pytest.raises(InputError, match="two values"):
-        plot_basin_shares(found("phase", 0.5))
+        plots.basin_shares(found("phase", 0.5))
     with pytest.raises(InputError, match="top"):
-        plot_basin_shares(found(), Figure().add_subplot(), top=0.0)
+        plots.basin_shares(found(), Figure().add_subplot(), top=0.0)

@@ -12,19 +12,18 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from scipy import stats
 
-from rocksteady import (
+from rocksteady import plots
+from rocksteady.errors import InputError
+from rocksteady.measures import Measure
+from rocksteady.risk import (
     DamageState,
-    Fitting,
+    FitOptions,
     Fragility,
     FragilityCurve,
-    InputError,
-    Intensity,
     StateFragility,
     TwoStageCurve,
     fit_curve,
     fit_two_stages,
-    plot_fragility,
-    plot_fragility_states,
 )
 from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.style.page import Page
@@ -66,7 +65,7 @@ def entries(drawn: Axes) -> list[str]:
 
 def test_points_are_the_shares_with_wilsons_interval_of_as_many_trials_as_records() -> None:
     curve = two_stages()
-    drawn = plot_fragility(curve, axes())
+    drawn = plots.fragility(curve, axes())
     (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
     failures = counts(0.7).reshape(RECORDS, -1) * (LEVELS > 0.29)
     shares = failures.sum(axis=0) / (RECORDS * TRIALS)
@@ -85,7 +84,7 @@ def test_points_are_the_shares_with_wilsons_interval_of_as_many_trials_as_record
 
 def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
     curve = two_stages()
-    drawn = plot_fragility(curve, axes())
+    drawn = plots.fragility(curve, axes())
     for line in drawn.lines:
         at = np.asarray(line.get_xdata(), dtype=float)
         inside = at.min() >= LEVELS[0] - 1e-12 and at.max() <= LEVELS[-1] + 1e-12
@@ -101,13 +100,13 @@ def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
 
 def test_the_plain_curve_stands_beside_and_medians_are_named() -> None:
     curve = two_stages()
-    words = entries(plot_fragility(curve, axes()))
+    words = entries(plots.fragility(curve, axes()))
     assert f"in two stages, median {curve.median:.3g} g" in words
     assert rf"one curve, median {curve.plain.median:.3g} g, $\beta$ {curve.plain.beta:.2f}" in words
 
 
 def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
-    gated = plot_fragility(two_stages(), axes())
+    gated = plots.fragility(two_stages(), axes())
     (limit,) = [word for word in entries(gated) if word.startswith("uplift")]
     below, above = LEVELS[LEVELS <= 0.29][-1], LEVELS[LEVELS > 0.29][0]
     assert limit == f"uplift between {below:.3g} and {above:.3g} g"
@@ -118,13 +117,13 @@ def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
         if len(x) == 1 and line.get_marker() == "None"
     ]
     assert below < at < above
-    assert "uplift" in entries(plot_fragility(two_stages(None), axes()))
+    assert "uplift" in entries(plots.fragility(two_stages(None), axes()))
 
 
 def test_an_exact_gate_is_drawn_at_its_intensity() -> None:
     fell, labels = [0, 3, 33, 39], ("PGA", "g")
     curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.277, fell, [40] * 4, measure=labels)
-    assert "uplift at 0.277 g" in entries(plot_fragility(curve, axes()))
+    assert "uplift at 0.277 g" in entries(plots.fragility(curve, axes()))
 
 
 def test_a_band_is_shaded_over_what_was_run() -> None:
@@ -135,7 +134,7 @@ def test_a_band_is_shaded_over_what_was_run() -> None:
 
     plain = two_stages().plain
     values = {name: getattr(plain, name) for name in plain.__dataclass_fields__}
-    drawn = plot_fragility(Banded(**values), axes())
+    drawn = plots.fragility(Banded(**values), axes())
     (shade,) = [each for each in drawn.collections if "band" in str(each.get_label())]
     outline = np.asarray(shade.get_paths()[0].vertices)
     assert outline[:, 0].min() == pytest.approx(LEVELS[0])
@@ -153,7 +152,7 @@ def test_a_band_is_shaded_over_what_was_run() -> None:
 )
 def test_data_without_a_curve_have_their_points_and_say_so(failures: list[int], word: str) -> None:
     curve = fit_curve([0.1, 0.2, 0.3, 0.4], failures, [10] * 4, measure=("PGV", "m/s"))
-    drawn = plot_fragility(curve, axes())
+    drawn = plots.fragility(curve, axes())
     (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
     np.testing.assert_allclose(np.asarray(points.get_ydata()) * 10, failures)
     shown = " ".join(entries(drawn))
@@ -168,7 +167,7 @@ NAMES = ["uplift", "theta/alpha > 0.5", "over$turned_"]
 def several() -> Fragility:
     return Fragility(
         ensemble=xarray.Dataset(),
-        measure=Intensity("pga_g"),
+        measure=Measure("pga_g"),
         states=tuple(
             StateFragility(state=DamageState(name, peak), plain=each.plain, two_stage=each)
             for name, peak, each in zip(
@@ -179,7 +178,7 @@ def several() -> Fragility:
             )
         ),
         ranking=(),
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
         warnings=(),
         records=RECORDS,
         runs=RECORDS * TRIALS,
@@ -190,7 +189,7 @@ def several() -> Fragility:
 
 def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
     found = several()
-    drawn = plot_fragility_states(found, axes())
+    drawn = plots.fragility_states(found, axes())
     assert entries(drawn)[:3] == ["uplift", "θ/α > 0.5", r"over\$turned_"]
     dots = [line for line in drawn.lines if line.get_linestyle() == "None"]
     assert len(dots) == 3
@@ -207,10 +206,10 @@ def test_a_fragility_and_its_curves_plot_themselves() -> None:
 @pytest.mark.slow
 def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
     found = several()
-    assert plot_fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
-    assert plot_fragility(found, axes(), state="uplift").get_ylabel() == "probability of uplift"
+    assert plots.fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
+    assert plots.fragility(found, axes(), state="uplift").get_ylabel() == "probability of uplift"
     with pytest.raises(InputError, match="the damage states are uplift, theta/alpha"):
-        plot_fragility(found, axes(), state="fallen")
+        plots.fragility(found, axes(), state="fallen")
 
 
 @pytest.mark.slow
@@ -221,7 +220,7 @@ def test_texts_are_large_enough_and_inside_the_figure(width: float | None, dark:
     if dark:
         with Page(width_mm=width).figure(6.6, 4.4, "A cabinet") as figure:
             figure.set_facecolor("#111111")
-            plot_fragility(two_stages(), figure.add_subplot(facecolor="#111111"))
+            plots.fragility(two_stages(), figure.add_subplot(facecolor="#111111"))
     figure.draw_without_rendering()
     for text in texts_of(figure):
         assert float(text.get_fontsize()) >= 6.5

@@ -7,7 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.special import ndtr
 
-from rocksteady import HazardCurve, Risk, compute_risk, plot_risk
+from rocksteady import compute_risk, plots
+from rocksteady.risk import HazardCurve, Risk
 
 LEVELS = np.geomspace(0.02, 2.0, 9)
 HAZARD = HazardCurve(measure="pgv_m_s", levels=LEVELS, rates=3e-4 * LEVELS**-2.0)
@@ -18,7 +19,7 @@ def risk() -> Risk:
 
 
 def drawn() -> tuple[Axes, Axes]:
-    axes = plot_risk(risk(), Figure().add_subplot())
+    axes = plots.risk(risk(), Figure().add_subplot())
     figure = axes.get_figure()
     assert figure is not None
     (beside,) = (each for each in figure.axes if each is not axes)
@@ -65,7 +66,7 @@ def test_the_middle_of_the_risk_is_darker() -> None:
 
 def test_on_dark_paper_the_lines_are_light() -> None:
     with matplotlib.style.context("dark_background"):
-        axes = plot_risk(risk(), Figure().add_subplot())
+        axes = plots.risk(risk(), Figure().add_subplot())
     assert axes.lines[0].get_color() != drawn()[0].lines[0].get_color()
 
 

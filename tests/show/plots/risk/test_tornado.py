@@ -8,15 +8,10 @@ from matplotlib.container import BarContainer
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from rocksteady import (
-    Efficiency,
-    Fitting,
-    Fragility,
-    InputError,
-    Intensity,
-    plot_ranking,
-    plot_tornado,
-)
+from rocksteady import plots
+from rocksteady.errors import InputError
+from rocksteady.measures import Measure
+from rocksteady.risk import Efficiency, FitOptions, Fragility
 from rocksteady.show.style.page import Page
 
 ROWS = [
@@ -38,7 +33,7 @@ def bars(drawn: Axes) -> list[list[Rectangle]]:
 
 
 def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> None:
-    drawn = plot_tornado(ROWS, 0.4, axes())
+    drawn = plots.tornado(ROWS, 0.4, axes())
     names = [text.get_text() for text in drawn.get_yticklabels()]
     assert names == ["mass centre", "restitution", "width -5 %", "model", "vertical motion"]
     low, high = drawn.get_ylim()
@@ -52,7 +47,7 @@ def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> No
 
 
 def test_the_shorter_of_two_ends_on_one_side_is_seen() -> None:
-    drawn = plot_tornado([("model", 0.44, 0.42)], 0.4, axes())
+    drawn = plots.tornado([("model", 0.44, 0.42)], 0.4, axes())
     long, short = (container[0] for container in bars(drawn))
     assert short.get_height() < long.get_height()
     assert short.get_zorder() > long.get_zorder()
@@ -61,7 +56,7 @@ def test_the_shorter_of_two_ends_on_one_side_is_seen() -> None:
 @pytest.mark.parametrize("width", [84.0, None])
 def test_numbers_stand_inside_the_axes(width: float | None) -> None:
     with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
-        drawn = plot_tornado(ROWS, 0.4, figure.add_subplot())
+        drawn = plots.tornado(ROWS, 0.4, figure.add_subplot())
     figure.draw_without_rendering()
     shown = sorted(float(text.get_text()) for text in drawn.texts)
     assert shown == [0.28, 0.31, 0.395, 0.41, 0.44, 0.46, 0.47, 0.55]
@@ -76,7 +71,7 @@ def test_numbers_stand_inside_the_axes(width: float | None) -> None:
 def test_long_numbers_have_their_room_too(width: float | None) -> None:
     rows = [("hazard 0.5 to 2", 0.000631, 0.00252), ("width 0.28 to 0.36", 0.00168, 0.000972)]
     with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
-        drawn = plot_tornado(rows, 0.00126, figure.add_subplot())
+        drawn = plots.tornado(rows, 0.00126, figure.add_subplot())
     figure.draw_without_rendering()
     assert {text.get_text() for text in drawn.texts} == {
         "0.000631", "0.00252", "0.00168", "0.000972",
@@ -89,17 +84,17 @@ def test_long_numbers_have_their_room_too(width: float | None) -> None:
 
 def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
     with pytest.raises(InputError, match="rows are none"):
-        plot_tornado([], 0.4, axes())
+        plots.tornado([], 0.4, axes())
     with pytest.raises(InputError, match="NaN"):
-        plot_tornado([("model", float("nan"), 0.4)], 0.4, axes())
+        plots.tornado([("model", float("nan"), 0.4)], 0.4, axes())
     with pytest.raises(InputError, match="base = -1e\\+308"):
-        plot_tornado([("model", 0.3, 0.4)], -1e308, axes())
+        plots.tornado([("model", 0.3, 0.4)], -1e308, axes())
 
 
 def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:
     ranking = tuple(
         Efficiency(
-            measure=tuple(Intensity(name) for name in names),
+            measure=tuple(Measure(name) for name in names),
             state="overturned",
             status="fitted",
             median=1.0,
@@ -111,10 +106,10 @@ def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:
     )
     return Fragility(
         ensemble=xarray.Dataset(),
-        measure=Intensity("pga_g"),
+        measure=Measure("pga_g"),
         states=(),
         ranking=ranking,
-        fitting=Fitting(bands=None),
+        fitting=FitOptions(bands=None),
         warnings=(),
         records=3,
         runs=3,
@@ -131,7 +126,7 @@ def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
         (("pga_g",), 1.12, 2500.0),
         (("sa_g",), np.nan, np.nan),
     )
-    drawn = plot_ranking(found, axes())
+    drawn = plots.measure_efficiency(found, axes())
     assert [text.get_text() for text in drawn.get_yticklabels()] == [
         "p PGV/(g tan α)", "PGV and PGA", "PGV", "PGA",
     ]  # fmt: skip
@@ -142,4 +137,4 @@ def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
         "0.46, best", "AIC +20", "0.52, AIC +133", "1.12, AIC +1500",
     ]  # fmt: skip
     with pytest.raises(InputError, match="no ranking"):
-        plot_ranking(ranked(), axes())
+        plots.measure_efficiency(ranked(), axes())

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, Run, find_orbits
+from rocksteady import DimensionlessBlock, Execution, Harmonic, find_orbits
 from rocksteady.studies.atlas.analysis.coexistence import (
     MOST,
     OrbitClass,
@@ -87,7 +87,10 @@ def test_mirror_images_count_once() -> None:
 
 def test_the_answer_does_not_depend_on_the_workers() -> None:
     few = Plane(restitution=0.8, amplitude=[1.0, 3.0, 5.0], frequency_ratio=[3.0, 6.0, 9.0])
-    one, other = coexistence(few, run=Run(workers=1)), coexistence(few, run=Run(workers=3))
+    one, other = (
+        coexistence(few, run=Execution(workers=1)),
+        coexistence(few, run=Execution(workers=3)),
+    )
     np.testing.assert_array_equal(one.codes, other.codes)
     np.testing.assert_array_equal(one.motions, other.motions)
 
@@ -104,6 +107,6 @@ def test_starts_are_states_that_a_block_can_have() -> None:
 def test_progress_is_told_in_cells() -> None:
     said: list[int] = []
     few = Plane(restitution=0.8, amplitude=[1.0, 3.0, 5.0], frequency_ratio=[3.0, 6.0, 9.0])
-    coexistence(few, run=Run(progress=said.append))
+    coexistence(few, run=Execution(progress=said.append))
     assert said[0] == 0
     assert sum(said) == 9

@@ -3,17 +3,10 @@
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    PointType,
-    Run,
-    Steady,
-    find_attractor,
-    find_orbits,
-    region_boundaries,
-    symmetry_breaking_amplitude,
-)
+from rocksteady import DimensionlessBlock, Execution, Harmonic, Steady, find_attractor, find_orbits
+from rocksteady.branches import PointType
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.atlas.analysis.columns import column, columns, followed
 from rocksteady.studies.atlas.analysis.plane import Plane
 from tests.every import every
@@ -28,7 +21,7 @@ def test_a_column_begins_and_breaks_where_the_closed_forms_say(
     order: int, ratio: float, restitution: float
 ) -> None:
     bands = column(restitution, ratio, 8.0, order)
-    assert bands.lowest == region_boundaries(ratio, restitution, order=order).existence
+    assert bands.lowest == compute_region_boundaries(ratio, restitution, order=order).existence
     breaking = float(symmetry_breaking_amplitude(ratio, restitution, order=order))
     assert bands.borders[0] == pytest.approx(min(breaking, 8.0), rel=1e-12)
     assert list(bands.borders) == sorted(bands.borders)
@@ -136,7 +129,7 @@ def test_columns_of_a_sweep_are_those_of_single_calls(top: float, ratios: list[f
     rows = np.array([0.125, 0.375, 0.625, 0.875]) * top
     plane = Plane(restitution=0.8, amplitude=rows, frequency_ratio=[1.0, 2.0, 3.0])
     assert plane.top == pytest.approx(top)
-    found = columns(plane, 3, ratios, run=Run(workers=2))
+    found = columns(plane, 3, ratios, run=Execution(workers=2))
     for each, ratio in zip(found, ratios, strict=True):
         np.testing.assert_equal(vars(each), vars(column(0.8, ratio, plane.top, 3)))
     if top > 1.0:

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from rocksteady import region_boundaries, symmetry_breaking_amplitude
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.atlas.analysis.columns import column
 from tests.every import every
 from tests.studies.atlas.small import small
@@ -20,7 +21,9 @@ def test_the_continued_symmetry_breaking_is_the_closed_form() -> None:
 def test_the_existence_boundary_is_that_of_the_paper() -> None:
     for line in small().lines:
         if line.name == "existence":
-            expected = region_boundaries(line.frequency_ratio, 0.8, order=line.order).existence
+            expected = compute_region_boundaries(
+                line.frequency_ratio, 0.8, order=line.order
+            ).existence
             np.testing.assert_array_equal(line.amplitude, expected)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import InputError
+from rocksteady.errors import InputError
 from rocksteady.studies.atlas.analysis.plane import Plane
 from tests.every import every
 

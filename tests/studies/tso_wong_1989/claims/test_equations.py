@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, find_steady_states, simulate
+from rocksteady import Block, DimensionlessBlock, Harmonic, find_steady_states, simulate
+from rocksteady.errors import InputError
 from rocksteady.studies.tso_wong_1989.claims import _equations as equations
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, random_sample
 from tests.dynamics.formulae import numbers, printed, printed_boundaries, printed_region

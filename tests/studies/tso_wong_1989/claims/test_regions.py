@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import RegionMap, SteadyStates, compute_region_map, find_steady_states
+from rocksteady import find_steady_states
+from rocksteady.orbits import RegionMap, SteadyStates, compute_region_map
 from rocksteady.studies.tso_wong_1989.claims import _regions as regions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from tests.dynamics.formulae import half_cycle, numbers, printed

@@ -8,13 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    ResponseCurve,
-    compute_response_curve,
-    find_steady_states,
-    region_boundaries,
-)
+from rocksteady import Block, compute_response_curve, find_steady_states
+from rocksteady.orbits import ResponseCurve, compute_region_boundaries
 from rocksteady.studies.tso_wong_1989.claims import _responses as responses
 from rocksteady.studies.tso_wong_1989.claims._responses import peaks_at
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -149,9 +144,11 @@ def test_curves_end_where_the_printed_boundary_reaches_their_amplitude() -> None
     came = values("curves-end")
     for a in (1.0, 2.0):
         end = came[f"A={a:g}"]
-        around = region_boundaries([end, end + 0.01], 0.8, order=3).existence
+        around = compute_region_boundaries([end, end + 0.01], 0.8, order=3).existence
         assert around[0] <= a < around[1]
-    assert region_boundaries(16.0, 0.8, order=3).existence < 3.0, "the curve of A = 3 does not end"
+    assert compute_region_boundaries(16.0, 0.8, order=3).existence < 3.0, (
+        "the curve of A = 3 does not end"
+    )
 
 
 def test_sensitivities_are_differences_of_the_closed_form() -> None:

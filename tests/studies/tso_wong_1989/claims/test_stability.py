@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import SteadyStates, find_steady_states
+from rocksteady import find_steady_states
+from rocksteady.orbits import SteadyStates
 from rocksteady.studies.tso_wong_1989.claims import _stability as stability
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind

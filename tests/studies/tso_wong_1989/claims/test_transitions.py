@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states, map_attractors, symmetry_breaking_frequency
+from rocksteady import find_steady_states, map_attractors
+from rocksteady.formulas import symmetry_breaking_frequencies
 from rocksteady.studies.tso_wong_1989.claims import _transitions as transitions
 from rocksteady.studies.tso_wong_1989.claims._transitions import Descent, descent
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -59,9 +60,9 @@ def upwards(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 
 def another_boundary(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def shifted(*arguments: Any, **options: Any) -> Any:
-        return symmetry_breaking_frequency(*arguments, **options) + 0.05
+        return symmetry_breaking_frequencies(*arguments, **options) + 0.05
 
-    monkeypatch.setattr(transitions, "symmetry_breaking_frequency", shifted)
+    monkeypatch.setattr(transitions, "symmetry_breaking_frequencies", shifted)
     return evidence()
 
 
@@ -133,7 +134,7 @@ def test_symmetry_breaks_at_the_reference_frequencies(
     order: int, boundaries: tuple[float, ...]
 ) -> None:
     for amplitude, boundary in zip((1.0, 2.0, 3.0, 4.0, 6.0), boundaries, strict=True):
-        found_ = symmetry_breaking_frequency(amplitude, 0.8, order=order)[-1]
+        found_ = symmetry_breaking_frequencies(amplitude, 0.8, order=order)[-1]
         assert found_ == pytest.approx(boundary, abs=5.1e-7)
         above, below = (
             bool(find_steady_states(amplitude, boundary + shift, 0.8, order=order).stable[0])

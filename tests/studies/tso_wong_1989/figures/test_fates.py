@@ -13,10 +13,10 @@ from rocksteady import (
     State,
     Status,
     Steady,
-    Trajectory,
     find_steady_states,
     simulate,
 )
+from rocksteady.histories import Trajectory
 from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, fates_over_kicks, settle
 from tests.dynamics.integrator import integrate
 from tests.every import every

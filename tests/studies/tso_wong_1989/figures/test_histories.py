@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, Harmonic, Status, Steady, Trajectory, simulate
+from rocksteady import DimensionlessBlock, Harmonic, Status, Steady, simulate
+from rocksteady.histories import Trajectory
 from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.figures.cases import CASES, KICK, KICKS
 from rocksteady.studies.tso_wong_1989.figures.fates import Kind

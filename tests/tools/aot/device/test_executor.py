@@ -13,17 +13,17 @@ import pytest
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Execution,
     Linear,
     Nonlinear,
     Record,
-    Run,
-    Stripes,
     map_attractors,
     map_fates,
     run_ensemble,
 )
 from rocksteady.kernels.devices import FORMS
 from rocksteady.kernels.machine_code.library import caller
+from rocksteady.risk import Levels
 from tests.kernels.machine_code.in_memory.driver import DriverInMemory, nothing_left
 from tests.kernels.machine_code.in_memory.gpu import gpu_in_memory
 from tests.seismic.grounds import ground
@@ -66,16 +66,16 @@ def on_threads(function: Callable[..., Any], library: ctypes.CDLL) -> Callable[.
     return launched
 
 
-def fates(block: Any, model: Any) -> Callable[[Run], Any]:
+def fates(block: Any, model: Any) -> Callable[[Execution], Any]:
     return lambda run: map_fates(block, axes=AXES, cycles=20, model=model, run=run)
 
 
-def attractors(block: Any, model: Any, cycles: int) -> Callable[[Run], Any]:
+def attractors(block: Any, model: Any, cycles: int) -> Callable[[Execution], Any]:
     return lambda run: map_attractors(block, axes=AXES, max_cycles=cycles, model=model, run=run)
 
 
-def ensemble(model: Any) -> Callable[[Run], Any]:
-    stripes = Stripes("pga_per_uplift", (0.5, 1.0, 2.0, 3.0))
+def ensemble(model: Any) -> Callable[[Execution], Any]:
+    stripes = Levels("pga_per_uplift", (0.5, 1.0, 2.0, 3.0))
     return lambda run: run_ensemble(BLOCKS, RECORDS, stripes=stripes, model=model, run=run)
 
 
@@ -96,7 +96,7 @@ CASES = {
 def test_a_sweep_on_a_device_has_the_bits_of_one_on_the_processor(
     kernel: str, memory: DriverInMemory
 ) -> None:
-    serial = CASES[kernel](Run(executor="serial"))
-    result = CASES[kernel](Run(executor="gpu"))
+    serial = CASES[kernel](Execution(executor="serial"))
+    result = CASES[kernel](Execution(executor="gpu"))
     assert result.identical(serial)
     assert kernel in {name for name, *_ in memory.launches}

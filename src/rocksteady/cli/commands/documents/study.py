@@ -145,7 +145,7 @@ def facade_checks(
     from rocksteady.seismic.spectra.grounds import grounds_of
     from rocksteady.show.export.folders import check_folder
     from rocksteady.studies.facade_checks import study as module
-    from rocksteady.sweep.run import Run
+    from rocksteady.sweep.run import Execution
 
     axes = {
         name: values_of(f"--{name.replace('_', '-')}", text)
@@ -156,7 +156,7 @@ def facade_checks(
         )
         if text is not None
     }
-    how = Run(workers=workers)
+    how = Execution(workers=workers)
     suite = SuiteFlags(records=records).suite(ReadingFlags()) if records else None
     read = [] if suite is None else suite.read
     check_folder(out, module.OURS, force=force or resume, read=read)

@@ -22,7 +22,7 @@ from rocksteady.show.export.files import check_apart
 if TYPE_CHECKING:
     from rocksteady.model.motions.base_motion import BaseMotion
     from rocksteady.model.motions.record import Record
-    from rocksteady.risk.back_analysis.scan import Scan
+    from rocksteady.risk.back_analysis.scan import ScanOptions
     from rocksteady.risk.back_analysis.survey import Survey
 
 HELP = (
@@ -43,7 +43,7 @@ EXAMPLES = (
     "rocksteady back-analyse --example"
 )
 survey_flag = Panel("Survey")
-scan_flag = Panel("Scan")
+scan_flag = Panel("ScanOptions")
 FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 """Options of a scan that are flags."""
 
@@ -98,14 +98,14 @@ def back_analyse(
     ),
 ) -> None:
     """Run `rocksteady back-analyse`; `HELP` is what its users read."""
-    from rocksteady.sweep.run import Run
+    from rocksteady.sweep.run import Execution
 
     output.check([path for path in (survey, prior) if path is not None])
     scan = _scan(
         limits=_limits(limits), levels=levels, draws=draws, temper=temper, trials=trials, seed=seed
     )
     measures = ["pga_g", "pgv_m_s"] if measure is None else [intensity_of(each) for each in measure]
-    run = Run(executor=executor, workers=workers)
+    run = Execution(executor=executor, workers=workers)
     if example:
         objects, motions, left_out, scan = _example(recorded, reading, survey, scan)
     else:
@@ -131,7 +131,7 @@ def back_analyse(
             )
     except InputError as error:
         flag = {"measures": "--measure", "motions": "--records"}.get(error.name, error.name)
-        hint = error.hint.replace("Scan(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
+        hint = error.hint.replace("ScanOptions(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
         raise FlagError(flag, error.value, error.valid, hint) from None
     description = result.describe()
     first, second = (measure.key for measure in result.measures[:2])
@@ -180,18 +180,18 @@ def _limits(text: str | None) -> tuple[float, float] | None:
     return number("--limits", low), number("--limits", high)
 
 
-def _scan(*, temper: str, **options: object) -> "Scan":
+def _scan(*, temper: str, **options: object) -> "ScanOptions":
     """Return the scan, whose errors name the flags."""
-    from rocksteady.risk.back_analysis.scan import Scan
+    from rocksteady.risk.back_analysis.scan import ScanOptions
 
     exponent = temper_of(temper)
     with flags_of({name: f"--{name}" for name in FLAGS}):
-        return Scan(temper=exponent, **options)  # type: ignore[arg-type]
+        return ScanOptions(temper=exponent, **options)  # type: ignore[arg-type]
 
 
 def _example(
-    recorded: SuiteFlags, reading: ReadingFlags, survey: Path | None, scan: "Scan"
-) -> "tuple[Survey, list[Record | BaseMotion], list[tuple[Path, str]], Scan]":
+    recorded: SuiteFlags, reading: ReadingFlags, survey: Path | None, scan: "ScanOptions"
+) -> "tuple[Survey, list[Record | BaseMotion], list[tuple[Path, str]], ScanOptions]":
     """Return a synthetic survey and synthetic motions, after refusing files."""
     given = {**reading.given, **recorded.given, "--survey": survey}
     refuse(given, "--example is synthetic and reads no file", "leave one out")

@@ -91,7 +91,7 @@ def calibrate(
     ),
 ) -> None:
     """Run `rocksteady calibrate`; `HELP` is what its users read."""
-    from rocksteady.sweep.run import Run
+    from rocksteady.sweep.run import Execution
 
     read = [*table.files, *([] if prior is None else [prior])]
     output.check(read, out=out)
@@ -103,7 +103,7 @@ def calibrate(
     sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
     # The default of calibrate has a tolerance of its own.
     equations = None if model == "nonlinear" else named_model(model)
-    run = Run(executor=executor, workers=workers)
+    run = Execution(executor=executor, workers=workers)
     tests, known = _tests(table, example=example), prior_of(prior)
     read += table.record_files(tests)
     _check_folder(out, output, read)

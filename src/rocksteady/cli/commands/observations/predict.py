@@ -56,7 +56,7 @@ def predict(
     workers: int | None = workers_flag(),
 ) -> None:
     """Run `rocksteady predict`; `HELP` is what its users read."""
-    from rocksteady.sweep.run import Run
+    from rocksteady.sweep.run import Execution
 
     output.check(recorded.files)
     if fit is None:
@@ -65,7 +65,7 @@ def predict(
             valid="predictions come from a calibration",
             hint="add --fit DIR, the folder of rocksteady calibrate --out DIR",
         )
-    run = Run(executor=executor, workers=workers)
+    run = Execution(executor=executor, workers=workers)
     table = TableFlags(
         tests=tests, objects=objects, records=records, units=reading.units, dt_s=reading.dt_s
     )

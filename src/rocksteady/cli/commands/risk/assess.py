@@ -29,9 +29,9 @@ from rocksteady.show.export.files import check_apart
 if TYPE_CHECKING:
     from rocksteady.results.description import Description
     from rocksteady.risk.assess.assessment import Assessment
-    from rocksteady.risk.assess.described.objects import ObjectFile
+    from rocksteady.risk.assess.described.objects import DescribedObject
     from rocksteady.risk.assess.objects_table import ObjectsTable
-    from rocksteady.risk.assess.two_numbers import QuickAssessment
+    from rocksteady.risk.assess.two_numbers import FormulaAssessment
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
 
 HELP = (
@@ -106,7 +106,7 @@ def assess(
     most = None if target is None else probability("--target", target)
     table = file is not None and file.suffix.lower() == ".csv"
     _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
-    answer: QuickAssessment | Assessment | ObjectsTable
+    answer: FormulaAssessment | Assessment | ObjectsTable
     if file is None and not example:
         answer = quick_answer(block, peaks)
         share = answer.probability
@@ -147,7 +147,7 @@ def _next_command(
     return report_command(context, out)
 
 
-def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
+def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "FormulaAssessment":
     """Return the answer from two numbers.
 
     Raises
@@ -157,9 +157,9 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
     """
     body = sized_block(block)
     pga_g, pgv_m_s = peaks.both_peaks()
-    from rocksteady.risk.assess.two_numbers import assess_two_numbers
+    from rocksteady.risk.assess.two_numbers import assess_by_formula
 
-    return assess_two_numbers(body, pga_g, pgv_m_s, peaks.friction, **peaks.vertical)
+    return assess_by_formula(body, pga_g, pgv_m_s, peaks.friction, **peaks.vertical)
 
 
 def _notes(notes: Sequence[str], out: Path | None, *, example: bool) -> list[str]:
@@ -215,7 +215,7 @@ def _answer(
     return assessment
 
 
-def _cells(described: "ObjectFile", suite: Suite) -> int:
+def _cells(described: "DescribedObject", suite: Suite) -> int:
     """Return how many runs the ensemble of an object has."""
     from rocksteady.model.motions.base_motion import BaseMotion
 
@@ -307,7 +307,7 @@ def _write_folder(
 
 
 def _suite(
-    file: Path | None, recorded: SuiteFlags, reading: ReadingFlags, described: "ObjectFile"
+    file: Path | None, recorded: SuiteFlags, reading: ReadingFlags, described: "DescribedObject"
 ) -> Suite:
     """Return the motions: of --records, of the folder that the file names, or synthetic ones."""
     if file is None:

@@ -341,10 +341,10 @@ def _write(
 
         output.write_plot(lambda page: facade_figure(check, language=language, page=page))
     if out is not None:
-        from rocksteady.show.facade.facade_folder import write_facade_folder
+        from rocksteady.show.facade.facade_folder import write_facade
 
         command = shlex.join(["rocksteady", *context.find_root().obj])
-        for written in write_facade_folder(
+        for written in write_facade(
             check,
             out,
             language=language,

@@ -17,7 +17,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 
 if TYPE_CHECKING:
-    from rocksteady.risk.fragility.fitting import Fitting
+    from rocksteady.risk.fragility.fitting import FitOptions
 
 HELP = (
     "Compute the fragility of a block from a suite of records.\n\n"
@@ -156,7 +156,9 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
     return Suite.synthetic(EXAMPLE_MOTIONS)
 
 
-def _fitting(states: str, family: str, confidence: float, replicates: int, seed: int) -> "Fitting":
+def _fitting(
+    states: str, family: str, confidence: float, replicates: int, seed: int
+) -> "FitOptions":
     """Return the options of the fits, whose errors name the flags.
 
     Raises
@@ -164,12 +166,12 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
     FlagError
         If one is not valid.
     """
-    from rocksteady.risk.fits.bands import Bands
-    from rocksteady.risk.fragility.fitting import Fitting
+    from rocksteady.risk.fits.bands import BandOptions
+    from rocksteady.risk.fragility.fitting import FitOptions
 
     flags = {name: f"--{name}" for name in ("confidence", "replicates", "seed", "family")}
     with flags_of({"peak": "--states", "name": "--states", "states": "--states", **flags}):
-        bands = Bands(confidence=confidence, replicates=replicates, seed=seed)
+        bands = BandOptions(confidence=confidence, replicates=replicates, seed=seed)
         named: Any = family
         parts = [part.strip() for part in states.split(",")]
-        return Fitting(states=parts, family=named, bands=bands)
+        return FitOptions(states=parts, family=named, bands=bands)

@@ -155,7 +155,7 @@ def basins(
         elif eroding:
             result = compute_erosion(body, motion, moving[1], **chosen, **how)
         else:
-            sampling = over.BasinSampling(**chosen, seed=window.seed)
+            sampling = over.SamplingOptions(**chosen, seed=window.seed)
             result = over.compute_basin_shares(body, motion, *moving, sampling=sampling, **how)
     drawn = _drawn(output, shaking, series, block, window, *_given(model, cycles, shares=shares))
     if isinstance(result, Basins):

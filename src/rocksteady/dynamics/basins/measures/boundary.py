@@ -34,7 +34,7 @@ FINE = 50
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
-class BoundaryTest(Result):
+class BoundaryCheck(Result):
     """Verdict on a basin boundary: smooth or fractal at the scale of a ball.
 
     Attributes
@@ -100,7 +100,7 @@ class BoundaryTest(Result):
 @checked
 def check_boundary(
     labels: ArrayLike, ball: int = RADIUS, *, balls: int = BALLS, seed: int = 0
-) -> BoundaryTest:
+) -> BoundaryCheck:
     """Test whether the boundary of labelled states is smooth at one scale.
 
     Balls are drawn at random in the window, and those with two labels or more are kept.  If their
@@ -122,7 +122,7 @@ def check_boundary(
 
     Returns
     -------
-    BoundaryTest
+    BoundaryCheck
         Verdict, entropy and what it is compared with.
 
     Raises
@@ -157,7 +157,7 @@ def check_boundary(
     error = float(entropies.std(ddof=1)) / math.sqrt(balls_drawn)
     smooth, bias = smooth_entropy(array.ndim), FACTOR * reach**POWER
     inside = smooth - error <= mean <= smooth + error + bias
-    return BoundaryTest(
+    return BoundaryCheck(
         verdict="smooth" if inside else "fractal",
         boundary_entropy=mean,
         standard_error=error,

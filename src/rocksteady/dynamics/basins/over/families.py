@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.basins.labels import BasinAttractor, attractor_names
 from rocksteady.dynamics.basins.over._seeding import Here
-from rocksteady.dynamics.basins.over.matching import BasinMatching, courses, matched
+from rocksteady.dynamics.basins.over.matching import MatchingOptions, courses, matched
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.outcomes import AttractorKind
@@ -77,7 +77,7 @@ class BasinFamily(Result):
 
 
 def families_of(
-    line: list[Here], matching: BasinMatching, states: int
+    line: list[Here], matching: MatchingOptions, states: int
 ) -> tuple[tuple[BasinFamily, ...], Integers]:
     """Return the families of all values, and the label of each state at each value.
 

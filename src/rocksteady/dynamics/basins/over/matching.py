@@ -27,7 +27,7 @@ TURN = 2.0 * math.pi
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class BasinMatching:
+class MatchingOptions:
     """How attractors at neighbouring values of a parameter become one family.
 
     As ``MatchBySSSetDistance`` of Attractors.jl: of all pairs of an attractor and one at the value
@@ -56,7 +56,7 @@ class BasinMatching:
 
     Examples
     --------
-    >>> BasinMatching(distance="centroid", threshold=float("inf")).threshold
+    >>> MatchingOptions(distance="centroid", threshold=float("inf")).threshold
     inf
     """
 
@@ -72,7 +72,7 @@ class BasinMatching:
             object.__setattr__(self, "threshold", positive("threshold", given, hint=hint))
 
 
-def apart(matching: BasinMatching, first: Floats, second: Floats) -> float:
+def apart(matching: MatchingOptions, first: Floats, second: Floats) -> float:
     """Return the distance of two sets of courses of the angle, shape (states, samples) each."""
     if matching.distance == "centroid":
         first, second = first.mean(axis=0, keepdims=True), second.mean(axis=0, keepdims=True)
@@ -83,7 +83,7 @@ def apart(matching: BasinMatching, first: Floats, second: Floats) -> float:
 
 
 def matched(
-    matching: BasinMatching, new: Sequence[Floats], old: Sequence[Floats]
+    matching: MatchingOptions, new: Sequence[Floats], old: Sequence[Floats]
 ) -> list[int | None]:
     """Return the place among the old sets that each new set takes over; None for none.
 

@@ -21,7 +21,7 @@ from rocksteady.dynamics.basins.measures.entropy import BOX, BasinEntropies, com
 from rocksteady.dynamics.basins.over._seeding import Here, seed_neighbours
 from rocksteady.dynamics.basins.over._share_facts import shares_dataset, shares_described
 from rocksteady.dynamics.basins.over.families import BasinFamily, families_of
-from rocksteady.dynamics.basins.over.matching import BasinMatching
+from rocksteady.dynamics.basins.over.matching import MatchingOptions
 from rocksteady.dynamics.basins.window import moment, spacing, window_axes, window_of
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
@@ -51,7 +51,7 @@ from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import compute_cells
-from rocksteady.sweep.run import Run
+from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
@@ -68,7 +68,7 @@ MAX_CYCLES = 500
 
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False)
-class BasinSampling:
+class SamplingOptions:
     """Initial states whose attractors are counted, the same at each value of a parameter.
 
     Parameters
@@ -89,7 +89,7 @@ class BasinSampling:
 
     Examples
     --------
-    >>> BasinSampling(seed=1).max_cycles
+    >>> SamplingOptions(seed=1).max_cycles
     500
     """
 
@@ -138,7 +138,7 @@ class BasinShares(Result):
     velocity: Floats
     seed: int | None
     max_cycles: int
-    matching: BasinMatching
+    matching: MatchingOptions
     model: Model
 
     @cached_property
@@ -239,10 +239,10 @@ def compute_basin_shares(
     parameter: str,
     values: ArrayLike,
     *,
-    sampling: BasinSampling | None = None,
-    matching: BasinMatching | None = None,
+    sampling: SamplingOptions | None = None,
+    matching: MatchingOptions | None = None,
     model: Model | None = None,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> BasinShares:
     """Compute the shares of the basins over a parameter, with labels that stay.
 
@@ -263,9 +263,9 @@ def compute_basin_shares(
     values
         Ascending or descending, shape (values,).
     sampling
-        Window and number of states; by default `BasinSampling()`.
+        Window and number of states; by default `SamplingOptions()`.
     matching
-        Distance and threshold of the matching; by default `BasinMatching()`.
+        Distance and threshold of the matching; by default `MatchingOptions()`.
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
     run
@@ -290,13 +290,14 @@ def compute_basin_shares(
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import BasinSampling, DimensionlessBlock, Harmonic
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.basins import SamplingOptions
     >>> shares = compute_basin_shares(
     ...     DimensionlessBlock(restitution=0.8),
     ...     Harmonic(amplitude=2.0, frequency_ratio=2.0),
     ...     "frequency_ratio",
     ...     [1.9, 2.0, 2.1],
-    ...     sampling=BasinSampling(
+    ...     sampling=SamplingOptions(
     ...         angles=np.linspace(-1, 1, 20), velocities=np.linspace(-1, 1, 20)
     ...     ),
     ... )
@@ -309,7 +310,7 @@ def compute_basin_shares(
     block.dimensionless()  # refuses sides too unlike
     equations = chosen_model(model, block)
     body = block if isinstance(equations, Linear) else slender_block(block)
-    how = BasinSampling() if sampling is None else sampling
+    how = SamplingOptions() if sampling is None else sampling
     along = _axis(parameter, values)
     shaken = periodic_motion(motion)
     line = [moved_to(body, shaken, parameter, value) for value in along.points.tolist()]
@@ -344,7 +345,7 @@ def compute_basin_shares(
         cells = {str(name): data[str(name)][place].values.ravel() for name in data.data_vars}
         places.append(Here(block=block_at, motion=start, sides=sides, cells=cells))
     seed_neighbours(places, how.max_cycles, equations)
-    matched = BasinMatching() if matching is None else matching
+    matched = MatchingOptions() if matching is None else matching
     families, label = families_of(places, matched, len(angle) * len(velocity))
     return BasinShares(
         block=block,
@@ -380,7 +381,7 @@ def _axis(parameter: str, values: ArrayLike) -> Axis:
 def _window(
     block: Block | DimensionlessBlock,
     line: list[tuple[Block | DimensionlessBlock, PeriodicMotion]],
-    sampling: BasinSampling,
+    sampling: SamplingOptions,
 ) -> tuple[Axis, Axis]:
     """Return the axes of the one window of all values."""
     reaches = np.max(

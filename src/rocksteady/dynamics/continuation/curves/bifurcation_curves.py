@@ -60,7 +60,7 @@ def _lines(name: str, value: tuple[int, int]) -> tuple[int, int]:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class CurveSearch:
+class CurveOptions:
     """Which bifurcation curves of a plane are looked for.
 
     Parameters
@@ -218,7 +218,7 @@ class BifurcationCurve(Result):
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CodimensionTwo:
+class CodimensionTwoPoint:
     """A point of codimension two, and the curves that meet there.
 
     Attributes
@@ -283,9 +283,9 @@ class BifurcationCurves(Result):
     motion: Harmonic
     parameters: tuple[str, str]
     within: tuple[tuple[float, float], tuple[float, float]]
-    search: CurveSearch
+    search: CurveOptions
     curves: tuple[BifurcationCurve, ...]
-    points: tuple[CodimensionTwo, ...]
+    points: tuple[CodimensionTwoPoint, ...]
     regions: tuple[Region, ...]
     complete: bool
     model: Model = field(default_factory=Linear)

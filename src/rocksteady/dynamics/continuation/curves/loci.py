@@ -79,7 +79,8 @@ def follow_bifurcation(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, follow_branch, find_orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+    >>> from rocksteady.branches import follow_branch
     >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
     >>> branch = follow_branch(origin, "amplitude", (0.1, 3.0))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation.branches import (
-    BranchSearch,
+    BranchOptions,
     find_branches,
     refuse_wall,
     searched_orbits,
@@ -23,8 +23,8 @@ from rocksteady.dynamics.continuation.curves._curve_starts import Departure, dep
 from rocksteady.dynamics.continuation.curves.bifurcation_curves import (
     BifurcationCurve,
     BifurcationCurves,
-    CodimensionTwo,
-    CurveSearch,
+    CodimensionTwoPoint,
+    CurveOptions,
     Region,
 )
 from rocksteady.dynamics.continuation.curves.loci import follow_curve
@@ -59,7 +59,7 @@ def find_bifurcation_curves(
     parameters: tuple[str, str] = ("frequency_ratio", "amplitude"),
     *,
     within: tuple[tuple[float, float], tuple[float, float]],
-    search: CurveSearch | None = None,
+    search: CurveOptions | None = None,
     model: Model | None = None,
 ) -> BifurcationCurves:
     """Find the bifurcation curves of a plane, and the points of codimension two on them.
@@ -82,7 +82,7 @@ def find_bifurcation_curves(
     within
         The range of each.
     search
-        Which curves are followed; by default `CurveSearch()`.
+        Which curves are followed; by default `CurveOptions()`.
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
 
@@ -94,10 +94,11 @@ def find_bifurcation_curves(
 
     Examples
     --------
-    >>> from rocksteady import CurveSearch, DimensionlessBlock, Harmonic
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.branches import CurveOptions
     >>> block = DimensionlessBlock(restitution=0.87)
     >>> motion = Harmonic(amplitude=3.0, frequency_ratio=4.2)
-    >>> few = CurveSearch(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
+    >>> few = CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
     >>> curves = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=few)
     >>> for each in curves.points:
     ...     point = each.point
@@ -107,7 +108,7 @@ def find_bifurcation_curves(
     """
     refuse_wall(block, "bifurcation curves")
     equations = chosen_model(model, block)
-    shaken, asked = harmonic(motion), CurveSearch() if search is None else search
+    shaken, asked = harmonic(motion), CurveOptions() if search is None else search
     names, ranges = _checked_plane(block, shaken, parameters, within)
     lines = list(_lines(block, shaken, names, ranges, asked, equations))
     collection = _Found(names, ranges, asked)
@@ -185,7 +186,7 @@ def _lines(
     motion: Harmonic,
     names: tuple[str, str],
     ranges: tuple[Pair, Pair],
-    asked: CurveSearch,
+    asked: CurveOptions,
     model: Model,
 ) -> Iterator[_Line]:
     """Yield the branches over each parameter at values of the other, those of each order."""
@@ -196,7 +197,7 @@ def _lines(
             value = low + (high - low) * (place + 0.5) / lines
             body, shaken = moved_to(block, motion, names[1 - axis], value)
             for order in asked.orders:
-                search = BranchSearch(
+                search = BranchOptions(
                     orders=(order,),
                     max_period=asked.longest,
                     max_impacts=asked.max_impacts,
@@ -227,7 +228,7 @@ class _Found:
     """The curves found so far, and the bifurcations through which others may run."""
 
     def __init__(
-        self, names: tuple[str, str], ranges: tuple[Pair, Pair], asked: CurveSearch
+        self, names: tuple[str, str], ranges: tuple[Pair, Pair], asked: CurveOptions
     ) -> None:
         self.names, self.asked = names, asked
         self.active = tuple(PARAMETERS.index(name) for name in names)
@@ -329,7 +330,7 @@ class _Found:
             one.phases + share * (other.phases + turned - one.phases), chain.parameters
         )
 
-    def meetings(self) -> Iterator[CodimensionTwo]:
+    def meetings(self) -> Iterator[CodimensionTwoPoint]:
         """Yield every point of codimension two once, with the curves that meet there."""
         listed: list[tuple[BranchPoint, list[int]]] = []
         for number, curve in enumerate(self.curves, start=1):
@@ -344,7 +345,7 @@ class _Found:
                 else:
                     listed.append((point, [number]))
         for point, numbers in listed:
-            yield CodimensionTwo(point=point, curves=tuple(numbers))
+            yield CodimensionTwoPoint(point=point, curves=tuple(numbers))
 
     def _same(self, one: BranchPoint, other: BranchPoint) -> bool:
         apart = self._place(one.chain) - self._place(other.chain)

@@ -215,7 +215,7 @@ def find_resting_branches(
 
 
 @checked
-def follow_resting_orbit(
+def follow_resting_branch(
     origin: Orbit | RestingPoint,
     parameter: str,
     within: tuple[float, float],
@@ -248,7 +248,7 @@ def follow_resting_orbit(
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_attractor
     >>> motion = Harmonic(amplitude=1.05, frequency_ratio=2.0)
     >>> orbit = find_attractor(DimensionlessBlock(restitution=0.8), motion).orbit
-    >>> branch = follow_resting_orbit(orbit, "restitution", (0.5, 1.0))
+    >>> branch = follow_resting_branch(orbit, "restitution", (0.5, 1.0))
     >>> print(f"{branch.end.restitution:.12f} {branch.end.type}")
     0.886333909668 end-of-rest
     """

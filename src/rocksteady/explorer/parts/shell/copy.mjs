@@ -233,7 +233,8 @@ function pythonStart(start) {
     return `rs.State(angle=${pythonNumber(angle)}, velocity=${pythonNumber(velocity)})`;
   }
   const { side, phase, speed } = start;
-  return `rs.ImpactState(side=${side}, phase=${pythonNumber(phase)}, speed=${pythonNumber(speed)})`;
+  const where = `side=${side}, phase=${pythonNumber(phase)}`;
+  return `rs.histories.ImpactState(${where}, speed=${pythonNumber(speed)})`;
 }
 
 /** @param {Start} start */
@@ -309,7 +310,7 @@ function stripLines(state) {
     `values = np.${spaced}(${pythonNumber(from)}, ${pythonNumber(to)}, ${STRIP_VALUES})`,
     ...[['up', 'values', 'rs.Rest()'], ['down', 'values[::-1]', 'rs.Steady()']].flatMap(
       ([way, values, start]) => [
-        `${way} = rs.sweep_attractor(`,
+        `${way} = rs.orbits.sweep_attractor(`,
         `    block, motion, "${name}", ${values}, start=${start}, model=${modelText(state)}`,
         ')',
         `print(${way}.summary())`,

@@ -19,7 +19,7 @@ from rocksteady.risk.assess.described.schema import (
 from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.observations.files.toml_tables import TomlTables, named
 from rocksteady.risk.screens.demand import VERTICAL
-from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.seismic.measures.scalar import Measure
 
 FEWEST_REPLICATES = 100
 """Suites of a bootstrap, below which there is no band."""
@@ -145,7 +145,7 @@ def _check_choices(given: ObjectInput, source: str) -> None:
     options = given.assessment
     name = named(source, "assessment", "intensity_measure")
     try:
-        scales = Intensity(options.intensity_measure, options.period_s).scales
+        scales = Measure(options.intensity_measure, options.period_s).scales
     except InputError as error:
         if error.name == "period_s":
             name = named(source, "assessment", "period_s")

@@ -8,7 +8,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.objects import DescribedObject, bounds_of
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import least_gravity_g, uplift_acceleration_g
@@ -24,7 +24,7 @@ SLENDER = 0.04
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectFacts(Result):
-    """Derived facts of an object, from `rocksteady.derive_facts`.
+    """Derived facts of an object, from `rocksteady.risk.compute_object_facts`.
 
     Attributes
     ----------
@@ -118,7 +118,7 @@ class ObjectFacts(Result):
 
 
 @checked
-def derive_facts(described: ObjectFile) -> ObjectFacts:
+def compute_object_facts(described: DescribedObject) -> ObjectFacts:
     """Derive slenderness, frequency, restitution and warnings of an object.
 
     Parameters
@@ -138,8 +138,10 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
 
     Examples
     --------
-    >>> desk = ObjectFile(values={"name": "statue", "geometry": {"width_m": 0.32, "height_m": 1.8}})
-    >>> facts = derive_facts(desk)
+    >>> desk = DescribedObject(
+    ...     values={"name": "statue", "geometry": {"width_m": 0.32, "height_m": 1.8}}
+    ... )
+    >>> facts = compute_object_facts(desk)
     >>> print(f"{facts.uplift_pga_g:.4f} g")
     0.1778 g
     >>> print(facts.warnings[0])
@@ -161,7 +163,7 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
     )
 
 
-def _warnings(described: ObjectFile, block: Block, slope: float) -> list[str]:
+def _warnings(described: DescribedObject, block: Block, slope: float) -> list[str]:
     """Return sentences on what is assumed and what is unusual."""
     given, side = described.given, first_side(block)
     sentences = []

@@ -53,7 +53,7 @@ class Variant:
 
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ObjectFile(Result):
+class DescribedObject(Result):
     """Geometry, content, friction, restitution, demand and assessment options of an object.
 
     Parameters
@@ -80,12 +80,12 @@ class ObjectFile(Result):
 
     Examples
     --------
-    >>> desk = ObjectFile(
+    >>> desk = DescribedObject(
     ...     values={"name": "statue", "geometry": {"width_m": 0.32, "height_m": 1.8}}
     ... )
     >>> print(f"{desk.block.alpha:.4f} rad, {desk.block.p:.4f} rad/s")
     0.1759 rad, 2.8366 rad/s
-    >>> ObjectFile(values={"name": "statue", "geometry": {"width_mm": 320, "height_m": 1.8}})
+    >>> DescribedObject(values={"name": "statue", "geometry": {"width_mm": 320, "height_m": 1.8}})
     Traceback (most recent call last):
     ...
     rocksteady.errors.InputError: object: [geometry] width_mm is unknown: the keys of [geometry] \
@@ -161,7 +161,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
                 raise
             return self._made(body, 0.0)
 
-    def with_target(self, probability: float) -> "ObjectFile":
+    def with_target(self, probability: float) -> "DescribedObject":
         """Return the object with another target probability, in (0, 1).
 
         Raises
@@ -171,7 +171,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         """
         return self._changed("assessment", target_probability=probability)
 
-    def with_peaks(self, *, pga_g: float | None, pgv_m_s: float | None) -> "ObjectFile":
+    def with_peaks(self, *, pga_g: float | None, pgv_m_s: float | None) -> "DescribedObject":
         """Return the object with other horizontal peaks of its demand; None for one not known.
 
         Raises
@@ -181,7 +181,7 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         """
         return self._changed("demand", pga_g=pga_g, pgv_m_s=pgv_m_s)
 
-    def _changed(self, table: str, **keys: object) -> "ObjectFile":
+    def _changed(self, table: str, **keys: object) -> "DescribedObject":
         """Return the object with other values of some keys of a table; None takes a key out."""
         given = self.values.get(table, {})
         assert isinstance(given, Mapping)
@@ -269,7 +269,7 @@ def _plain(value: Value) -> float | dict[str, float]:
 
 
 @checked
-def read_object(path: Path | str) -> ObjectFile:
+def read_object(path: Path | str) -> DescribedObject:
     """Read an object file in TOML.
 
     Parameters
@@ -279,13 +279,13 @@ def read_object(path: Path | str) -> ObjectFile:
 
     Returns
     -------
-    ObjectFile
+    DescribedObject
         Checked; its `block` is the block that it describes.
 
     Raises
     ------
     InputError
-        If it cannot be read, is empty, no TOML or not in UTF-8, and as for `ObjectFile`.
+        If it cannot be read, is empty, no TOML or not in UTF-8, and as for `DescribedObject`.
 
     Examples
     --------
@@ -296,4 +296,6 @@ def read_object(path: Path | str) -> ObjectFile:
     file = Path(path)
     content = content_of(file, "object", FILE_HINT)
     values = toml_of(content, file.name)
-    return ObjectFile(values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest())
+    return DescribedObject(
+        values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest()
+    )

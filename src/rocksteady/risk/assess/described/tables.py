@@ -5,7 +5,7 @@ from pathlib import Path
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.assess.described.objects import FILE_HINT, ObjectFile
+from rocksteady.risk.assess.described.objects import FILE_HINT, DescribedObject
 from rocksteady.risk.assess.described.schema import Content, Geometry
 from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
 from rocksteady.risk.observations.spread import parts_of
@@ -43,7 +43,7 @@ TABLE = Columns(
 
 
 @checked
-def read_objects(path: Path | str) -> list[ObjectFile]:
+def read_objects(path: Path | str) -> list[DescribedObject]:
     r"""Read a table of objects in CSV, an object in each line.
 
     Parameters
@@ -55,11 +55,11 @@ def read_objects(path: Path | str) -> list[ObjectFile]:
         ``content_mass_kg``, ``content_mass_centre_height_m``, ``vertical_g`` and
         ``vertical_share``.  A cell holds a number, a range as
         ``0.3:0.5``, or nothing.  Cells are separated by commas, semicolons or tabs; other columns
-        are kept in `ObjectFile.extra`.
+        are kept in `DescribedObject.extra`.
 
     Returns
     -------
-    list of ObjectFile
+    list of DescribedObject
         In the order of the file.
 
     Raises
@@ -89,7 +89,7 @@ def read_objects(path: Path | str) -> list[ObjectFile]:
     return objects
 
 
-def _object(cells: Mapping[str, str], source: str, sha256: str) -> ObjectFile:
+def _object(cells: Mapping[str, str], source: str, sha256: str) -> DescribedObject:
     """Return the object of a line."""
     values: dict[str, object] = {}
     extra: dict[str, str] = {}
@@ -103,7 +103,7 @@ def _object(cells: Mapping[str, str], source: str, sha256: str) -> ObjectFile:
                 place = values.setdefault(table, {})  # type: ignore[assignment]
             place[key] = _value(column, cell, f"{source}, {column}")
     values.setdefault("geometry", {})
-    return ObjectFile(values=values, source=source, extra=extra, sha256=sha256)
+    return DescribedObject(values=values, source=source, extra=extra, sha256=sha256)
 
 
 def _value(column: str, cell: str, name: str) -> object:

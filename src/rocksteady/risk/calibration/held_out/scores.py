@@ -94,7 +94,7 @@ class Scores(Result):
 
 
 @checked
-def score_predictions(
+def compute_scores(
     probabilities: ArrayLike,
     fell: ArrayLike,
     *,
@@ -131,8 +131,8 @@ def score_predictions(
 
     Examples
     --------
-    >>> from rocksteady import score_predictions
-    >>> scores = score_predictions([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
+    >>> from rocksteady.calibration import compute_scores
+    >>> scores = compute_scores([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
     >>> print(f"{scores.accuracy[0]:.3f} {scores.brier[0]:.3f}")
     0.667 0.137
     """

@@ -80,10 +80,11 @@ def plot_bifurcations(
     Parameters
     ----------
     diagram
-        From `rocksteady.find_bifurcations`; or branches from `rocksteady.find_branches` and
-        `rocksteady.find_resting_branches`, all over one parameter, or a sweep alone.
+        From `rocksteady.find_bifurcations`; or branches from `rocksteady.branches.find_branches`
+        and `rocksteady.branches.find_resting_branches`, all over one parameter, or a sweep alone.
     sweeps
-        From `rocksteady.sweep_attractor`, over the same parameter; those of a diagram are drawn.
+        From `rocksteady.orbits.sweep_attractor`, over the same parameter; those of a diagram are
+        drawn.
     ax
         Axes to draw on; default: axes of a new figure.
     side
@@ -110,7 +111,8 @@ def plot_bifurcations(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, find_branches, find_orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+    >>> from rocksteady.branches import find_branches
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
     >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
     >>> branches = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.dynamics.continuation.cascade import DoublingCascade
+from rocksteady.dynamics.continuation.cascade import Cascade
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
@@ -21,7 +21,7 @@ FEIGENBAUM = 4.669201609102990
 
 @checked
 def plot_cascade(
-    cascade: DoublingCascade, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    cascade: Cascade, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
     """Draw the distances between period doublings, with the ratio of each to the next.
 
@@ -31,7 +31,7 @@ def plot_cascade(
     Parameters
     ----------
     cascade
-        From `rocksteady.find_cascade`, or of a diagram; of two doublings or more.
+        From `rocksteady.branches.find_cascade`, or of a diagram; of two doublings or more.
     ax
         Axes to draw on; default: axes of a new figure.
     legend
@@ -55,7 +55,8 @@ def plot_cascade(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, find_cascade, find_orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+    >>> from rocksteady.branches import find_cascade
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
     >>> cascade = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)

@@ -69,9 +69,10 @@ def plot_bifurcation_curves(
     ----------
     curves
         From `rocksteady.find_bifurcation_curves`, or one of its curves; or lists, each the points
-        that `rocksteady.follow_bifurcation` yields.
+        that `rocksteady.branches.follow_bifurcation` yields.
     ax
-        Axes to draw on, for example of `rocksteady.plot_regions`; default: axes of a new figure.
+        Axes to draw on, for example of `rocksteady.plots.steady_regions`; default: axes of a new
+        figure.
     parameters
         What is drawn to the right and upwards: two of "amplitude", "frequency_ratio" and
         "restitution"; by default those of the curves, or the frequency ratio and the amplitude.
@@ -94,13 +95,8 @@ def plot_bifurcation_curves(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import (
-    ...     DimensionlessBlock,
-    ...     Harmonic,
-    ...     follow_bifurcation,
-    ...     follow_branch,
-    ...     find_orbits,
-    ... )
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
+    >>> from rocksteady.branches import follow_bifurcation, follow_branch
     >>> shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
     >>> branch = follow_branch(start, "amplitude", (0.1, 3.0))

@@ -9,7 +9,7 @@ import numpy as np
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.check_facade import DAMPINGS
-from rocksteady.risk.facades.facade_check import Check, FacadeCheck
+from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
@@ -27,7 +27,7 @@ PERIODS = 300
 
 
 @checked
-def plot_capacity(
+def plot_facade_capacity(
     check: FacadeCheck,
     ax: "Axes | None" = None,
     *,
@@ -63,9 +63,10 @@ def plot_capacity(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Facade, check_facade
+    >>> from rocksteady import check_facade
+    >>> from rocksteady.codes import Facade
     >>> wall = Facade(name="front", kind="wall", thickness_m=0.3, height_m=3.0)
-    >>> axes = plot_capacity(check_facade(wall), Figure().add_subplot())
+    >>> axes = plot_facade_capacity(check_facade(wall), Figure().add_subplot())
     >>> axes.get_xlabel()
     'displacement d [mm]'
     """
@@ -113,7 +114,7 @@ def plot_capacity(
     return axes
 
 
-def _demands(check: FacadeCheck) -> list[tuple[Check, str, float]]:
+def _demands(check: FacadeCheck) -> list[tuple[LimitStateCheck, str, float]]:
     """Return the displacement demands of the nonlinear static and dynamic checks [mm]."""
     return [
         (each, each.limit_state, MM * each.demand)
@@ -122,7 +123,7 @@ def _demands(check: FacadeCheck) -> list[tuple[Check, str, float]]:
     ]
 
 
-def _accelerations(check: FacadeCheck) -> list[tuple[Check, float]]:
+def _accelerations(check: FacadeCheck) -> list[tuple[LimitStateCheck, float]]:
     """Return the acceleration demands of the linear checks [g]."""
     return [
         (each, float(each.demand))
@@ -167,7 +168,7 @@ def _draw_spectrum(
 
 def _draw_demands(
     axes: "Axes",
-    demands: list[tuple[Check, str, float]],
+    demands: list[tuple[LimitStateCheck, str, float]],
     words: Language,
     inks: Inks,
     periods: dict[str, float],
@@ -194,7 +195,7 @@ def _draw_demands(
 
 
 def _draw_accelerations(
-    axes: "Axes", demands: list[tuple[Check, float]], words: Language, inks: Inks
+    axes: "Axes", demands: list[tuple[LimitStateCheck, float]], words: Language, inks: Inks
 ) -> list[Any]:
     """Draw the acceleration demands of the linear checks on the ordinate."""
     top = axes.get_ylim()[1]

@@ -38,7 +38,7 @@ def plot_facade_runs(
     Parameters
     ----------
     runs
-        From `rocksteady.run_facade`.
+        From `rocksteady.codes.run_facade`.
     ax
         Axes to draw on; default: axes of a new figure.
     language
@@ -59,7 +59,8 @@ def plot_facade_runs(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Facade, make_synthetic_suite, run_facade
+    >>> from rocksteady.codes import Facade, run_facade
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> wall = Facade(name="front", kind="wall", thickness_m=0.3, height_m=3.0)
     >>> runs = run_facade(wall, make_synthetic_suite(7))
     >>> len(plot_facade_runs(runs, Figure().add_subplot()).get_yticks())

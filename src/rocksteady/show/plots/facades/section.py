@@ -31,7 +31,9 @@ LONGEST = 18
 
 
 @checked
-def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en") -> "Axes":
+def plot_facade_section(
+    facade: Facade, ax: "Axes | None" = None, *, language: str = "en"
+) -> "Axes":
     """Draw the section of a facade to scale, with its hinge and forces.
 
     The outer face is at position 0, the building on the right. The dashed outline leans outwards
@@ -60,9 +62,9 @@ def plot_facade(facade: Facade, ax: "Axes | None" = None, *, language: str = "en
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Facade
+    >>> from rocksteady.codes import Facade
     >>> wall = Facade(name="front", kind="wall", thickness_m=0.3, height_m=3.0)
-    >>> plot_facade(wall, Figure().add_subplot(), language="it").get_xlabel()
+    >>> plot_facade_section(wall, Figure().add_subplot(), language="it").get_xlabel()
     'posizione [m]'
     """
     words = language_of(language)

@@ -47,12 +47,16 @@ def plot_back_analysis(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import ObjectPrior, Scan, Survey, back_analyse, make_synthetic_suite
+    >>> from rocksteady import back_analyse
+    >>> from rocksteady.calibration import ObjectPrior, ScanOptions, Survey
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> blocks = [
     ...     ObjectPrior(name=f"block {k}", width_m=0.1 + 0.1 * k, height_m=0.8) for k in range(3)
     ... ]
     >>> survey = Survey(objects=blocks, fell=[True, False, False])
-    >>> analysis = back_analyse(survey, make_synthetic_suite(4), scan=Scan(levels=6, draws=2))
+    >>> analysis = back_analyse(
+    ...     survey, make_synthetic_suite(4), scan=ScanOptions(levels=6, draws=2)
+    ... )
     >>> axes = plot_back_analysis(analysis, Figure().add_subplot())
     >>> axes.get_xlabel(), axes.get_ylabel()
     ('PGA [g]', 'PGV [m/s]')

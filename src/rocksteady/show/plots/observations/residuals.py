@@ -62,11 +62,13 @@ def plot_residuals(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Block, Linear, Sampling, calibrate
-    >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
-    >>> few = Sampling(draws=60, gains=2, rounds=1)
+    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
     >>> calibration = calibrate(tests, sampling=few, model=Linear())
     >>> axes = plot_residuals(calibration, Figure().add_subplot())
     >>> axes.get_xlabel()

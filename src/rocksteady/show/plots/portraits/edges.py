@@ -33,7 +33,7 @@ def plot_edge_state(
     Parameters
     ----------
     edge
-        From `rocksteady.find_edge_state` or `rocksteady.find_hilltop_saddles`.
+        From `rocksteady.find_edge_state` or `rocksteady.basins.find_hilltop_saddles`.
     ax
         Axes to draw on; default: axes of a new figure.
     legend

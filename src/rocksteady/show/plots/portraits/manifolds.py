@@ -36,14 +36,15 @@ def plot_manifolds(
 ) -> "Axes":
     """Draw manifolds of saddles: stable ones solid, unstable ones dashed, saddles as crosses.
 
-    On axes of `plot_basins` or `plot_section` they are drawn over the existing picture, in white
-    casings over basins, and nothing else changes.  Over a phase, basins of that phase have the
-    stable manifolds as their borders.
+    On axes of `plots.basins` or `plots.poincare_section` they are drawn over the existing picture,
+    in white casings over basins, and nothing else changes.  Over a phase, basins of that phase
+    have the stable manifolds as their borders.
 
     Parameters
     ----------
     manifolds
-        From `rocksteady.compute_manifold`; one or several, all over a phase or all over impacts.
+        From `rocksteady.basins.compute_manifold`; one or several, all over a phase or all over
+        impacts.
     ax
         Axes to draw on; default: axes of a new figure.
     legend
@@ -64,12 +65,8 @@ def plot_manifolds(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import (
-    ...     DimensionlessBlock,
-    ...     Harmonic,
-    ...     compute_manifold,
-    ...     find_hilltop_saddles,
-    ... )
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.basins import compute_manifold, find_hilltop_saddles
     >>> motion = Harmonic(amplitude=0.2, frequency_ratio=2.0)
     >>> saddles = find_hilltop_saddles(DimensionlessBlock(restitution=0.9), motion)
     >>> manifolds = [compute_manifold(saddle, "stable", length=2.0) for saddle in saddles]

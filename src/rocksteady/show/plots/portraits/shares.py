@@ -49,14 +49,14 @@ def plot_basin_shares(
     """Draw the shares of basins over a parameter as bands that add up to 100 %.
 
     Rest is at the bottom, then come orbits, and what overturns is at the top; fills are those of
-    `plot_basins`.  Between two values a band is drawn straight.  A band has its name where there is
-    room for it, else in the legend.  Bands thinner than a point everywhere are counted there.  The
-    axis is logarithmic where the values are spaced by ratio.
+    `plots.basins`.  Between two values a band is drawn straight.  A band has its name where there
+    is room for it, else in the legend.  Bands thinner than a point everywhere are counted there.
+    The axis is logarithmic where the values are spaced by ratio.
 
     Parameters
     ----------
     shares
-        From `rocksteady.compute_basin_shares`, of two values or more.
+        From `rocksteady.basins.compute_basin_shares`, of two values or more.
     ax
         Axes to draw on; default: axes of a new figure.
     top
@@ -79,14 +79,15 @@ def plot_basin_shares(
     --------
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import BasinSampling, DimensionlessBlock, Harmonic, compute_basin_shares
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.basins import SamplingOptions, compute_basin_shares
     >>> axis = np.linspace(-1.0, 1.0, 20)
     >>> shares = compute_basin_shares(
     ...     DimensionlessBlock(restitution=0.9),
     ...     Harmonic(amplitude=1.0, frequency_ratio=4.0),
     ...     "amplitude",
     ...     [0.5, 0.8, 1.1],
-    ...     sampling=BasinSampling(angles=axis, velocities=axis),
+    ...     sampling=SamplingOptions(angles=axis, velocities=axis),
     ... )
     >>> axes = plot_basin_shares(shares, Figure().add_subplot())
     >>> sorted(text.get_text() for text in axes.texts)[:2]

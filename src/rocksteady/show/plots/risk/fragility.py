@@ -87,7 +87,8 @@ def plot_fragility(
     Parameters
     ----------
     fragility
-        From `rocksteady.compute_fragility`, `rocksteady.fit_two_stages` or `rocksteady.fit_curve`.
+        From `rocksteady.compute_fragility`, `rocksteady.risk.fit_two_stages` or
+        `rocksteady.risk.fit_curve`.
     ax
         Axes to draw on; default: axes of a new figure.
     state
@@ -108,7 +109,7 @@ def plot_fragility(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import fit_curve
+    >>> from rocksteady.risk import fit_curve
     >>> curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, measure=("PGV", "m/s"))
     >>> axes = plot_fragility(curve, Figure().add_subplot())
     >>> axes.get_xlabel()
@@ -167,7 +168,7 @@ def plot_fragility_states(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes, as for `plot_fragility`.
+        The axes, as for `plots.fragility`.
 
     Raises
     ------
@@ -177,7 +178,7 @@ def plot_fragility_states(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import fit_curve
+    >>> from rocksteady.risk import fit_curve
     >>> curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40, 40, 40, 40])
     >>> axes = plot_fragility_states(curve, Figure().add_subplot())
     >>> axes.get_ylabel()

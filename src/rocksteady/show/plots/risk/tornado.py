@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 @checked
-def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
+def plot_measure_efficiency(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     """Draw the beta of each measure of intensity, the most efficient on top.
 
     A pair of measures has no beta, and no bar.
@@ -47,13 +47,14 @@ def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Block, Fitting, Record, compute_fragility
+    >>> from rocksteady import Block, Record, compute_fragility
+    >>> from rocksteady.risk import FitOptions
     >>> cabinet = Block.rectangle(width=0.4, height=1.6)
     >>> shakes = [
     ...     Record(acceleration_m_s2=[0.0, a, -a, 0.5, 0.0], dt_s=0.1 * a) for a in (1, 2, 3, 4)
     ... ]
-    >>> fragility = compute_fragility(cabinet, shakes, fitting=Fitting(bands=None))
-    >>> axes = plot_ranking(fragility, Figure().add_subplot())
+    >>> fragility = compute_fragility(cabinet, shakes, fitting=FitOptions(bands=None))
+    >>> axes = plot_measure_efficiency(fragility, Figure().add_subplot())
     >>> len(axes.patches) == len(fragility.ranking)
     True
     """

@@ -11,20 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import (
-    INFINITELY_MANY,
-    AttractorKind,
-    Attractors,
-    Axis,
-    Grid,
-    Output,
-    Run,
-    evaluate,
-    find_attractors,
-    find_steady_states,
-)
+from rocksteady import Execution, find_steady_states
 from rocksteady.kernels.elementary.arrays import cos, sin
+from rocksteady.orbits import Attractors, find_attractors
+from rocksteady.outcomes import AttractorKind
 from rocksteady.studies.atlas.analysis.plane import Plane
+from rocksteady.sweeps import INFINITELY_MANY, Axis, Grid, Output, evaluate
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -163,7 +155,7 @@ class Coexistence:
 def coexistence(
     plane: Plane,
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> Coexistence:
     """Return what motions from many starts settle to, cell by cell.
 
@@ -174,7 +166,7 @@ def coexistence(
     plane
         Where.
     run
-        As for `rocksteady.evaluate`.
+        As for `rocksteady.sweeps.evaluate`.
     """
     grid = Grid(
         axes=(

@@ -17,24 +17,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import (
-    Axis,
-    BranchPoint,
     DimensionlessBlock,
-    Grid,
+    Execution,
     Harmonic,
-    Orbit,
-    Output,
-    PointType,
     RocksteadyError,
-    Run,
     Steady,
-    evaluate,
     find_attractor,
     find_steady_states,
-    follow_branch,
-    symmetry_breaking_amplitude,
 )
+from rocksteady.branches import BranchPoint, PointType, follow_branch
+from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.orbits import Orbit
 from rocksteady.studies.atlas.analysis.plane import Plane
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
 Floats = NDArray[np.float64]
 
@@ -124,7 +119,7 @@ def columns(
     order: int,
     ratios: ArrayLike,
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
 ) -> tuple[Column, ...]:
     """Return the bands of one family at several frequencies, up to the plane's top.
 
@@ -137,7 +132,7 @@ def columns(
     ratios
         Omega, shape (columns,).
     run
-        As for `rocksteady.evaluate`.
+        As for `rocksteady.sweeps.evaluate`.
     """
     cases = functools.partial(_bands, restitution=plane.restitution, top=plane.top, order=order)
     grid = Grid(axes=(Axis(name="frequency_ratio", values=ratios),))

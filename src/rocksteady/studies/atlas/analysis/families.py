@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Run
+from rocksteady import Execution
 from rocksteady.studies.atlas.analysis.columns import Column, columns
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
@@ -63,7 +63,7 @@ def family_map(
     plane: Plane,
     order: int,
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
     done: Done = nothing,
 ) -> FamilyMap:
     """Return the bands of one family over a plane.
@@ -75,7 +75,7 @@ def family_map(
     order
         n = 1, 3, 5, ...
     run
-        As for `rocksteady.evaluate`; `done` replaces its progress.
+        As for `rocksteady.sweeps.evaluate`; `done` replaces its progress.
     done
         Called once for each column.
     """
@@ -84,6 +84,6 @@ def family_map(
         for _ in range(count):
             done(f"columns, n = {order}")
 
-    how = replace(Run() if run is None else run, progress=told)
+    how = replace(Execution() if run is None else run, progress=told)
     bands = columns(plane, order, plane.ratios, run=how)
     return FamilyMap(plane=plane, order=order, columns=bands)

@@ -9,13 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady import (
-    AttractorKind,
-    DimensionlessBlock,
-    Run,
-    heteroclinic_amplitude,
-    map_attractors,
-)
+from rocksteady import DimensionlessBlock, Execution, map_attractors
+from rocksteady.formulas import heteroclinic_amplitude
+from rocksteady.outcomes import AttractorKind
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 from rocksteady.studies.parts import Parts
@@ -112,7 +108,7 @@ class FromRest:
 def from_rest(
     plane: Plane,
     *,
-    run: Run | None = None,
+    run: Execution | None = None,
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> FromRest:
@@ -133,7 +129,7 @@ def from_rest(
     marked = [w for w in MARKED if plane.window[0] <= w <= plane.window[1]]
     tried = np.linspace(1.0, plane.top, STEPS + 1) if plane.top > 1.0 else np.zeros(0)
     cells = len(phases) * (len(plane.amplitudes) * len(plane.ratios) + len(tried) * len(marked))
-    how = replace(Run() if run is None else run, progress=_in_parts(cells, done))
+    how = replace(Execution() if run is None else run, progress=_in_parts(cells, done))
 
     def settled(name: str, amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
         return map_attractors(

@@ -10,13 +10,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import (
-    BranchPoint,
-    PointType,
-    RocksteadyError,
-    follow_bifurcation,
-    region_boundaries,
-)
+from rocksteady import RocksteadyError
+from rocksteady.branches import BranchPoint, PointType, follow_bifurcation
+from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.atlas.analysis.columns import Column, followed
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.plane import Plane
@@ -115,7 +111,7 @@ def family_lines(family: FamilyMap) -> tuple[Line, ...]:
 def _existence(family: FamilyMap) -> Line:
     plane = family.plane
     ratios = fine_ratios(plane)
-    amplitude = region_boundaries(ratios, plane.restitution, order=family.order).existence
+    amplitude = compute_region_boundaries(ratios, plane.restitution, order=family.order).existence
     inside = amplitude <= plane.top
     return Line(
         order=family.order,

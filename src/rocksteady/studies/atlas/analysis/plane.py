@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady import DimensionlessBlock, Harmonic, InputError, Steady
+from rocksteady import DimensionlessBlock, Harmonic, Steady
+from rocksteady.errors import InputError
 
 Floats = NDArray[np.float64]
 

@@ -7,15 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from rocksteady import (
-    BranchPoint,
-    DimensionlessBlock,
-    Harmonic,
-    Orbit,
-    PointType,
-    find_attractor,
-    find_attractors,
-)
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor
+from rocksteady.branches import BranchPoint, PointType
+from rocksteady.orbits import Orbit, find_attractors
 from rocksteady.studies.atlas.analysis.coexistence import CYCLES, Coexistence, OrbitClass, starts
 from rocksteady.studies.atlas.analysis.columns import band_ends, border_of
 from rocksteady.studies.atlas.analysis.lines import NAMES, Line, traced

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import heteroclinic_amplitude
+from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.show.style import palette
 from rocksteady.studies.atlas.analysis.lines import Line, fine_ratios
 from rocksteady.studies.atlas.analysis.plane import Plane

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady import PointType
+from rocksteady.branches import PointType
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, OrbitClass
 from rocksteady.studies.atlas.analysis.columns import Column
 from rocksteady.studies.atlas.analysis.families import FamilyMap

@@ -4,18 +4,8 @@ import math
 
 import numpy as np
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Grid,
-    Harmonic,
-    InputError,
-    Output,
-    State,
-    evaluate,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, State, find_steady_states, simulate
+from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, log, sin, tanh
 from rocksteady.studies.tso_wong_1989.claims._solutions import (
     LONGEST,
@@ -26,6 +16,7 @@ from rocksteady.studies.tso_wong_1989.claims._solutions import (
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.words import scientific, signed
+from rocksteady.sweeps import Grid, Output, evaluate
 
 STATEMENTS = Statements()
 

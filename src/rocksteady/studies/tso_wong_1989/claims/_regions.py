@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from rocksteady import compute_region_map, find_steady_states
+from rocksteady import find_steady_states
+from rocksteady.orbits import compute_region_map
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements, drawn_between
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.regions import FREQUENCIES, region_shares

@@ -5,8 +5,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Block, compute_response_curve, find_steady_states, region_boundaries
+from rocksteady import Block, compute_response_curve, find_steady_states
 from rocksteady.kernels.elementary.arrays import log
+from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.responses import RESTITUTION, RESTITUTIONS, Responses
@@ -95,7 +96,7 @@ def curves_end(evidence: Evidence) -> Finding:
         if len(places) and places[-1] + 1 < len(curve.peak):
             last, beyond = curve.frequency_ratio[places[-1] : places[-1] + 2]
             ends[amplitude] = float(last)
-            limits = region_boundaries([last, beyond], RESTITUTION, order=3).existence
+            limits = compute_region_boundaries([last, beyond], RESTITUTION, order=3).existence
             gaps[amplitude] = bool(limits[0] <= amplitude < limits[1])
     words = ", ".join(f"A = {amplitude:g} at Ω = {end:.2f}" for amplitude, end in ends.items())
     return Finding(

@@ -7,16 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import (
-    Axis,
-    DimensionlessBlock,
-    Harmonic,
-    State,
-    SteadyStates,
-    compute_steady_orbit,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, State, simulate
 from rocksteady.kernels.elementary.arrays import cos, cosh, sin, sinh
+from rocksteady.orbits import SteadyStates, compute_steady_orbit
+from rocksteady.sweeps import Axis
 
 Floats = NDArray[np.float64]
 

@@ -10,13 +10,13 @@ import numpy as np
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    Orbit,
     State,
     Steady,
     find_steady_states,
     map_attractors,
-    symmetry_breaking_frequency,
 )
+from rocksteady.formulas import symmetry_breaking_frequencies
+from rocksteady.orbits import Orbit
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.cases import RESTITUTION
@@ -57,7 +57,7 @@ class Descent:
 @cache
 def descent(order: int) -> Descent:
     """Follow the unsymmetric motion down from symmetry breaking, each run from the last state."""
-    breaking = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
+    breaking = float(symmetry_breaking_frequencies(AMPLITUDE, RESTITUTION, order=order)[-1])
     ratio = math.floor(breaking / STEP) * STEP - STEP
     fate = settle(
         RESTITUTION,
@@ -215,7 +215,7 @@ def symmetry_breaking(_: Evidence) -> Finding:
     rows, holds = [], True
     values = {}
     for order in (1, 3):
-        boundary = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
+        boundary = float(symmetry_breaking_frequencies(AMPLITUDE, RESTITUTION, order=order)[-1])
         at = find_steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
         multiplier = complex(at.half_cycle_multipliers[0, 0])
         above, below = (

@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import SteadyStates, find_steady_states
+from rocksteady import find_steady_states
 from rocksteady.kernels.elementary.arrays import tanh
+from rocksteady.orbits import SteadyStates
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.histories import History, histories
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from rocksteady import Axis
+from rocksteady.sweeps import Axis
 
 RESTITUTION = 0.8
 """Of every time history in the paper."""

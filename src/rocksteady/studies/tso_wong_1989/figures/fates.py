@@ -11,21 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import (
-    AttractorKind,
-    Axis,
     DimensionlessBlock,
-    Grid,
     Harmonic,
-    Orbit,
-    Output,
     Rest,
     State,
     Steady,
-    evaluate,
     find_attractor,
     map_attractors,
     simulate,
 )
+from rocksteady.orbits import Orbit
+from rocksteady.outcomes import AttractorKind
+from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
 if TYPE_CHECKING:
     import xarray

@@ -7,17 +7,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Steady,
-    SteadyStates,
-    Trajectory,
-    find_steady_states,
-    plot_trajectory,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Steady, find_steady_states, plots, simulate
+from rocksteady.histories import Trajectory
 from rocksteady.kernels.elementary.arrays import exp, hypot, log
+from rocksteady.orbits import SteadyStates
 from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.figures._fate_plots import (
     plot_fates,
@@ -234,7 +227,7 @@ class History:
                 settled = figure.add_subplot(grid[row, 1], sharey=motion)
                 first = motion if first is None else first
                 fate = self.fates[side]
-                plot_trajectory(self.runs[side], motion)
+                plots.trajectory(self.runs[side], motion)
                 limits.append(motion.get_ylim())
                 ends = (1.12 * fate.lowest, 1.12 * fate.highest)
                 limits.append(ends if fate.period else limits[0])

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady import RegionMap, SteadyStates, compute_region_map, find_steady_states, plot_regions
+from rocksteady import find_steady_states, plots
+from rocksteady.orbits import RegionMap, SteadyStates, compute_region_map
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.words import motion_name, percent
 
@@ -111,7 +112,7 @@ class Plane:
         assert states.admissible is not None
         with palette.style():
             figure = Figure(figsize=(7.2, 4.2))
-            axes = plot_regions(
+            axes = plots.steady_regions(
                 self.curves, figure.add_subplot(), top=HIGHEST_AMPLITUDE, legend="right"
             )
             axes.set_xlim(0.0, HIGHEST_FREQUENCY)
@@ -165,7 +166,7 @@ def region_shares(curves: RegionMap, top: float = HIGHEST_AMPLITUDE) -> dict[int
     Parameters
     ----------
     curves
-        From `rocksteady.compute_region_map`.
+        From `rocksteady.orbits.compute_region_map`.
     top
         Upper end of the amplitude axis.
 

@@ -8,13 +8,8 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    ResponseCurve,
-    compute_response_curve,
-    plot_response,
-)
+from rocksteady import Block, DimensionlessBlock, compute_response_curve, plots
+from rocksteady.orbits import ResponseCurve
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.words import motion_name
 
@@ -164,7 +159,7 @@ class Responses:
 
         with palette.style():
             figure = Figure(figsize=(5.6, 4.0))
-            axes = plot_response(
+            axes = plots.response(
                 self.curves, figure.add_subplot(), hertz=self.hertz, labels=self.labels, top=1.0
             )
             axes.set_xlim(0.0, self.ends[1])

@@ -1,0 +1,105 @@
+"""Where each public name is defined."""
+
+from .show.film.animation import animate as animate
+from .show.film.still import plot_block as block
+from .show.plots.branches.bifurcations import plot_bifurcations as bifurcations
+from .show.plots.branches.cascades import plot_cascade as cascade
+from .show.plots.branches.curves import plot_bifurcation_curves as bifurcation_curves
+from .show.plots.facades.capacity import plot_facade_capacity as facade_capacity
+from .show.plots.facades.run_displacements import plot_facade_runs as facade_runs
+from .show.plots.facades.section import plot_facade_section as facade_section
+from .show.plots.maps import plot_outcomes as outcomes
+from .show.plots.motion import plot_base as base
+from .show.plots.motion import plot_phase_portrait as phase_portrait
+from .show.plots.motion import plot_trajectory as trajectory
+from .show.plots.observations.back_analysis import plot_back_analysis as back_analysis
+from .show.plots.observations.ladders import plot_test_ladders as test_ladders
+from .show.plots.observations.posteriors import plot_posterior as posterior
+from .show.plots.observations.predictions import plot_predictions as predictions
+from .show.plots.observations.reliability import plot_reliability as reliability
+from .show.plots.observations.residuals import plot_residuals as residuals
+from .show.plots.observations.restitution import plot_restitution as restitution
+from .show.plots.observations.scores import plot_learning as learning
+from .show.plots.observations.scores import plot_temper as temper
+from .show.plots.orbits import plot_multipliers as multipliers
+from .show.plots.orbits import plot_poincare_section as poincare_section
+from .show.plots.overturning import plot_free_rocking as free_rocking
+from .show.plots.overturning import plot_overturning as overturning
+from .show.plots.overturning_noise import plot_noise_fates as noise_fates
+from .show.plots.overturning_scales import plot_fatal_kicks as fatal_kicks
+from .show.plots.overturning_scales import plot_overturning_scales as overturning_scales
+from .show.plots.portraits.basins import plot_basins as basins
+from .show.plots.portraits.basins import plot_erosion as erosion
+from .show.plots.portraits.basins import plot_safe_basin as safe_basin
+from .show.plots.portraits.edges import plot_edge_state as edge_state
+from .show.plots.portraits.fate_basins import plot_fate_basins as fate_basins
+from .show.plots.portraits.manifolds import plot_manifolds as manifolds
+from .show.plots.portraits.shares import plot_basin_shares as basin_shares
+from .show.plots.records import plot_husid as husid
+from .show.plots.records import plot_integrated_record as integrated_record
+from .show.plots.records import plot_response_spectra as response_spectra
+from .show.plots.risk.fragility import plot_fragility as fragility
+from .show.plots.risk.fragility import plot_fragility_states as fragility_states
+from .show.plots.risk.hazard import plot_risk as risk
+from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
+from .show.plots.risk.tornado import plot_tornado as tornado
+from .show.plots.spectra import plot_rocking_spectrum as rocking_spectrum
+from .show.plots.spectra import plot_share_that_falls as share_that_falls
+from .show.plots.spectra import plot_spectrum_map as spectrum_map
+from .show.plots.spectra import plot_suite_spectrum as suite_spectrum
+from .show.plots.steady import plot_response as response
+from .show.plots.steady import plot_steady_orbit as steady_orbit
+from .show.plots.steady import plot_steady_regions as steady_regions
+
+__all__ = [
+    "animate",
+    "back_analysis",
+    "base",
+    "basin_shares",
+    "basins",
+    "bifurcation_curves",
+    "bifurcations",
+    "block",
+    "cascade",
+    "edge_state",
+    "erosion",
+    "facade_capacity",
+    "facade_runs",
+    "facade_section",
+    "fatal_kicks",
+    "fate_basins",
+    "fragility",
+    "fragility_states",
+    "free_rocking",
+    "husid",
+    "integrated_record",
+    "learning",
+    "manifolds",
+    "measure_efficiency",
+    "multipliers",
+    "noise_fates",
+    "outcomes",
+    "overturning",
+    "overturning_scales",
+    "phase_portrait",
+    "poincare_section",
+    "posterior",
+    "predictions",
+    "reliability",
+    "residuals",
+    "response",
+    "response_spectra",
+    "restitution",
+    "risk",
+    "rocking_spectrum",
+    "safe_basin",
+    "share_that_falls",
+    "spectrum_map",
+    "steady_orbit",
+    "steady_regions",
+    "suite_spectrum",
+    "temper",
+    "test_ladders",
+    "tornado",
+    "trajectory",
+]

@@ -1,0 +1,30 @@
+"""Where each public name is defined."""
+
+from .assess.assessment import Assessment as Assessment
+from .assess.described.facts import ObjectFacts as ObjectFacts
+from .assess.described.facts import compute_object_facts as compute_object_facts
+from .assess.described.objects import DescribedObject as DescribedObject
+from .assess.objects_table import ObjectsTable as ObjectsTable
+from .assess.two_numbers import FormulaAssessment as FormulaAssessment
+from .assess.two_numbers import assess_by_formula as assess_by_formula
+from .ensemble.levels import Levels as Levels
+from .ensemble.restitution_band import RestitutionBand as RestitutionBand
+from .fits.bands import BandOptions as BandOptions
+from .fits.fragility_curve import FragilityCurve as FragilityCurve
+from .fits.fragility_curve import fit_curve as fit_curve
+from .fits.two_stages import TwoStageCurve as TwoStageCurve
+from .fits.two_stages import fit_two_stages as fit_two_stages
+from .fits.vector_fit import VectorCurve as VectorCurve
+from .fits.vector_fit import fit_vector as fit_vector
+from .fragility.damage_states import DamageState as DamageState
+from .fragility.efficiency import Efficiency as Efficiency
+from .fragility.fit_fragility import fit_fragility as fit_fragility
+from .fragility.fitting import FitOptions as FitOptions
+from .fragility.fragility import Fragility as Fragility
+from .fragility.state_fragility import StateFragility as StateFragility
+from .hazard.balanced_rocks import HazardBranchCheck as HazardBranchCheck
+from .hazard.balanced_rocks import check_hazard_branches as check_hazard_branches
+from .hazard.failure_risk import Risk as Risk
+from .hazard.hazard_curve import HazardCurve as HazardCurve
+
+__all__: list[str]
