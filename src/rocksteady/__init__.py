@@ -1,6 +1,6 @@
 """Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.
 
-The names that most begin with stand here, all others in public modules beside and below: what a
+The names that one begins with stand here, all others in public modules beside and below: what a
 run returns in `rocksteady.histories`, pictures in `rocksteady.plots`. The stubs, as `__init__.pyi`,
 list where each name is defined; a name is imported when it is first used, so that
 ``import rocksteady`` loads no compiled code.
@@ -9,7 +9,7 @@ list where each name is defined; a name is imported when it is first used, so th
 import lazy_loader
 
 from rocksteady.results.gridded import use_describers
-from rocksteady.results.result import use_plots
+from rocksteady.results.result import use_describer, use_plots
 
 __version__ = "0.1.0"
 
@@ -26,12 +26,15 @@ use_plots(
         "BifurcationCurve": "bifurcation_curves",
         "BifurcationCurves": "bifurcation_curves",
         "BifurcationDiagram": "bifurcations",
+        "Block": "block",
         "Branch": "bifurcations",
         "Calibration": "test_ladders",
+        "DimensionlessBlock": "block",
         "Cascade": "cascade",
         "EdgeState": "edge_state",
         "Erosion": "erosion",
         "FacadeCheck": "facade_capacity",
+        "DescribedFacade": "facade_section",
         "FacadeRuns": "facade_runs",
         "FateBasins": "fate_basins",
         "FatalKicks": "fatal_kicks",
@@ -58,9 +61,26 @@ use_plots(
         "attractor map": "outcomes",
         "fate map": "outcomes",
         "rocking spectrum": "rocking_spectrum",
-    },
+    }
+    | dict.fromkeys(
+        (
+            "BandNoise",
+            "BaseMotion",
+            "FourierSeries",
+            "Harmonic",
+            "Impulses",
+            "Piecewise",
+            "Pulse",
+            "Record",
+            "Recording",
+            "Still",
+            "SyntheticMotion",
+        ),
+        "base",
+    ),
     lambda name: getattr(__getattr__("plots"), name),
 )
+use_describer("base motion", "rocksteady.seismic.measures.motion_course")
 use_describers(
     {
         "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps.map_facts"),

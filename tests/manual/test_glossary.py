@@ -91,6 +91,39 @@ def test_a_word_of_the_literature_leads_to_one_of_ours() -> None:
             assert not TERMS[target].startswith("See {term}"), term
 
 
+@every(
+    ("word", "page"),
+    [
+        ("coefficient of restitution", "guides/restitution"),
+        ("earthquake", "guides/records"),
+        ("fall", "guides/overturning"),
+        ("fall", "how-to/does-it-fall"),
+        ("ground motion", "guides/records"),
+        ("limit cycle", "theory/orbits"),
+        ("peak ground acceleration", "guides/measures"),
+        ("pga", "guides/measures"),
+        ("poincaré map", "theory/orbits"),
+        ("return map", "theory/orbits"),
+        ("seismic", "guides/records"),
+        ("tip over", "guides/overturning"),
+        ("tip over", "how-to/does-it-fall"),
+        ("topple", "guides/overturning"),
+        ("topple", "how-to/does-it-fall"),
+        ("turn over", "guides/overturning"),
+    ],
+)
+def test_a_search_for_a_synonym_finds_the_glossary_and_the_page(word: str, page: str) -> None:
+    """Sphinx searches the terms of a glossary, and the keywords of a page: single words."""
+    meaning = TERMS[word]
+    if meaning.startswith("See {term}"):
+        meaning = TERMS[REFERENCE.findall(meaning)[0][0]]
+    [(target, _), *_] = LINK.findall(meaning)
+    assert (DOCS / target).exists()
+    front = (DOCS / f"{page}.md").read_text("utf-8").split("---\n")[1]
+    [keywords] = re.findall(r"^ +keywords: (.+)$", front, re.MULTILINE)
+    assert set(word.split()) - {"of"} <= set(keywords.lower().split(", "))
+
+
 def test_what_the_glossary_says_of_orbits_is_so() -> None:
     """An unstable orbit has a multiplier above 1 in modulus, a stable one none."""
     orbits = find_orbits(

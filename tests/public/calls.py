@@ -322,7 +322,7 @@ def calls() -> dict[str, Call]:
         rs.plots.fate_basins: {"fates": t["fates"]},
         rs.plots.noise_fates: {"fates": t["noise fates"]},
         rs.records.pair_records: {"paths": []},
-        rs.plots.base: {"trajectory": run},
+        rs.plots.base: {"motion": run, "quantity": "velocity"},
         rs.plots.basins: {"basins": t["basins"]},
         rs.plots.basin_shares: {"shares": t["shares"], "top": 0.5},
         rs.plots.bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
@@ -354,6 +354,7 @@ def calls() -> dict[str, Call]:
         rs.plots.trajectory: {"trajectory": run},
         rs.read_record: {"path": "made.csv"},
         rs.records.read_recordings: {"path": "made.csv"},
+        rs.read_records: {"folder": ".", "pattern": "made.csv"},
         rs.orbits.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
         rs.records.resample: {"recording": t["recording"], "dt_s": 0.025},
         rs.compute_response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
@@ -416,6 +417,13 @@ def calls() -> dict[str, Call]:
                 ("hazard", ("describe", "extended")),
                 ("risk", ("describe", "rows")),
                 ("branch test", ("describe", "rows")),
+                *(
+                    (motion, ("describe", "to_dataframe"))
+                    for motion in (
+                        *("shaking", "series", "pulse", "impulses", "pieces", "still"),
+                        *("noise", "synthetic", "record", "both components"),
+                    )
+                ),
             )
             for method in methods
         },

@@ -43,6 +43,7 @@ NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "windows": (lambda found: found.low[np.isfinite(found.low)], "low"),
 }
 """By name of a thing: what one of its columns holds."""
+HISTORY = ("acceleration", "velocity", "displacement")
 
 
 @pytest.fixture(scope="module", name="made")
@@ -139,6 +140,45 @@ def test_all_neighbours_are_listed(made: dict[str, Any]) -> None:
     text = made["neighbours"].summary(more=True)
     assert "more rows" not in text
     assert text.count("at-rest") + text.count("overturned") == 26 + 1
+
+
+MOTIONS = {
+    each
+    for each in (getattr(rs, name) for name in rs.__all__)
+    if isinstance(each, type) and (hasattr(each, "segments") or each in (rs.Record, rs.BaseMotion))
+    if each is not rs.histories.Trajectory
+}
+"""Classes of base motions."""
+
+
+def test_every_result_and_every_motion_describes_itself(made: dict[str, Any]) -> None:
+    described = {type(each): each for each in made.values() if isinstance(each, Result)}
+    assert set(described) >= MOTIONS
+    for kind, thing in described.items():
+        assert thing.summary(), kind
+        page = thing._repr_html_()
+        assert page.startswith("<div"), kind
+        assert page.endswith("</div>"), kind
+        assert kind.__name__ in results._plots or kind not in MOTIONS, kind
+
+
+@every("kind", sorted(each.__name__ for each in MOTIONS))
+def test_the_rows_of_a_motion_are_integrals_of_each_other(kind: str, made: dict[str, Any]) -> None:
+    motion = next(each for each in made.values() if type(each).__name__ == kind)
+    frame = motion.to_dataframe()
+    suffixes = ("_m_s2", "_m_s", "_m") if "t_s" in frame else ("", "", "")
+    names = (f"{n}{s}" for n, s in zip(HISTORY, suffixes, strict=True))
+    acceleration, velocity, displacement = (frame[name].to_numpy() for name in names)
+    steps = np.diff(frame.iloc[:, 0])
+    if kind == "Impulses":
+        jumps = np.diff(velocity)
+        assert jumps[np.abs(jumps) > 1e-12] == pytest.approx(motion.velocities)
+    else:
+        trapezia = velocity[0] + np.cumsum(steps * (acceleration[1:] + acceleration[:-1]) / 2.0)
+        assert velocity[1:] == pytest.approx(trapezia, abs=2e-3 * np.abs(velocity).max() + 1e-15)
+    trapezia = displacement[0] + np.cumsum(steps * (velocity[1:] + velocity[:-1]) / 2.0)
+    margin = 5e-3 * np.abs(displacement).max() + 1e-15
+    assert displacement[1:] == pytest.approx(trapezia, abs=margin)
 
 
 @pytest.fixture(scope="module", name="drawable")

@@ -184,6 +184,19 @@ def things() -> dict[str, Any]:
         "manifold": rs.basins.compute_manifold(saddles[0], kind="stable", length=0.5, spacing=0.1),
         "fates": rs.compute_fate_basins(block, pulse, angles=few, velocities=few),
         "noise": NOISE,
+        "both components": rs.BaseMotion(record, other),
+        "series": rs.motions.FourierSeries(
+            amplitude=1.2, frequency_ratio=4.0, harmonics=((2, 0.5, 0.3),)
+        ),
+        "impulses": rs.motions.Impulses(velocities=(0.5, -0.7), times=(0.5, 1.5)),
+        "pieces": rs.Piecewise(
+            pieces=(
+                rs.motions.Segment(duration=1.0, constant=1.5),
+                rs.motions.Segment(duration=2.0, slope=-0.5),
+            )
+        ),
+        "still": rs.Still(),
+        "synthetic": rs.SyntheticMotion(rms=0.5, frequency_ratio=6.0, duration=10.0, seed=1),
         "noise fates": rs.compute_noise_fates(
             block, pulse, NOISE, axes={"level": [0.0, 1.0], "scale": [0.5, 1.0]}, draws=2
         ),

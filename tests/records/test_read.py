@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import read_record
+from rocksteady import read_record, read_records
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records import read_recordings
 from rocksteady.records.read import FORMATS
@@ -96,3 +96,22 @@ def test_the_error_of_a_file_comes_back_whole_from_another_process(tmp_path: Pat
     assert (again.path, again.line, again.found) == (path, 4, error.found)
     assert isinstance(again, InputError)
     assert isinstance(again, ValueError)
+
+
+def test_a_folder_is_read_without_vertical_channels_and_hidden_files(tmp_path: Path) -> None:
+    head = "PEER\nSomewhere, 1/2/1990, Hut, {}\nACCELERATION IN UNITS OF G\n"
+    head += "3 .01 NPTS, DT\n{} -.2 .05\n"
+    for name, component, start in (("b", "090", 0.1), ("a", "000", 0.3), ("c", "UP", 0.5)):
+        (tmp_path / f"{name}.AT2").write_text(head.format(component, start), encoding="ascii")
+    (tmp_path / ".hidden").write_text("no record", encoding="ascii")
+    records = read_records(tmp_path)
+    assert [record.name for record in records] == ["a", "b"]
+    first = [record.acceleration_m_s2[0] / 9.80665 for record in records]
+    assert first == pytest.approx([0.3, 0.1])
+    assert [record.name for record in read_records(tmp_path, pattern="b.*")] == ["b"]
+    for folder, pattern, words in (
+        (tmp_path / "none", "*", "there is no such folder"),
+        (tmp_path, "c.AT2", "none of its 1 files named c.AT2 has a horizontal record"),
+    ):
+        with pytest.raises(InputError, match=words):
+            read_records(folder, pattern=pattern)

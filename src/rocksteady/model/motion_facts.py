@@ -12,6 +12,14 @@ from rocksteady.model.motions.segments import Harmonic, Motion, Still
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, quantity
 
+_NAMES = {
+    "BandNoise": "band noise",
+    "Impulses": "impulses",
+    "Piecewise": "a piecewise motion",
+    "SyntheticMotion": "a synthetic motion",
+}
+"""Words for a motion that has no amplitude, by its class."""
+
 
 def motion_text(
     block: AnyBlock, motion: Motion | Record | BaseMotion, vertical: Motion | Record | None = None
@@ -50,7 +58,8 @@ def motion_text(
         words = "a still base"
     else:
         name = type(motion).__name__
-        words = f"{'an' if name[0] in 'AEIOU' else 'a'} {name} motion"
+        article = "an" if name[0] in "AEIOU" else "a"
+        words = _NAMES.get(name, f"{article} {name} motion")
     return words if vertical is None else f"{words} with a vertical motion"
 
 

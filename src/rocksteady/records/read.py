@@ -160,6 +160,71 @@ def read_record(
     return correct_baseline(chosen(recordings, channel), baseline).record
 
 
+@checked
+def read_records(
+    folder: str | PathLike[str],
+    *,
+    pattern: str = "*",
+    units: str | None = None,
+    dt_s: float | None = None,
+) -> tuple[Record, ...]:
+    r"""Read all horizontal records of a folder, a suite, in the order of the file names.
+
+    Channels of unknown direction count as horizontal.  `pair_records` brings vertical ones too.
+
+    Parameters
+    ----------
+    folder
+        The folder; hidden files and folders in it are left out.
+    pattern
+        Names of the files, as ``*.AT2``; by default all.
+    units, dt_s
+        As for `read_recordings`, for all files.
+
+    Returns
+    -------
+    tuple of Record
+        Samples [m/s^2] and interval of each channel.
+
+    Raises
+    ------
+    InputError
+        If there is no such folder, or no horizontal record in it.
+    RecordFileError
+        If a file cannot be read; the message names it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> for name in ("b", "a"):
+    ...     _ = (folder / f"{name}.csv").write_text("t,acc (g)\n0,.1\n.01,-.2\n.02,.1\n")
+    >>> [record.name for record in read_records(folder, pattern="*.csv")]
+    ['a', 'b']
+    """
+    place = Path(folder)
+    if not place.is_dir():
+        raise InputError("folder", folder, "there is no such folder", "name a folder of records")
+    files = [file for file in files_of(place) if file.match(pattern)]
+    recordings = [each for file in files for each in read_recordings(file, units=units, dt_s=dt_s)]
+    records = tuple(each.record for each in recordings if each.orientation != "vertical")
+    if not records:
+        raise InputError(
+            "folder",
+            folder,
+            f"none of its {len(files)} files named {pattern} has a horizontal record",
+            "name a folder of ground-motion files",
+        )
+    return records
+
+
+def files_of(folder: Path) -> list[Path]:
+    """Return the files of a folder by name, without hidden ones."""
+    return sorted(
+        each for each in folder.iterdir() if each.is_file() and not each.name.startswith(".")
+    )
+
+
 def _found(
     file: Path, data: bytes, wanted: str | None, given: Given
 ) -> tuple[Recording, ...] | None:

@@ -1,6 +1,7 @@
 """Base class of results: repr, summary, HTML, JSON, rows and plot, all from one description."""
 
 import functools
+import importlib
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _plots: dict[str, Callable[[], Any]] = {}
+_describers: dict[str, str] = {}
 
 
 class Result(ABC):
@@ -74,6 +76,16 @@ def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:
     """
     for kind, name in names.items():
         _plots[kind] = functools.partial(importer, name)
+
+
+def use_describer(kind: str, module: str) -> None:
+    """Decide which module of a higher layer describes a kind of result."""
+    _describers[kind] = module
+
+
+def describer_of(kind: str) -> Any:
+    """Return the module that describes a kind of result."""
+    return importlib.import_module(_describers[kind])
 
 
 def plotting_function(kind: str) -> Callable[..., Any]:

@@ -121,7 +121,7 @@ CASES: dict[str, Case] = {
         [t["back analysis"].first_values, t["back analysis"].medians[:1]],
     ),
     "plot_base": lambda t: (
-        {"trajectory": t["run"]},
+        {"motion": t["run"]},
         [t["run"].base_acceleration(t["run"].times()) * t["run"].motion.amplitude ** 0],
     ),
     "plot_basin_shares": lambda t: (

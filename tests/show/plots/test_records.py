@@ -8,8 +8,8 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import Block, Record, plots, simulate
-from rocksteady.errors import InputError
+from rocksteady import Block, Harmonic, Record, plots, simulate
+from rocksteady.errors import InputError, ModelError
 from rocksteady.measures import compute_response_spectrum, integrate_record
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -131,3 +131,17 @@ def test_what_is_refused() -> None:
     unlike = [compute_response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
     with pytest.raises(InputError, match="same periods"):
         plots.response_spectra(unlike, axes())
+
+
+def test_a_motion_without_a_block_is_drawn_in_units_that_its_components_share() -> None:
+    upwards = sine().scaled(-0.5)
+    drawn = plots.base(BaseMotion(sine(), upwards), axes())
+    longest = sorted(drawn.lines, key=lambda line: len(np.asarray(line.get_ydata())))[-2:]
+    heights = sorted(float(np.abs(np.asarray(line.get_ydata())).max()) for line in longest)
+    assert heights[0] == pytest.approx(0.5 * heights[1])
+    with pytest.raises(ModelError, match="no unit in common"):
+        plots.base(BaseMotion(Harmonic(amplitude=2.0, frequency_ratio=4.0), sine()), axes())
+    drawn = plots.base(
+        Harmonic(amplitude=2.0, frequency_ratio=4.0), axes(), quantity="displacement"
+    )
+    assert np.asarray(drawn.lines[0].get_ydata()).max() == pytest.approx(2.0 / 4.0**2, rel=1e-3)

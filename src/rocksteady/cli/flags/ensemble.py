@@ -86,14 +86,12 @@ class SuiteFlags:
         FlagError
             If there is none, or a path does not exist.
         """
+        from rocksteady.records.read import files_of
+
         paths: list[Path] = []
         for path in self.records or []:
             if path.is_dir():
-                paths += sorted(
-                    each
-                    for each in path.iterdir()
-                    if each.is_file() and not each.name.startswith(".")
-                )
+                paths += files_of(path)
             elif path.exists():
                 paths.append(path)
             else:

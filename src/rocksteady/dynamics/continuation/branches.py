@@ -88,6 +88,12 @@ class BranchOptions:
     ------
     InputError
         If a number is outside its range, or there is no order.
+
+    Examples
+    --------
+    >>> few = BranchOptions(max_period=1, max_impacts=2, doublings=0)
+    >>> few.max_branches
+    100
     """
 
     orders: Annotated[tuple[int, ...], _orders] = (1,)

@@ -87,6 +87,12 @@ def find_bifurcations(
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
 
+    Returns
+    -------
+    BifurcationDiagram
+        Branches, bifurcations and sweeps: amplitudes over alpha g, frequencies over p, peaks over
+        alpha.
+
     Raises
     ------
     InputError, ModelError

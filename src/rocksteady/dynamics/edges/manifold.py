@@ -64,6 +64,16 @@ class ManifoldBranch:
         Why it ends: by its "length"; "far", where all that follows is outside the window; "settled"
         at a point; at "rest"; with the largest number of "points"; after 200 "periods"; or not: of
         a hilltop saddle over impacts it is "whole".
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.basins import compute_manifold, find_hilltop_saddles
+    >>> motion = Harmonic(amplitude=0.1, frequency_ratio=4.0)
+    >>> saddle, *_ = find_hilltop_saddles(DimensionlessBlock(restitution=0.8), motion)
+    >>> manifold = compute_manifold(saddle, kind="stable", length=0.5, spacing=0.1)
+    >>> [branch.sign for branch in manifold.branches], manifold.branches[0].ended
+    ([1, -1], 'far')
     """
 
     first: Floats

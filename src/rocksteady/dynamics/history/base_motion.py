@@ -193,6 +193,24 @@ def swinging_displacement(segments: Floats, s: ArrayLike) -> Floats:
     return result
 
 
+def swinging_velocity(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the velocity of a base in endless harmonic shaking, to and fro about 0."""
+    a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
+    turned = w * np.asarray(s, dtype=np.float64) + phase
+    result: Floats = np.zeros(np.shape(turned))
+    for order, p, q in _waves(segments[0]):
+        sine, cosine = sincos(order * turned)
+        result = result - a / w * (p * cosine - q * sine) / order
+    return result
+
+
+def velocity_from_rest(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the velocity of a base that starts from rest, in units of alpha g/p."""
+    index, since = _place(segments, s)
+    result: Floats = _velocities(segments)[index] + _gains(segments[index], since)[0]
+    return result
+
+
 def displacement_from_rest(segments: Floats, s: ArrayLike) -> Floats:
     """Return the displacement of a base that starts from rest at 0.
 
@@ -200,11 +218,18 @@ def displacement_from_rest(segments: Floats, s: ArrayLike) -> Floats:
     twice, in closed form on each segment.
     """
     lasting = segments[:-1, columns.DURATION]
-    faster, further = _gains(segments[:-1], lasting)
-    velocity = np.cumsum(segments[:, columns.JUMP]) + np.concatenate([[0.0], np.cumsum(faster)])
+    velocity, further = _velocities(segments), _gains(segments[:-1], lasting)[1]
     place = np.concatenate([[0.0], np.cumsum(velocity[:-1] * lasting + further)])
     index, since = _place(segments, s)
     result: Floats = place[index] + velocity[index] * since + _gains(segments[index], since)[1]
+    return result
+
+
+def _velocities(segments: Floats) -> Floats:
+    """Return the velocity with which a base that starts from rest enters each segment."""
+    faster = _gains(segments[:-1], segments[:-1, columns.DURATION])[0]
+    result: Floats = np.cumsum(segments[:, columns.JUMP])
+    result += np.concatenate([[0.0], np.cumsum(faster)])
     return result
 
 

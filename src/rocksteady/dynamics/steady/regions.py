@@ -51,6 +51,13 @@ class RegionBoundaries(OfLinear, Result):
         Eq 25, Q = 1: above it branch 1 is out of phase.
     frequency_ratio, restitution, order
         The inputs, broadcast against each other.
+
+    Examples
+    --------
+    >>> from rocksteady.orbits import compute_region_boundaries
+    >>> found = compute_region_boundaries(4.0, 0.8)
+    >>> print(f"{found.existence:.4f} {found.kind:.4f} {found.sign:.4f}")
+    0.2602 0.2638 1.5882
     """
 
     existence: Floats

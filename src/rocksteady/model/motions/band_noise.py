@@ -11,6 +11,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, Bounds, Whole
 from rocksteady.model.checks.validation import non_negative, rising
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.combine import cut
@@ -64,7 +65,7 @@ DURATION, CONSTANT, SLOPE, AMPLITUDE, FREQUENCY, PHASE, JUMP = range(len(FIELDS)
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class BandNoise:
+class BandNoise(DescribedMotion):
     """Stationary Gaussian noise with a flat spectrum between two frequencies.
 
     The base acceleration is a sum of sinusoids of all frequencies ``2 pi k/(2 duration)`` of the

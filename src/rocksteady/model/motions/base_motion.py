@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions.combine import scale
 from rocksteady.model.motions.segments import Motion
 
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 @checked
 @dataclass(frozen=True)
-class BaseMotion:
+class BaseMotion(DescribedMotion):
     """Base motion of two components, both from the same moment on.
 
     A base that falls away under the block, at -g, ends a run as lost contact.  The linear model has

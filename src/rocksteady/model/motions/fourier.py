@@ -11,6 +11,7 @@ from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, whole_number
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions.harmonics import HIGHEST_ORDER, Harmonics, harmonics_value
 from rocksteady.model.motions.segments import (
     AMPLITUDE,
@@ -38,7 +39,7 @@ ORDERS = 16
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class FourierSeries:
+class FourierSeries(DescribedMotion):
     """Endless periodic shaking, ``A sum a_k sin(k (Omega s + phase) + phi_k)``.
 
     Its mean is zero.  It repeats itself after a pivot time of 2 pi/Omega.

@@ -8,12 +8,13 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions.segments import LONGEST_DURATION, Segment
 
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Impulses:
+class Impulses(DescribedMotion):
     """Sudden changes of base velocity, which is constant between them.
 
     An impulse of the base changes the velocity of a block, d(theta/alpha)/ds, at once and by the

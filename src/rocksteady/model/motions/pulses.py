@@ -10,6 +10,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import positive
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._pulse_shapes import SHAPES, listed, segments_of, type_c_of
 from rocksteady.model.motions.segments import (
     AMPLITUDE,
@@ -62,7 +63,7 @@ def _known(name: str, value: object) -> str:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Pulse:
+class Pulse(DescribedMotion):
     """A single pulse of base acceleration, followed by a still base.
 
     Positive acceleration drives positive rotation, as everywhere in the package; in [1]_ the

@@ -8,8 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.arrays import UnfitError, guard_result, numeric_array
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
+from rocksteady.model.motions._described import DescribedMotion
 
 Floats = NDArray[np.float64]
 
@@ -57,9 +58,10 @@ def _text(name: str, value: object) -> str:
     return value
 
 
+@guard_result
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Record:
+class Record(DescribedMotion):
     """Recorded base acceleration at equal intervals, linear between samples, then a still base.
 
     Positive acceleration drives positive rotation.

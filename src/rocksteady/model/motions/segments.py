@@ -14,6 +14,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative, positive
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions.harmonics import LARGEST_PHASE, Harmonics, harmonics_value
 
 LOWEST_FREQUENCY_RATIO = 0.01
@@ -169,7 +170,7 @@ def segments_of(motion: Motion) -> tuple[Segment, ...]:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Harmonic:
+class Harmonic(DescribedMotion):
     """Endless harmonic shaking, base acceleration ``A sin(Omega s + phase)`` (eq 3).
 
     Parameters
@@ -261,7 +262,7 @@ class Harmonic:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Still:
+class Still(DescribedMotion):
     """A base that stands still: free rocking."""
 
     def segments(self) -> tuple[Segment, ...]:
@@ -271,7 +272,7 @@ class Still:
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class Piecewise:
+class Piecewise(DescribedMotion):
     """A dimensionless base motion made of segments, followed by a still base.
 
     Parameters

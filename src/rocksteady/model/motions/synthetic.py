@@ -11,6 +11,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds, Whole
 from rocksteady.model.checks.validation import non_negative
+from rocksteady.model.motions._described import DescribedMotion
 from rocksteady.model.motions._sampled import MOST_LINES, straight_lines
 from rocksteady.model.motions.segments import (
     DURATION_S,
@@ -45,7 +46,7 @@ MOST_SETTLING = 10_000_000
 
 @checked
 @dataclass(frozen=True, kw_only=True)
-class SyntheticMotion:
+class SyntheticMotion(DescribedMotion):
     """Artificial ground motion: filtered white noise under an envelope.
 
     White noise passes the ground filter of Kanai and Tajimi and the high-pass of Clough and

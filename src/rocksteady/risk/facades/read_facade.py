@@ -52,6 +52,14 @@ class DescribedFacade(Result):
         Hash of the file.
     files
         The file, and the tables of spectra that it names.
+
+    Examples
+    --------
+    >>> from rocksteady.codes import ElasticSpectrum, Facade, FacadeDemand
+    >>> wall = Facade(name="front", thickness_m=0.4, height_m=4.0)
+    >>> site = ElasticSpectrum(ag_g=0.2, f0=2.5, tc_star_s=0.3, soil="B")
+    >>> DescribedFacade(facade=wall, demand=FacadeDemand(slv=site))
+    <DescribedFacade: front: wall 0.4 x 4 m>
     """
 
     facade: Facade

@@ -141,7 +141,7 @@ def read_spectrum_table(
     Parameters
     ----------
     path
-        The file: columns ``period_s``, ``sa_g`` and, where they are several, ``damping``.
+        The file: columns ``period_s`` in s, ``sa_g`` in g and, where they are several, ``damping``.
     spectrum_damping
         Damping of a table without that column, as 0.05; None (default) with it.
 

@@ -39,7 +39,9 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class FragilityCurve(Result):
-    """Hold a fragility curve, from `rocksteady.risk.fit_curve`.
+    """Fragility curve P(failure | im), from `rocksteady.risk.fit_curve`.
+
+    P = F((ln im - ln median)/beta), F the normal distribution [1]_ or the logistic one.
 
     Attributes
     ----------
@@ -79,6 +81,17 @@ class FragilityCurve(Result):
         Name and unit of the intensity.
     warnings
         Sentences on what limits the curve.
+
+    Examples
+    --------
+    >>> from rocksteady.risk import fit_curve
+    >>> curve = fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15])
+    >>> print(curve.status, f"{curve.median:.3f} {curve.beta:.3f}")
+    fitted 0.376 0.459
+
+    References
+    ----------
+    .. [1] J. W. Baker, Earthquake Spectra 31, 579-599 (2015), equations 11 and 12.
     """
 
     family: Annotated[str, Label()]

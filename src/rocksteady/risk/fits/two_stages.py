@@ -52,7 +52,7 @@ def _stage(words: str) -> Label:
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class TwoStageCurve(Result):
-    """Hold a fragility curve in two stages, from `rocksteady.risk.fit_two_stages`.
+    """Fragility curve in two stages, from `rocksteady.risk.fit_two_stages`.
 
     P(failure | im) = P(uplift | im) P(failure | uplift, im - offset).
 
@@ -86,6 +86,13 @@ class TwoStageCurve(Result):
         Intensity of uplift, where it is known exactly; None otherwise.
     offset
         The gate where the second stage is a curve of the excess over it, im - gate; 0 otherwise.
+
+    Examples
+    --------
+    >>> from rocksteady.risk import fit_two_stages
+    >>> curve = fit_two_stages([0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15])
+    >>> curve.uplift.status, curve.given_uplift.status
+    ('separated', 'fitted')
     """
 
     uplift: Annotated[FragilityCurve, _stage("uplift")]

@@ -21,6 +21,23 @@ class Efficiency:
         As for `FragilityCurve`, of one curve without stages over the measure; NaN for a pair.
     log_likelihood, aic
         Log-likelihood of the single runs, and Akaike's criterion.
+
+    Examples
+    --------
+    >>> from rocksteady import Block
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
+    >>> from rocksteady import compute_fragility
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> fragility = compute_fragility(
+    ...     Block.rectangle(width=0.3, height=1.5),
+    ...     make_synthetic_suite(3),
+    ...     stripes=Levels("pgv_m_s", [0.2, 0.5, 1.0]),
+    ...     restitution=RestitutionBand(draws=1),
+    ...     fitting=FitOptions(states=["overturned"], bands=None),
+    ... )
+    >>> best = fragility.ranking[0]
+    >>> best.measure[0].name, best.status
+    ('pga_g', 'separated')
     """
 
     measure: tuple[Measure, ...]

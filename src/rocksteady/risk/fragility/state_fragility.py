@@ -32,6 +32,23 @@ class StateFragility:
         of joined neighbours, without uplifts.
     given_uplift
         Whether the curve is of the runs that lift alone.
+
+    Examples
+    --------
+    >>> from rocksteady import Block
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
+    >>> from rocksteady import compute_fragility
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> fragility = compute_fragility(
+    ...     Block.rectangle(width=0.3, height=1.5),
+    ...     make_synthetic_suite(3),
+    ...     stripes=Levels("pgv_m_s", [0.2, 0.5, 1.0]),
+    ...     restitution=RestitutionBand(draws=1),
+    ...     fitting=FitOptions(states=["overturned"], bands=None),
+    ... )
+    >>> (state,) = fragility.states
+    >>> state.state.name, state.plain.status, len(state.points)
+    ('overturned', 'separated', 3)
     """
 
     state: DamageState

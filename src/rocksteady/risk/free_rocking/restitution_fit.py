@@ -101,6 +101,14 @@ class RestitutionFit(Result):
         Housner's values; None where they never are.
     warnings
         Reasons against the fit.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, fit_restitution
+    >>> block = Block.rectangle(width=0.4, height=1.2)
+    >>> fit = fit_restitution([0.2, 0.16, 0.13, 0.11, 0.1, 0.09], block)
+    >>> [round(ratio, 3) for ratio in fit.restitution]
+    [0.944, 0.944]
     """
 
     block: Block

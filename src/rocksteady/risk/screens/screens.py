@@ -176,8 +176,8 @@ def screen_block(
         rectangles note this; for one against a wall its free side, and rows made for rocking to
         both sides note this.
     demand
-        Peak acceleration and velocity, and a spectrum where it is known.  A row whose input is
-        missing names it.
+        Peak acceleration in g and velocity in m/s, and a spectrum where it is known.  A row whose
+        input is missing names it.
     friction
         Coefficient between block and base; None (default) where it is not known.  Where it is too
         small for rocking alone the rows on rocking are refused.

@@ -4,9 +4,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, positive
+from rocksteady.model.equations import Linear
+from rocksteady.model.motions.segments import Still
 from rocksteady.show.film._scene import GLOW, BlockScene
 from rocksteady.show.style.layout import axes_or_new
 
@@ -16,8 +22,8 @@ if TYPE_CHECKING:
 
 @checked
 def plot_block(
-    trajectory: Trajectory,
-    pt: float,
+    trajectory: Trajectory | Block | DimensionlessBlock,
+    pt: float = 0.0,
     ax: "Axes | None" = None,
     *,
     alpha: float | None = None,
@@ -38,7 +44,7 @@ def plot_block(
     Parameters
     ----------
     trajectory
-        From `rocksteady.simulate`.
+        From `rocksteady.simulate`; or a block alone, released at half of its alpha.
     pt
         Pivot time p t, from 0 to ``trajectory.end_time_pt``.
     ax
@@ -73,6 +79,9 @@ def plot_block(
     """
     time = finite("pt", pt, hint="give a pivot time p t")
     lasts = positive("glow", glow, hint="give the pivot time for which an impact is seen")
+    if not isinstance(trajectory, Trajectory):
+        start = State(angle=0.5, velocity=0.0)
+        trajectory = simulate(trajectory, Still(), start=start, model=Linear())
     trajectory(time)  # refuses a time outside it
     axes = axes_or_new(ax)
     BlockScene(axes, trajectory, np.array([time]), alpha=alpha, glow=lasts).show(time)

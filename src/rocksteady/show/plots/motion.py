@@ -4,14 +4,24 @@ import math
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.errors import ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Motion
 from rocksteady.outcomes import Status
+from rocksteady.records.core.recording import Recording
+from rocksteady.seismic.measures.motion_course import course_at, motion_course
+from rocksteady.seismic.measures.time_course import integrate_record
+from rocksteady.show.plots.records import Quantity, plot_integrated_record, refuse_unknown
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
@@ -30,12 +40,13 @@ CROWD = 150
 """Number of impacts from which on their marks shrink."""
 
 
-def time_axis(trajectory: Trajectory) -> tuple[float, str]:
+def time_axis(shown: Trajectory | Motion) -> tuple[float, str]:
     """Return by what pivot time is multiplied for the time axis, and the axis's label."""
-    if isinstance(trajectory.motion, PeriodicMotion):
-        return trajectory.motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
-    if isinstance(trajectory.block, Block):
-        return 1.0 / trajectory.block.p, palette.LABELS["seconds"]
+    motion = shown.motion if isinstance(shown, Trajectory) else shown
+    if isinstance(motion, PeriodicMotion):
+        return motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
+    if isinstance(shown, Trajectory) and isinstance(shown.block, Block):
+        return 1.0 / shown.block.p, palette.LABELS["seconds"]
     return 1.0, palette.LABELS["pivot_time"]
 
 
@@ -188,18 +199,25 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
 
 @checked
 def plot_base(
-    trajectory: Trajectory, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    motion: Trajectory | Motion | Record | Recording | BaseMotion,
+    ax: "Axes | None" = None,
+    *,
+    quantity: Quantity = "acceleration",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw base acceleration against time, with the acceleration that lifts a block at rest.
+    """Draw a base motion against time, with the acceleration that lifts a block at rest.
 
-    Vertical motion has an axis of its own, in g, to the right; both axes have one scale.
+    Vertical motion under a block has an axis of its own, in g, to the right; both axes have one
+    scale.  Of an endless motion without a block the first 3 periods are drawn.
 
     Parameters
     ----------
-    trajectory
-        From `rocksteady.simulate`.
+    motion
+        From `rocksteady.simulate`, or a base motion without a block.
     ax
         Axes to draw on; default: axes of a new figure.
+    quantity
+        "acceleration", "velocity" or "displacement".
     legend
         Legend of a base that moves vertically too: "inside" the axes, the default, to their
         "right", "below" them or "none".
@@ -210,6 +228,7 @@ def plot_base(
         The axes: time as in `plots.trajectory`, the acceleration in units of alpha g; dashed where
         a block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
         their own alpha, of one against a wall at 1 alone.  Impulses are arrows without a scale.
+        Of a record without a block seconds, and g, m/s or m.
 
     Examples
     --------
@@ -220,31 +239,79 @@ def plot_base(
     >>> axes = plot_base(run, Figure().add_subplot())
     >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
     2.000
+    >>> axes = plot_base(shaking, Figure().add_subplot(), quantity="velocity")
+    >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
+    0.500
     """
+    if isinstance(motion, Recording):
+        motion = motion.record
+    if isinstance(motion, Record):
+        return plot_integrated_record(integrate_record(motion), ax, quantity=quantity)
+    refuse_unknown(quantity)
     axes = axes_or_new(ax)
-    scale, label = time_axis(trajectory)
-    times, acceleration = base_motion.base_course(trajectory.segments, trajectory.times())
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
-    axes.plot(times * scale, acceleration, color=inks.base, lw=1.0, label="horizontal")
-    struck, velocities = base_motion.impulses(trajectory.segments)
-    height = 1.5 * max(1.0, float(np.abs(acceleration).max()))
+    if isinstance(motion, BaseMotion):
+        plot_base(motion.horizontal, axes, quantity=quantity)
+        if motion.vertical is not None:
+            _draw_component(axes, motion.vertical, quantity, place)
+        return axes
+    scale, label = time_axis(motion)
+    key = "base" if quantity == "acceleration" else f"base_{quantity}"
+    if isinstance(motion, Trajectory):
+        table, uplifts, text = motion.segments, motion.uplifts, label_of(motion, key)
+        times = base_motion.base_course(table, motion.times())[0]
+        course = course_at(table, times, swings=isinstance(motion.motion, PeriodicMotion))
+        limits = time_limits(motion, times[0] * scale, times[-1] * scale)
+    else:
+        table, uplifts, text = segment_table(motion), (-1.0, 1.0), palette.LABELS[key]
+        course = motion_course(motion)
+        times = course.pt
+        limits = 0.0, times[-1] * scale
+    values = getattr(course, quantity)
+    axes.plot(times * scale, values, color=inks.base, lw=1.0, label="horizontal")
+    axes.set(xlabel=label, ylabel=text, xlim=limits)
+    if quantity != "acceleration":
+        return axes
+    struck, velocities = base_motion.impulses(table)
+    height = 1.5 * max(1.0, float(np.abs(values).max()))
     for sign, marker in ((1.0, "^"), (-1.0, "v")):
         at = struck[(sign * velocities > 0.0) & (struck <= times[-1])] * scale
         if len(at) > 0:
             axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
             heads = np.full(len(at), sign * height)
             axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
-    for level in filter(math.isfinite, trajectory.uplifts):
+    for level in filter(math.isfinite, uplifts):
         axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
-    axes.set(
-        xlabel=label,
-        ylabel=label_of(trajectory, "base"),
-        xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
-    )
-    if trajectory.vertical is not None and isinstance(trajectory.block, Block):
-        upwards = base_motion.lift(trajectory.segments, times)
-        _draw_vertical(axes, times * scale, upwards, trajectory.block.alpha, place)
+    if (
+        isinstance(motion, Trajectory)
+        and motion.vertical is not None
+        and isinstance(motion.block, Block)
+    ):
+        upwards = base_motion.lift(table, times)
+        _draw_vertical(axes, times * scale, upwards, motion.block.alpha, place)
     return axes
+
+
+def _draw_component(
+    axes: "Axes", vertical: Motion | Record, quantity: Quantity, place: LegendPlace
+) -> None:
+    """Draw the vertical component of a motion without a block in the axes of the horizontal one."""
+    beside = plot_base(vertical, Figure().add_subplot(), quantity=quantity)
+    if beside.get_ylabel() != axes.get_ylabel():
+        raise ModelError(
+            "motion",
+            vertical,
+            "its components have no unit in common",
+            "plot each of them, or the run of a block under both",
+        )
+    across, up = (
+        max(each.lines, key=lambda line: np.size(line.get_xdata())) for each in (axes, beside)
+    )
+    (drawn,) = axes.plot(*up.get_data(), color=inks_of(axes).impact, lw=0.6, label="vertical")
+    ends = [*axes.get_xlim(), *beside.get_xlim()], [*axes.get_ylim(), *beside.get_ylim()]
+    axes.set(xlim=(min(ends[0]), max(ends[0])), ylim=(min(ends[1]), 1.3 * max(ends[1])))
+    across.set_label("horizontal")
+    draw_legend(axes, place, handles=[across, drawn], corner="upper right", columns=2)
 
 
 def _draw_vertical(

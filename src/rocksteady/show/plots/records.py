@@ -66,13 +66,7 @@ def plot_integrated_record(
     >>> axes.get_ylabel(), axes.texts[0].get_text()
     ('velocity [m/s]', 'PGV = 0.24 m/s')
     """
-    if quantity not in PEAKS:
-        raise InputError(
-            "quantity",
-            quantity,
-            "it must be one of " + ", ".join(PEAKS),
-            "leave it out for the acceleration",
-        )
+    refuse_unknown(quantity)
     axes = axes_or_new(ax)
     values, peak, scale, unit = {
         "acceleration": (course.acceleration_m_s2, course.peak_acceleration, STANDARD_GRAVITY, "g"),
@@ -104,6 +98,23 @@ def plot_integrated_record(
         ylim=(low - room, high + room),
     )
     return axes
+
+
+def refuse_unknown(quantity: object) -> None:
+    """Refuse what is no quantity of a base motion.
+
+    Raises
+    ------
+    InputError
+        If there is no such quantity.
+    """
+    if quantity not in PEAKS:
+        raise InputError(
+            "quantity",
+            quantity,
+            "it must be one of " + ", ".join(PEAKS),
+            "leave it out for the acceleration",
+        )
 
 
 @checked

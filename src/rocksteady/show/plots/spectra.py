@@ -348,6 +348,17 @@ def plot_share_that_falls(summary: "xarray.Dataset", ax: "Axes | None" = None) -
     ------
     InputError
         If it is no such summary.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import compute_rocking_spectrum
+    >>> from rocksteady.measures import compute_suite_spectrum
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> spectra = compute_rocking_spectrum(make_synthetic_suite(3), alpha=0.2, periods_s=[1.0, 2.0])
+    >>> axes = plot_share_that_falls(compute_suite_spectrum(spectra), Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'share of records that overturn [%]'
     """
     curve, _ = _one_slenderness(summary)
     axes = axes_or_new(ax)

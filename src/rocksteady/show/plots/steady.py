@@ -239,6 +239,11 @@ def plot_response(
     matplotlib.axes.Axes
         The axes: Omega = omega/p or Hz, and the peak of |theta|/alpha.
 
+    Raises
+    ------
+    InputError
+        If the legend has no such place.
+
     Examples
     --------
     >>> import numpy as np

@@ -108,6 +108,8 @@ LABELS = {
     "period": "period  $T$ [s]",
     "pseudo_acceleration": "pseudo-acceleration [g]",
     "base": r"base  $a/(\alpha g)$",
+    "base_velocity": r"velocity of the base  $vp/(\alpha g)$",
+    "base_displacement": r"displacement of the base  $dp^2/(\alpha g)$",
     "position_m": "position [m]",
     "ground_m": "position on the ground [m]",
     "ground_radius": "position on the ground  $x/R$",

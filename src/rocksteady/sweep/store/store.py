@@ -49,6 +49,11 @@ class Store:
         If the chunk is not a whole number from 1 to 2^24.
     OutputError
         If it is to be continued and replaced.
+
+    Examples
+    --------
+    >>> Store("map.zarr", resume=True).resume
+    True
     """
 
     path: Path | str

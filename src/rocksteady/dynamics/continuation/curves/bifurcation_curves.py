@@ -119,6 +119,16 @@ class BifurcationCurve(Result):
         Names of the two parameters.
     points
         In order; those of codimension two stand among the others, with their own type.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_bifurcation_curves
+    >>> block = DimensionlessBlock(restitution=0.87)
+    >>> motion = Harmonic(amplitude=3.0, frequency_ratio=4.2)
+    >>> few = CurveOptions(orders=(3,), lines=(1, 1), max_impacts=2, max_period=3)
+    >>> found = find_bifurcation_curves(block, motion, within=((4.4, 5.4), (2.5, 4.0)), search=few)
+    >>> print(found.curves[0].type, found.curves[0].parameters)
+    symmetry-breaking ('frequency_ratio', 'amplitude')
     """
 
     type: PointType

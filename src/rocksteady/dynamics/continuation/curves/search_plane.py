@@ -86,6 +86,11 @@ def find_bifurcation_curves(
     model
         `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
 
+    Returns
+    -------
+    BifurcationCurves
+        Curves and points of codimension two: amplitudes over alpha g, frequencies over p.
+
     Raises
     ------
     InputError, ModelError

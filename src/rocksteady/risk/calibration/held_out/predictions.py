@@ -46,6 +46,19 @@ class Predictions(Result):
         Outcome, None where it is not known.
     warnings
         Sentences on what limits the answer.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
+    >>> found = calibrate(tests, sampling=few, model=Linear()).validation.predictions
+    >>> len(found.p), all(found.held_out)
+    (16, True)
     """
 
     test: tuple[str, ...]

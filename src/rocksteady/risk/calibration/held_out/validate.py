@@ -54,6 +54,19 @@ class Validation(Result):
         "base rate", with `tests`, the mean number of the training.
     warnings
         Sentences on what limits the scores.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, Linear, calibrate
+    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.motions import make_synthetic_suite
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    >>> few = DrawOptions(draws=60, gains=2, rounds=1)
+    >>> validation = calibrate(tests, sampling=few, model=Linear()).validation
+    >>> validation.folds, sorted(validation.rows)
+    ('group', ['base rate', 'calibrated', 'logistic', 'untempered'])
     """
 
     folds: str

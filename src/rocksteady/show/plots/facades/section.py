@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.facades.facade import Facade
+from rocksteady.risk.facades.read_facade import DescribedFacade
 from rocksteady.show.plots.facades._lettering import decimal_marks
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style import palette
@@ -32,7 +33,7 @@ LONGEST = 18
 
 @checked
 def plot_facade_section(
-    facade: Facade, ax: "Axes | None" = None, *, language: str = "en"
+    facade: Facade | DescribedFacade, ax: "Axes | None" = None, *, language: str = "en"
 ) -> "Axes":
     """Draw the section of a facade to scale, with its hinge and forces.
 
@@ -43,7 +44,7 @@ def plot_facade_section(
     Parameters
     ----------
     facade
-        From `rocksteady.read_facade` or made by hand.
+        From `rocksteady.read_facade`, or made by hand.
     ax
         Axes to draw on; default: axes of a new figure.
     language
@@ -67,6 +68,8 @@ def plot_facade_section(
     >>> plot_facade_section(wall, Figure().add_subplot(), language="it").get_xlabel()
     'posizione [m]'
     """
+    if isinstance(facade, DescribedFacade):
+        facade = facade.facade
     words = language_of(language)
     axes = axes_or_new(ax)
     inks = inks_of(axes)

@@ -39,6 +39,11 @@ def plot_predictions(
     matplotlib.axes.Axes
         The axes: probability of falling, and a row for each test, with names up to 40 tests.
 
+    Raises
+    ------
+    InputError
+        If the legend has no such place.
+
     Examples
     --------
     >>> from matplotlib.figure import Figure

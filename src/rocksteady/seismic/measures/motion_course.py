@@ -1,0 +1,160 @@
+"""History and description of any base motion: acceleration, velocity and displacement."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.kernels.core import tables as columns
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.motion_facts import motion_facts, motion_text
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Motion
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, quantity
+from rocksteady.seismic.measures.time_course import integrate_record
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+Floats = NDArray[np.float64]
+
+PERIODS = 3
+"""Of an endless motion, that its history has."""
+PER_PERIOD = 100
+"""Rows of a history in a period of its fastest sinusoid."""
+FEWEST = 200
+"""Rows of a history."""
+STEP = 1e-9
+"""Change of acceleration over its largest value from which on it is a step."""
+BARE = DimensionlessBlock(restitution=1.0)
+"""Stands for no block at all, in whose units a motion would be."""
+
+
+class MotionCourse(NamedTuple):
+    """History of the base over pivot time: units of alpha g, alpha g/p and alpha g/p^2."""
+
+    pt: Floats
+    acceleration: Floats
+    velocity: Floats
+    displacement: Floats
+
+
+def motion_course(motion: Motion) -> MotionCourse:
+    """Return the history of a dimensionless motion; of an endless one the first 3 periods.
+
+    Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.  Where
+    acceleration or velocity has a step both of its values have a row.
+    """
+    table = segment_table(motion)
+    times = _times(table)
+    starts = base_motion.segment_starts(table)[1:]
+    before = np.nextafter(starts, 0.0)
+    rises = np.abs(
+        np.subtract(*(base_motion.base_acceleration(table, t) for t in (starts, before)))
+    )
+    largest = base_motion.largest_acceleration(table)
+    struck = table[1:, columns.JUMP] != 0.0
+    times = np.union1d(times, before[struck | (rises > STEP * largest)])
+    return course_at(table, times, swings=isinstance(motion, PeriodicMotion))
+
+
+def course_at(table: Floats, times: Floats, *, swings: bool) -> MotionCourse:
+    """Return the history of a table of segments at pivot times.
+
+    Parameters
+    ----------
+    table
+        From `segment_table`.
+    times
+        In order.
+    swings
+        Whether the base goes to and fro about 0, as in endless harmonic shaking; else it starts
+        from rest at 0.
+    """
+    velocity, displacement = (
+        (base_motion.swinging_velocity, base_motion.swinging_displacement)
+        if swings
+        else (base_motion.velocity_from_rest, base_motion.displacement_from_rest)
+    )
+    acceleration = base_motion.base_acceleration(table, times)
+    return MotionCourse(times, acceleration, velocity(table, times), displacement(table, times))
+
+
+def to_dataframe(motion: Motion | Record | BaseMotion) -> "pd.DataFrame":
+    """Return the history of a motion, one row per time, with columns of a vertical component."""
+    import pandas as pd
+
+    if isinstance(motion, BaseMotion):
+        across = to_dataframe(motion.horizontal)
+        if motion.vertical is None:
+            return across
+        up = to_dataframe(motion.vertical).add_prefix("vertical_")
+        shared = across.columns[0]
+        up = up.rename(columns={f"vertical_{shared}": shared})
+        return across.merge(up, how="outer", on=shared) if shared in up else across.join(up)
+    if isinstance(motion, Record):
+        return integrate_record(motion).to_dataframe().drop(columns="arias_m_s")
+    return pd.DataFrame(motion_course(motion)._asdict())
+
+
+def describe(motion: Motion | Record | BaseMotion) -> Description:
+    """Return parameters, largest values and duration of a motion."""
+    if isinstance(motion, Record):
+        return integrate_record(motion).describe()
+    if isinstance(motion, BaseMotion):
+        parts = [describe(motion.horizontal)]
+        if motion.vertical is not None:
+            parts.append(describe(motion.vertical))
+        facts = [
+            replace(
+                fact,
+                key=fact.key and component + fact.key,
+                label=fact.label and component.replace("_", " ") + fact.label,
+            )
+            for component, part in zip(("", "vertical_"), parts, strict=False)
+            for fact in part.facts
+        ]
+        headline = parts[0].headline + (", with a vertical motion" if len(parts) > 1 else "")
+        return Description(headline=headline, facts=facts)
+    words = motion_text(BARE, motion)
+    by_key = {fact.key: fact for fact in (*motion_facts(BARE, motion), *_measured(motion))}
+    return Description(headline=words[0].upper() + words[1:], facts=list(by_key.values()))
+
+
+def _measured(motion: Motion) -> Iterator[Fact]:
+    """Yield how long a dimensionless motion lasts, and its largest values until it ends."""
+    table = segment_table(motion)
+    end = float(base_motion.segment_starts(table)[-1])
+    endless = bool(table[-1, [columns.CONSTANT, columns.AMPLITUDE]].any())
+    words = "endless" if endless else f"pt = {number(end)}"
+    yield Fact("duration_pt", None if endless else end, "duration", words)
+    course = motion_course(motion)
+    lasting = (course.pt <= end) | endless
+    for name, unit in (("acceleration", "g"), ("velocity", "g/p"), ("displacement", "g/p^2")):
+        peak = float(np.abs(getattr(course, name)[lasting]).max())
+        yield Fact(f"peak_{name}", peak, f"largest {name}", quantity(peak, f"alpha {unit}"))
+
+
+def _times(table: Floats) -> Floats:
+    """Return the times of a history, the start of each segment among them."""
+    starts = base_motion.segment_starts(table)
+    waves = np.where(table[:, columns.AMPLITUDE] > 0.0, table[:, columns.FREQUENCY], 0.0)
+    orders = table[:, columns.ORDERS] if table.shape[1] > columns.ORDERS else np.ones(len(table))
+    # After the last segment a motion that ends is still, or goes on at the velocity of an impulse.
+    after = 2.0 * math.pi * PERIODS / waves[-1] if waves[-1] else 0.1 * starts[-1] or 1.0
+    spans = np.append(np.diff(starts), after)
+    turns = spans * waves * np.maximum(orders, 1.0) / (2.0 * math.pi)
+    counts = np.maximum(np.ceil(PER_PERIOD * turns), math.ceil(FEWEST / len(table)))
+    parts = [
+        start + span * np.arange(count) / count
+        for start, span, count in zip(starts, spans, counts, strict=True)
+    ]
+    return np.append(np.concatenate(parts), starts[-1] + after)
