@@ -33,6 +33,28 @@ def test_no_more_than_five_facts_are_shown() -> None:
     assert len(printed(Answer("It falls.", [("fact", str(i)) for i in range(9)]))) == 1 + MOST_FACTS
 
 
+def test_of_too_many_facts_what_was_given_is_left_out_first() -> None:
+    facts = [("block", "0.5 x 2 m"), *((f"fact {i}", str(i)) for i in range(MOST_FACTS))]
+    assert [label for label, _ in Answer("It falls.", facts).lines] == [
+        f"fact {i}" for i in range(MOST_FACTS)
+    ]
+    assert Answer("It falls.", facts[:-1]).lines == facts[:-1]
+
+
+def test_words_that_are_computed_are_computed_once_and_only_where_they_are_printed() -> None:
+    calls: list[int] = []
+
+    def words() -> str:
+        calls.append(1)
+        return "0.5 x"
+
+    answer = Answer("It falls.", [("stands at", words), ("none", lambda: "")])
+    assert repr(answer)
+    assert not calls
+    assert printed(answer) == ["It falls.", "  stands at        0.5 x"]
+    assert len(calls) == 1
+
+
 @pytest.mark.parametrize("width", [40, 59, 80, 200])
 def test_no_line_is_longer_than_the_console_or_80_columns(width: int) -> None:
     words = "a reason of many words " * 8

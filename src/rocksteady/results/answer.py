@@ -4,7 +4,7 @@ One sentence with the number that matters, its doubt and its reason; up to five 
 that goes on from here.  Tables, caveats and further facts of the result follow with ``--more``.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -12,6 +12,8 @@ MOST_FACTS: Final = 5
 """Facts of an answer."""
 MOST_ROWS: Final = 12
 """Rows of an answer that consists of rows."""
+GIVEN: Final = "block"
+"""Label of what was given, which is left out first where there are too many facts."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,8 @@ class Answer:
     sentence
         The first line, which ``--quiet`` prints alone.
     facts
-        Label and words of each fact, the most important first.
+        Label and words of each fact, the most important first; words that are computed are a
+        function, which is called where the answer is printed.
     rows
         Label and words of each row, the worst first, where the rows are the answer.
     follow_up
@@ -31,14 +34,19 @@ class Answer:
     """
 
     sentence: str
-    facts: Sequence[tuple[str, str]] = ()
+    facts: Sequence[tuple[str, str | Callable[[], str]]] = ()
     rows: Sequence[tuple[str, str]] = ()
     follow_up: str = ""
 
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Rows, then facts, each with its label; those without words are left out."""
-        facts = [fact for fact in self.facts if fact[1]]
+        said = [
+            (label, words if isinstance(words, str) else words()) for label, words in self.facts
+        ]
+        facts = [fact for fact in said if fact[1]]
+        if len(facts) > MOST_FACTS:
+            facts = [fact for fact in facts if fact[0] != GIVEN]
         return [*self.rows[:MOST_ROWS], *facts[:MOST_FACTS]]
 
 

@@ -54,10 +54,11 @@ def print_answer(answer: Answer, console: "Console") -> None:
     """
     width = min(console.width, WIDTH)
     console.print(_filled(printable(answer.sentence), width), style="bold")
-    labels = [printable(label) for label, _ in answer.lines]
+    lines = answer.lines
+    labels = [printable(label) for label, _ in lines]
     indent = max([15, *map(len, labels)]) + 4
     narrow = console.width < NARROW
-    for label, (_, words) in zip(labels, answer.lines, strict=True):
+    for label, (_, words) in zip(labels, lines, strict=True):
         start = 4 if narrow else indent
         lines = _filled(printable(words), width - start, whole=True).split("\n")
         gap = f"  {label}\n    " if narrow else f"{f'  {label}':<{indent}}"

@@ -258,8 +258,8 @@ def test_the_answer_of_frequencies_counts_those_at_which_it_stands() -> None:
     assert f"at {len(falls)} of 9 frequencies" in lines[0]
     shown = [line for line in lines if line.startswith("W = ")]
     left = len(falls) - len(shown)
-    fall = f"{left} that fall, " if left else ""
-    more = f"more {9 - len(shown)} more with --more: {fall}{9 - len(falls)} that stand"
+    fall = f"{left} falling, " if left else ""
+    more = f"more {9 - len(shown)} more with --more: {fall}{9 - len(falls)} standing"
     assert more in lines
 
 

@@ -209,11 +209,17 @@ def overturn(
 
 def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answer | None":
     """Return an answer with the largest scale of a record at which no neighbour falls."""
+    if answer is None or not scales.first[0] > 0.0:
+        return answer
+    stands = ("stands at", partial(standing, scales))
+    return replace(answer, facts=[*answer.facts[:2], stands, *answer.facts[2:]])
+
+
+def standing(scales: "OverturningScales") -> str:
+    """Return the largest scale of a record at which no neighbour falls, in words, or nothing."""
     from rocksteady.dynamics.history.neighbours import check_neighbours
     from rocksteady.dynamics.history.simulate import simulate
 
-    if answer is None or not scales.first[0] > 0.0:
-        return answer
     block, motion = scales.block, scales.motions[0]
     base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
     whole = scales.within[0] <= 1.0 <= scales.top[0] and scales.falls(0, 1.0)
@@ -221,10 +227,9 @@ def with_standing(scales: "OverturningScales", answer: "Answer | None") -> "Answ
     case = simulate(block, base.scaled(scale), model=scales.model)
     part = check_neighbours(case).stands_at
     if part is None:
-        return answer
+        return ""
     pga = quantity(part * scale * float(scales.pga_g[0]), "g")
-    stands = f"{part * scale:.2f} x ({pga}), where no neighbour falls"
-    return replace(answer, facts=[*answer.facts[:2], ("stands at", stands), *answer.facts[2:]])
+    return f"{part * scale:.2f} x ({pga}), where no neighbour falls"
 
 
 def _refuse(what: str, idle: Mapping[str, object]) -> None:

@@ -195,17 +195,10 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
     facts.append(full)
     if full.value is not None:
         remarks = [remark for remark in remarks if remark != LINEAR_NOTE]
-        if answer is not None and isinstance(
-            trajectory.block, Block
-        ):  # which names what the linear model leaves out
-            answer = replace(
-                answer,
-                facts=[
-                    (full.label, full.text),
-                    *answer.facts[:-1],
-                    ("computed", trajectory.model.name),
-                ],
-            )
+        if answer is not None and isinstance(trajectory.block, Block):
+            computed = ("computed", trajectory.model.name)  # its caveat is the fact before it
+            given = [(full.label, full.text), *answer.facts[:-1], computed]
+            answer = replace(answer, facts=given)
             falls = trajectory.status is Status.OVERTURNED
             time, end = full.value["overturn_time_s"], trajectory.end_time_pt / trajectory.block.p
             if falls if time is None else not falls and time <= end:

@@ -11,7 +11,7 @@ from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import GIVEN, Answer
 from rocksteady.results.numbers import number, plural, quantity
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def answer_of(run: "Physical", words: Mapping[str, str]) -> Answer:
         ("largest tilt", "" if falls or not run.peak else f"{tilt}; {impacts}"),
         ("lifts at", lifts),
         ("friction needed", f"{friction}, or it slides" if friction else ""),
-        ("block", run.block.describe().headline),
+        (GIVEN, run.block.describe().headline),
         ("computed", run.model.name + (f"; {UNLIKE}" if unlike else "")),
     ]
     return Answer(f"{sentence(run)}.", facts)

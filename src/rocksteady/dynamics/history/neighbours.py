@@ -27,7 +27,7 @@ from rocksteady.model.motions.segments import (
     segments_of,
 )
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import MOST_FACTS, Answer
+from rocksteady.results.answer import GIVEN, Answer
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, number, quantity
 from rocksteady.results.result import Result
@@ -141,8 +141,9 @@ class Neighbours(Result):
         """
         if not self.fall and self.agree:
             return None
-        for step in range(1, round(1.0 / STEP)):
-            scale = 1.0 - step * STEP
+        steps = round(1.0 / STEP)
+        for step in range(steps - 1, 0, -1):
+            scale = step / steps
             case = _scaled(self.case, scale)
             if case.status is not Status.OVERTURNED and not any(
                 each.status is Status.OVERTURNED for each in _neighbours(case, _sized(case))
@@ -165,18 +166,19 @@ class Neighbours(Result):
         elif self.agree:
             words = "and so do" if falls else "and"
             words += f" all {self.runs} neighbours" + ("" if falls else " stand")
-        stands = ""
-        if self.stands_at is not None:
-            pga = "" if case.pga_g is None else f" ({quantity(self.stands_at * case.pga_g, 'g')})"
-            times = f"{self.stands_at:.2f} x this motion"
-            stands = f"{times}{pga}, where no neighbour falls"
         facts = [fact for fact in given.facts if fact[1]]
         facts[-1] = ("computed", f"{case.model.name}; neighbours {RANGE}")
-        place = [label for label, _ in facts].index("block") - 1 if len(facts) > 2 else 0
-        facts.insert(max(place, 0), ("stands at", stands))
-        if stands and len(facts) > MOST_FACTS:  # the block was given
-            facts = [fact for fact in facts if fact[0] != "block"]
+        place = [label for label, _ in facts].index(GIVEN) - 1 if len(facts) > 2 else 0
+        facts.insert(max(place, 0), ("stands at", self._stands))
         return Answer(f"{sentence(case)}, {words}.", facts)
+
+    def _stands(self) -> str:
+        """Return the largest factor at which neither it nor a neighbour falls, in words."""
+        if self.stands_at is None:
+            return ""
+        pga = self.case.pga_g
+        peak = "" if pga is None else f" ({quantity(self.stands_at * pga, 'g')})"
+        return f"{self.stands_at:.2f} x this motion{peak}, where no neighbour falls"
 
     def describe(self) -> Description:
         """Return how many fall, and what was changed in each."""

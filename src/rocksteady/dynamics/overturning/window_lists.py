@@ -144,7 +144,7 @@ class WindowLists(Result):
         """Number of rows that are left out, as a fact of an answer."""
         stand = int(np.isnan(self.first).sum())
         fall = len(self.first) - stand - len(self._by_first)
-        kinds = {"that fall": fall, "that stand": stand}
+        kinds = {"falling": fall, "standing": stand}
         words = ", ".join(f"{count} {kind}" for kind, count in kinds.items() if count)
         return "more", words and f"{fall + stand} more with --more: {words}"
 
