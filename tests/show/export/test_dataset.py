@@ -232,7 +232,7 @@ from rocksteady.export import write_dataset
 data = xarray.Dataset({"value": (("a", "b"), np.random.default_rng(0).random((500, 1000)))})
 resource.setrlimit(resource.RLIMIT_FSIZE, (1_000_000, 1_000_000))
 try:
-    export(data, sys.argv[1])
+    write_dataset(data, sys.argv[1])
 except OutputError as error:
     print(error)
 """
@@ -264,7 +264,7 @@ outputs = [Output(name=f"o{n}") for n in range(10)]
 folder = Path(sys.argv[2])
 evaluate(many, Grid(axes=axes), outputs, run=Execution(store=folder / "x.zarr"), batch=100_000)
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-export(open_store(folder / "x.zarr"), folder / sys.argv[1])
+write_dataset(open_store(folder / "x.zarr"), folder / sys.argv[1])
 print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)
 """
 """Of 80 MB, in chunks of 2.5 MB; numbers that compress well, for the sake of speed."""

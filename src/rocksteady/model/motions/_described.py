@@ -19,6 +19,7 @@ class DescribedMotion(Result):
     Its history is integrated in a higher layer, which the package's namespace connects.
     """
 
+    @with_call_errors
     def describe(self) -> Description:
         """Return its parameters, largest values and duration."""
         description: Description = describer_of(KIND).describe(self)
