@@ -242,7 +242,7 @@ def test_the_first_line_has_the_number_that_the_verdict_follows(found: Assessmen
         above = counted > value + 0.1
         runs = f"{fell} of its {first.trials} runs"
         assert answer.sentence.startswith(runs if above else f"{100.0 * value:.0f} % of such")
-        facts = dict(answer.facts)
+        facts = dict(answer.lines)
         assert ("these runs decide" in facts["counted"]) == above
         assert (f"{100.0 * value:.0f} % by the curve" in facts["counted"]) == above
         assert len(answer.lines) <= 5
