@@ -41,10 +41,10 @@ class Answer:
     @property
     def lines(self) -> list[tuple[str, str]]:
         """Rows, then facts, each with its label; those without words are left out."""
-        said = [
+        pairs = [
             (label, words if isinstance(words, str) else words()) for label, words in self.facts
         ]
-        facts = [fact for fact in said if fact[1]]
+        facts = [fact for fact in pairs if fact[1]]
         if len(facts) > MOST_FACTS:
             facts = [fact for fact in facts if fact[0] != GIVEN]
         return [*self.rows[:MOST_ROWS], *facts[:MOST_FACTS]]

@@ -54,11 +54,11 @@ def print_answer(answer: Answer, console: "Console") -> None:
     """
     width = min(console.width, WIDTH)
     console.print(_filled(printable(answer.sentence), width), style="bold")
-    said = answer.lines
-    labels = [printable(label) for label, _ in said]
+    pairs = answer.lines
+    labels = [printable(label) for label, _ in pairs]
     indent = max([15, *map(len, labels)]) + 4
     narrow = console.width < NARROW
-    for label, (_, words) in zip(labels, said, strict=True):
+    for label, (_, words) in zip(labels, pairs, strict=True):
         start = 4 if narrow else indent
         lines = _filled(printable(words), width - start, whole=True).split("\n")
         gap = f"  {label}\n    " if narrow else f"{f'  {label}':<{indent}}"
