@@ -9,6 +9,8 @@ __all__.sort()
 
 def __getattr__(name: str) -> object:
     """Return the function that draws `name`: where it is defined its name begins with ``plot_``."""
+    if name not in __all__:
+        raise AttributeError(f"No rocksteady.plots attribute {name}")
     return _load(name if name == "animate" else f"plot_{name}")
 
 

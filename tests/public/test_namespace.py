@@ -89,6 +89,12 @@ def test_no_name_is_reached_in_two_ways() -> None:
     assert len(STUBS["rocksteady"]) <= 62  # what begins fits two screens of help
 
 
+@every("holder", HOLDERS)
+def test_an_unknown_name_of_a_module_is_an_attribute_error_that_names_it(holder: str) -> None:
+    with pytest.raises(AttributeError, match=r"\bblok$|'blok'"):
+        _ = importlib.import_module(holder).blok
+
+
 def test_an_unknown_name_is_an_attribute_error_that_names_it() -> None:
     with pytest.raises(AttributeError, match="No rocksteady attribute Blok"):
         _ = vars(rocksteady)["__getattr__"]("Blok")
@@ -180,6 +186,7 @@ def test_names_in_messages_exist() -> None:
                 if call["name"].startswith(("numpy.", "dataclasses.")) or call["name"] in FORMULAS:
                     continue
                 given = re.findall(r"(\w+)=\.\.\.", call["given"])
-                if name not in known or not set(given) <= known[name]:
+                reached = call["name"].removeprefix("rs.") == PLACES.get(name, call["name"])
+                if name not in known or not set(given) <= known[name] or not reached:
                     unknown.add((file.name, call[0]))
     assert sorted(unknown) == []

@@ -11,7 +11,7 @@ from numpy.polynomial.hermite_e import hermeroots
 from numpy.typing import NDArray
 
 from rocksteady import Block, Pulse
-from rocksteady.dynamics.history.base_motion import base_acceleration, displacement_from_rest
+from rocksteady.dynamics.history.base_motion import base_acceleration, course_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.motions import ANTISYMMETRIC_BENDS, BENDS, BEYOND
@@ -42,7 +42,7 @@ def acceleration(motion: Any, s: Floats) -> Floats:
 def end_of(pulse: Pulse) -> tuple[float, float]:
     """Velocity and displacement of the base after the pulse, in units of alpha g/p, alpha g/p^2."""
     table = segment_table(pulse)
-    later = displacement_from_rest(table, np.array([0.0, 1.0]) + pulse.duration)
+    later = course_from_rest(table, np.array([0.0, 1.0]) + pulse.duration)[1]
     return float(later[1] - later[0]), float(later[0])
 
 
@@ -116,7 +116,7 @@ def test_where_the_ground_comes_to(name: str, velocity: float, displacement: flo
 def test_the_velocity_of_a_mavroeidis_papageorgiou_pulse_is_theirs() -> None:
     pulse = made("mavroeidis-papageorgiou", 2.0, 3.0)
     s = np.linspace(0.0, pulse.duration, 20_001)
-    place = displacement_from_rest(segment_table(pulse), s)
+    place = course_from_rest(segment_table(pulse), s)[1]
     velocity = np.gradient(place, s)
     tau = s - 0.5 * pulse.duration
     bell = 0.5 * (1.0 + np.cos(3.0 * tau / GAMMA))

@@ -41,7 +41,7 @@ def refuse_endless(table: Floats, motion: object) -> None:
             "motion",
             motion,
             "it must come to an end",
-            "give a Record or a Pulse, or end it: cut(motion, at=...)",
+            "give a Record or a Pulse, or end it: rs.motions.cut(motion, at=...)",
         )
 
 
@@ -182,55 +182,32 @@ def largest_acceleration(segments: Floats) -> float:
     return float((ends + segments[:, columns.AMPLITUDE]).max())
 
 
-def swinging_displacement(segments: Floats, s: ArrayLike) -> Floats:
-    """Return the displacement of a base in endless harmonic shaking, to and fro about 0."""
+def swinging_course(segments: Floats, s: ArrayLike) -> tuple[Floats, Floats]:
+    """Return velocity and displacement of a base in endless shaking, to and fro about 0."""
     a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
     turned = w * np.asarray(s, dtype=np.float64) + phase
-    result: Floats = np.zeros(np.shape(turned))
+    velocity: Floats = np.zeros(np.shape(turned))
+    displacement: Floats = np.zeros(np.shape(turned))
     for order, p, q in _waves(segments[0]):
         sine, cosine = sincos(order * turned)
-        result = result - a / (w * w) * (p * sine + q * cosine) / (order * order)
-    return result
+        velocity = velocity - a / w * (p * cosine - q * sine) / order
+        displacement = displacement - a / (w * w) * (p * sine + q * cosine) / (order * order)
+    return velocity, displacement
 
 
-def swinging_velocity(segments: Floats, s: ArrayLike) -> Floats:
-    """Return the velocity of a base in endless harmonic shaking, to and fro about 0."""
-    a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
-    turned = w * np.asarray(s, dtype=np.float64) + phase
-    result: Floats = np.zeros(np.shape(turned))
-    for order, p, q in _waves(segments[0]):
-        sine, cosine = sincos(order * turned)
-        result = result - a / w * (p * cosine - q * sine) / order
-    return result
+def course_from_rest(segments: Floats, s: ArrayLike) -> tuple[Floats, Floats]:
+    """Return velocity and displacement of a base that starts from rest at 0.
 
-
-def velocity_from_rest(segments: Floats, s: ArrayLike) -> Floats:
-    """Return the velocity of a base that starts from rest, in units of alpha g/p."""
-    index, since = _place(segments, s)
-    result: Floats = _velocities(segments)[index] + _gains(segments[index], since)[0]
-    return result
-
-
-def displacement_from_rest(segments: Floats, s: ArrayLike) -> Floats:
-    """Return the displacement of a base that starts from rest at 0.
-
-    It is the base acceleration, with the impulses that its jumps of velocity stand for, integrated
-    twice, in closed form on each segment.
+    They are the integrals of the base acceleration, with the impulses that its jumps of velocity
+    stand for, in closed form on each segment.
     """
     lasting = segments[:-1, columns.DURATION]
-    velocity, further = _velocities(segments), _gains(segments[:-1], lasting)[1]
-    place = np.concatenate([[0.0], np.cumsum(velocity[:-1] * lasting + further)])
+    faster, further = _gains(segments[:-1], lasting)
+    entering = np.cumsum(segments[:, columns.JUMP]) + np.concatenate([[0.0], np.cumsum(faster)])
+    place = np.concatenate([[0.0], np.cumsum(entering[:-1] * lasting + further)])
     index, since = _place(segments, s)
-    result: Floats = place[index] + velocity[index] * since + _gains(segments[index], since)[1]
-    return result
-
-
-def _velocities(segments: Floats) -> Floats:
-    """Return the velocity with which a base that starts from rest enters each segment."""
-    faster = _gains(segments[:-1], segments[:-1, columns.DURATION])[0]
-    result: Floats = np.cumsum(segments[:, columns.JUMP])
-    result += np.concatenate([[0.0], np.cumsum(faster)])
-    return result
+    gained, moved = _gains(segments[index], since)
+    return entering[index] + gained, place[index] + entering[index] * since + moved
 
 
 def _place(segments: Floats, s: ArrayLike) -> tuple[NDArray[np.intp], Floats]:

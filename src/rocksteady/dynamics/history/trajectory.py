@@ -364,9 +364,9 @@ class Trajectory(Described):
 
         Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
         """
-        if isinstance(self.motion, PeriodicMotion):
-            return base_motion.swinging_displacement(self.segments, self._times(pt))
-        return base_motion.displacement_from_rest(self.segments, self._times(pt))
+        swings = isinstance(self.motion, PeriodicMotion)
+        integrals = base_motion.swinging_course if swings else base_motion.course_from_rest
+        return integrals(self.segments, self._times(pt))[1]
 
     def to_columns(self, samples: int = 100) -> dict[str, Floats]:
         """Return the time history as columns of equal length, with the units in their names.

@@ -333,7 +333,7 @@ def _sum(
                 "motions",
                 sorted(phasors),
                 "for ever, sinusoids may act together alone, at whole multiples of one frequency",
-                "end all but one of them, as Piecewise(pieces=(Segment(duration=...),))",
+                "end all but one of them, as Piecewise(pieces=(rs.motions.Segment(duration=...),))",
             )
         import numpy as np
 

@@ -163,7 +163,7 @@ def segments_of(motion: Motion) -> tuple[Segment, ...]:
             "motion",
             motion,
             "its segments() must return Segments",
-            "return (Segment(...), Segment(...))",
+            "return (rs.motions.Segment(...),)",
         )
     return tuple(given)
 
@@ -308,7 +308,7 @@ class Piecewise(DescribedMotion):
                 "pieces",
                 self.pieces,
                 "it must be a sequence of Segments",
-                "give pieces=(Segment(...), Segment(...))",
+                "give pieces=(rs.motions.Segment(...),)",
             )
         object.__setattr__(self, "pieces", tuple(given))
         for piece in self.pieces[:-1]:

@@ -124,7 +124,7 @@ def back_analyse(
             "motions",
             f"{len(grounds)}",
             f"records are left out in turn, of {FEWEST_RECORDS} or more",
-            "give more records, or ScanOptions(temper=0.3, trials=0)",
+            "give more records, or rs.calibration.ScanOptions(temper=0.3, trials=0)",
         )
     at_one = np.array(
         [[compute_measure(ground.record, each) for each in words] for ground in grounds]
@@ -166,7 +166,8 @@ def _measures(given: Sequence[Measure | str]) -> tuple[Measure, ...]:
                 "measures",
                 each.key,
                 f"{each.label} {what}",
-                "give measures of the ground, as 'pga_g', 'pgv_m_s' or Measure('sa_g', 0.5)",
+                "give measures of the ground, as 'pga_g', 'pgv_m_s' or "
+                "rs.measures.Measure('sa_g', 0.5)",
             )
     if len(intensities) < 2 or len({each.key for each in intensities}) < len(intensities):
         raise InputError(

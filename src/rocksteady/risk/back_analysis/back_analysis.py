@@ -147,7 +147,7 @@ class BackAnalysis(Result):
         """
         from scipy.interpolate import RegularGridInterpolator
 
-        hint = "stay inside, or analyse other limits: ScanOptions(limits=...)"
+        hint = "stay inside, or analyse other limits: rs.calibration.ScanOptions(limits=...)"
         values, ratios = self.first_values, self.ratios
         first = in_range("first", first, values[0], values[-1], "[]", hint=hint)
         low, high = first * ratios[0], first * ratios[-1]

@@ -106,9 +106,8 @@ def calibrate(
     Examples
     --------
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.calibration import make_synthetic_tests
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
     >>> calibration = calibrate(tests, sampling=DrawOptions(draws=60, gains=2), model=Linear())

@@ -124,10 +124,9 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     --------
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions
-    >>> from rocksteady.motions import make_synthetic_suite
-    >>> from rocksteady.calibration import make_synthetic_tests, read_posterior
+    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests, read_posterior
     >>> from rocksteady.export import write_calibration
+    >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.3, height=1.2)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2))
     >>> calibration = calibrate(

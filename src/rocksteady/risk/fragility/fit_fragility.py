@@ -68,10 +68,8 @@ def fit_fragility(ensemble: "xarray.Dataset", *, fitting: FitOptions | None = No
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import Block, Record
-    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
-    >>> from rocksteady import run_ensemble
-    >>> from rocksteady.risk import fit_fragility
+    >>> from rocksteady import Block, Record, run_ensemble
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand, fit_fragility
     >>> t = 0.02 * np.arange(100)
     >>> suite = [
     ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f} rad/s")

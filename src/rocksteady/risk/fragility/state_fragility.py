@@ -35,10 +35,9 @@ class StateFragility:
 
     Examples
     --------
-    >>> from rocksteady import Block
-    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
-    >>> from rocksteady import compute_fragility
+    >>> from rocksteady import Block, compute_fragility
     >>> from rocksteady.motions import make_synthetic_suite
+    >>> from rocksteady.risk import FitOptions, Levels, RestitutionBand
     >>> fragility = compute_fragility(
     ...     Block.rectangle(width=0.3, height=1.5),
     ...     make_synthetic_suite(3),

@@ -79,13 +79,10 @@ def course_at(table: Floats, times: Floats, *, swings: bool) -> MotionCourse:
         Whether the base goes to and fro about 0, as in endless harmonic shaking; else it starts
         from rest at 0.
     """
-    velocity, displacement = (
-        (base_motion.swinging_velocity, base_motion.swinging_displacement)
-        if swings
-        else (base_motion.velocity_from_rest, base_motion.displacement_from_rest)
+    integrals = base_motion.swinging_course if swings else base_motion.course_from_rest
+    return MotionCourse(
+        times, base_motion.base_acceleration(table, times), *integrals(table, times)
     )
-    acceleration = base_motion.base_acceleration(table, times)
-    return MotionCourse(times, acceleration, velocity(table, times), displacement(table, times))
 
 
 def to_dataframe(motion: Motion | Record | BaseMotion) -> "pd.DataFrame":

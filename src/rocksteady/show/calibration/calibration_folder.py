@@ -54,9 +54,8 @@ def write_calibration(
     --------
     >>> from tempfile import TemporaryDirectory
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions
+    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
     >>> from rocksteady.export import write_calibration
-    >>> from rocksteady.calibration import make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(2), model=Linear())

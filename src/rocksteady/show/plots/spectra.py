@@ -411,7 +411,7 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
             "summary",
             given,
             "it is the result of compute_suite_spectrum",
-            "compute compute_suite_spectrum(compute_rocking_spectrum(records, ...))",
+            "compute rs.measures.compute_suite_spectrum(compute_rocking_spectrum(records, ...))",
         )
     curve = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
     if set(curve.dims) - {"quantile", "period"} or curve.sizes["quantile"] != 3:

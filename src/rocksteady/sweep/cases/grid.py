@@ -54,7 +54,7 @@ class Grid:
             or not all(isinstance(axis, Axis) for axis in given)
         ):
             raise InputError(
-                "axes", given, "a grid has one axis or more", "give axes=(Axis(...), Axis(...))"
+                "axes", given, "a grid has one axis or more", "give axes=(rs.sweeps.Axis(...),)"
             )
         object.__setattr__(self, "axes", tuple(given))
         each_once("axes", [axis.name for axis in self.axes])

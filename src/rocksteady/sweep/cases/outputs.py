@@ -132,7 +132,7 @@ def outputs_of(outputs: Sequence[Output], grid: Grid) -> tuple[Output, ...]:
     checked = tuple(outputs)
     if not checked or not all(isinstance(output, Output) for output in checked):
         raise InputError(
-            "outputs", outputs, "there is one or more", "give outputs=(Output(...), Output(...))"
+            "outputs", outputs, "there is one or more", "give outputs=(rs.sweeps.Output(...),)"
         )
     each_once("outputs", [*grid.names, *(output.name for output in checked)])
     return checked

@@ -43,7 +43,7 @@ EXAMPLES = (
     "rocksteady back-analyse --example"
 )
 survey_flag = Panel("Survey")
-scan_flag = Panel("ScanOptions")
+scan_flag = Panel("Scan")
 FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
 """Options of a scan that are flags."""
 
@@ -131,7 +131,9 @@ def back_analyse(
             )
     except InputError as error:
         flag = {"measures": "--measure", "motions": "--records"}.get(error.name, error.name)
-        hint = error.hint.replace("ScanOptions(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
+        hint = error.hint.replace(
+            "rs.calibration.ScanOptions(temper=0.3, trials=0)", "--temper 0.3 --trials 0"
+        )
         raise FlagError(flag, error.value, error.valid, hint) from None
     description = result.describe()
     first, second = (measure.key for measure in result.measures[:2])

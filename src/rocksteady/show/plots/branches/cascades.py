@@ -70,7 +70,7 @@ def plot_cascade(
             "cascade",
             Words("has one doubling"),
             "a picture of distances needs two or more",
-            "look for more with find_cascade(..., doublings=6)",
+            "look for more with rs.branches.find_cascade(..., doublings=6)",
         )
     axes = axes_or_new(ax)
     inks, places = inks_of(axes), np.arange(len(sizes))

@@ -159,7 +159,7 @@ def _listed(
                 "curves",
                 points[0].type.value,
                 "a curve is one of " + ", ".join(CURVES),
-                "give what follow_bifurcation(...) returns, in lists",
+                "give what rs.branches.follow_bifurcation(...) returns, in lists",
             )
         listed.append((points[0].type, points))
     return listed

@@ -48,8 +48,7 @@ def plot_predictions(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Block, Linear, calibrate
-    >>> from rocksteady.calibration import DrawOptions
-    >>> from rocksteady.calibration import make_synthetic_tests
+    >>> from rocksteady.calibration import DrawOptions, make_synthetic_tests
     >>> from rocksteady.motions import make_synthetic_suite
     >>> column = Block.rectangle(width=0.15, height=0.6)
     >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
