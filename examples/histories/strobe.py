@@ -18,4 +18,4 @@ run = rs.simulate(block, pulse)
 fig, axes = plt.subplots(2, 2, figsize=(7.36, 6.4), layout="constrained")
 impact = run.impacts.pt[0]
 for ax, pt in zip(axes.flat, (0.2 * impact, 0.6 * impact, 1.1 * impact, 2.0 * impact), strict=True):
-    rs.plots.block(run, pt, ax)
+    rs.plots.block(run, ax, pt=pt)

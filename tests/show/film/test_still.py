@@ -111,7 +111,7 @@ def test_the_drawn_block_keeps_its_size_and_stands_on_its_pivot() -> None:
     run = falling()
     b = BLOCK.radius * math.sin(BLOCK.alpha)
     for s in np.linspace(0.0, run.end_time_pt, 60):
-        corners = drawn_corners(plots.block(run, float(s), new_axes()))
+        corners = drawn_corners(plots.block(run, new_axes(), pt=float(s)))
         for one, other in ((0, 2), (1, 3)):
             diagonal = np.linalg.norm(corners[one] - corners[other])
             assert diagonal == pytest.approx(2.0 * BLOCK.radius)
@@ -136,12 +136,12 @@ def test_the_mass_centre_leaves_the_band_where_the_angle_passes_alpha() -> None:
 def test_a_block_is_drawn_in_metres_and_a_dimensionless_one_in_radii() -> None:
     start = State(angle=0.5, velocity=0.0)
     wide = Block.rectangle(width=0.5, height=2.0)
-    axes = plots.block(simulate(wide, Still(), start=start, model=Linear()), 0.0, new_axes())
+    axes = plots.block(simulate(wide, Still(), start=start, model=Linear()), new_axes(), pt=0.0)
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("position [m]", "height [m]")
     corners = drawn_corners(axes)
     assert np.linalg.norm(corners[0] - corners[1]) == pytest.approx(0.5)
     assert np.linalg.norm(corners[1] - corners[2]) == pytest.approx(2.0)
-    axes = plots.block(simulate(BARE, Still(), start=start), 0.0, new_axes(), alpha=0.3)
+    axes = plots.block(simulate(BARE, Still(), start=start), new_axes(), pt=0.0, alpha=0.3)
     assert axes.get_xlabel() == palette.LABELS["position_radius"]
     corners = drawn_corners(axes)
     assert np.linalg.norm(corners[0] - corners[2]) == pytest.approx(2.0)
@@ -151,7 +151,7 @@ def test_a_block_is_drawn_in_metres_and_a_dimensionless_one_in_radii() -> None:
 def test_lengths_are_equal_in_both_directions_and_everything_is_in_the_picture() -> None:
     run = falling()
     for size in ((6.0, 2.0), (2.5, 6.0)):
-        axes = plots.block(run, run.end_time_pt, Figure(figsize=size).add_subplot())
+        axes = plots.block(run, Figure(figsize=size).add_subplot(), pt=run.end_time_pt)
         axes.figure.canvas.draw()
         assert axes.get_aspect() == 1.0
         (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
@@ -163,7 +163,7 @@ def test_lengths_are_equal_in_both_directions_and_everything_is_in_the_picture()
 def test_a_block_beyond_a_right_angle_lies_on_the_ground() -> None:
     stocky = Block.rectangle(width=1.0, height=0.9, restitution=0.5)
     run = simulate(stocky, Still(), start=State(angle=1.01, velocity=0.0), model=Linear())
-    corners = drawn_corners(plots.block(run, run.end_time_pt, new_axes()))
+    corners = drawn_corners(plots.block(run, new_axes(), pt=run.end_time_pt))
     assert corners[0] == pytest.approx(corners[0] * [1.0, 0.0], abs=1e-12)
     assert sorted(corners[:, 1]) == pytest.approx([0.0, 0.0, 1.0, 1.0], abs=1e-9)
 
@@ -326,15 +326,15 @@ def test_what_cannot_be_drawn_is_refused() -> None:
     run = falling()
     for s in (-1.0, run.end_time_pt + 1.0, math.nan, math.inf):
         with pytest.raises(InputError, match="pt = "):
-            plots.block(run, s, new_axes())
+            plots.block(run, new_axes(), pt=s)
     with pytest.raises(ModelError, match=r"alpha = 0\.3 .* 0\.2 rad"):
-        plots.block(run, 0.0, new_axes(), alpha=0.3)
+        plots.block(run, new_axes(), pt=0.0, alpha=0.3)
     bare = simulate(BARE, SHAKEN, cycles=2)
     for alpha in (0.0, -0.2, 1.6, math.nan):
         with pytest.raises(InputError, match="alpha = "):
-            plots.block(bare, 0.0, new_axes(), alpha=alpha)
+            plots.block(bare, new_axes(), pt=0.0, alpha=alpha)
     with pytest.raises(InputError, match="glow = "):
-        plots.block(bare, 0.0, new_axes(), glow=0.0)
+        plots.block(bare, new_axes(), pt=0.0, glow=0.0)
 
 
 @pytest.mark.parametrize(
@@ -350,14 +350,14 @@ def test_what_cannot_be_drawn_is_refused() -> None:
 def test_extreme_runs_are_drawn(motion: Harmonic | Still | Piecewise, start: State) -> None:
     run = simulate(BARE, motion, start=start, cycles=2)
     figure = Figure(figsize=(4.0, 3.0))
-    axes = plots.block(run, 0.0, figure.add_subplot())
-    plots.block(run, min(run.end_time_pt, 1.0), figure.add_subplot())
+    axes = plots.block(run, figure.add_subplot(), pt=0.0)
+    plots.block(run, figure.add_subplot(), pt=min(run.end_time_pt, 1.0))
     figure.canvas.draw()
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 
 
 def test_new_axes_are_in_the_house_style() -> None:
-    axes = plots.block(falling(), 1.0)
+    axes = plots.block(falling(), pt=1.0)
     try:
         assert plt.gcf() is axes.figure
         assert not axes.spines["top"].get_visible()

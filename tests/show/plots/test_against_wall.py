@@ -57,7 +57,7 @@ def test_the_wall_stands_at_the_edge_on_which_the_block_does_not_turn(
     block: Block | DimensionlessBlock, paper: str
 ) -> None:
     run = rocked(block, Linear())
-    axes = plots.block(run, 0.5 * float(run.impacts.pt[0]), new_axes(paper))
+    axes = plots.block(run, new_axes(paper), pt=0.5 * float(run.impacts.pt[0]))
     (wall,) = walls(axes)
     shape = shape_of(run)
     assert wall.get_x() == pytest.approx(shape.half_width)
@@ -69,7 +69,7 @@ def test_the_wall_stands_at_the_edge_on_which_the_block_does_not_turn(
     assert (corners[..., 0] <= shape.half_width + 1e-12).all()
     low, high = axes.get_ylim()
     assert low < 0.0 < wall.get_height() < high
-    assert not walls(plots.block(rocked(FREE), 0.5, new_axes(paper)))
+    assert not walls(plots.block(rocked(FREE), new_axes(paper), pt=0.5))
 
 
 def test_the_ring_of_an_impact_is_where_the_top_strikes_the_wall() -> None:

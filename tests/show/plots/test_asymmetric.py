@@ -131,5 +131,5 @@ def test_words_of_a_film_tell_both_sides() -> None:
 
 def test_plot_block_draws_it() -> None:
     run = simulate(BLOCK, Still(), start=State(angle=-1.5, velocity=0.0), model=Linear())
-    axes = plots.block(run, 0.0, new_axes())
+    axes = plots.block(run, new_axes(), pt=0.0)
     assert "α₊" in axes.texts[1].get_text()

@@ -157,7 +157,7 @@ def drawings() -> dict[str, object]:
         "base": lambda axes: plots.base(vertical_too(), axes),
         "portrait": lambda axes: plots.phase_portrait(rocking(), axes),
         "rest": lambda axes: plots.phase_portrait(resting(), axes),
-        "block": lambda axes: plots.block(rocking(), 1.0, axes),
+        "block": lambda axes: plots.block(rocking(), axes, pt=1.0),
         "section": lambda axes: plots.poincare_section(some, axes),
         "multipliers": lambda axes: plots.multipliers(some, axes),
         "bifurcations": lambda axes: plots.bifurcations(over_frequency(), sweeps(), axes),

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 @checked
 def plot_block(
     trajectory: Trajectory | Block | DimensionlessBlock,
-    pt: float = 0.0,
     ax: "Axes | None" = None,
     *,
+    pt: float = 0.0,
     alpha: float | None = None,
     glow: float = GLOW,
 ) -> "Axes":
@@ -45,10 +45,10 @@ def plot_block(
     ----------
     trajectory
         From `rocksteady.simulate`; or a block alone, released at half of its alpha.
-    pt
-        Pivot time p t, from 0 to ``trajectory.end_time_pt``.
     ax
         Axes to draw on, whose limits are set; default: axes of a new figure.
+    pt
+        Pivot time p t, from 0 (default) to ``trajectory.end_time_pt``.
     alpha
         Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); default 0.2.
     glow
@@ -73,7 +73,7 @@ def plot_block(
     >>> from rocksteady import Block, State, Still, simulate
     >>> block = Block.rectangle(width=0.5, height=2.0)
     >>> run = simulate(block, Still(), start=State(angle=0.8, velocity=0.0))
-    >>> axes = plot_block(run, 0.0, Figure().add_subplot())
+    >>> axes = plot_block(run, Figure().add_subplot())
     >>> print(axes.get_xlabel(), axes.texts[1].get_text(), sep=", ")
     position [m], θ = +0.80 α = +11.2°
     """
