@@ -17,6 +17,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
+from rocksteady.risk.assess._probability import onset_of, probability_of
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import case_of, parameter_words, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, _curve_over, assess_object
@@ -75,9 +76,21 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
     assert found.fragility.measure == Measure("pgv_m_s")
     assert found.curve is found.fragility.states[-1].two_stage.given_uplift  # type: ignore[union-attr]
     expected = float(found.curve.probability(np.array([PGV]))[0])
-    assert found.probability == pytest.approx(expected, rel=1e-9)
-    assert found.probability_band is not None
-    low, high = found.probability_band
+    assert found.by_curve == pytest.approx(expected, rel=1e-9)
+    counted = found.cases[0].counted
+    assert counted > expected + 0.1
+    assert (found.probability, found.basis, found.probability_band) == (counted, "count", None)
+    parts = (found.described, onset_of(found.described), found.fragility, found.level)
+    for share, value, basis in (
+        (expected - 0.2, found.by_curve, "curve"),
+        (expected + 0.09, found.by_curve, "curve"),
+        (expected + 0.11, expected + 0.11, "count"),
+        (1.0, 1.0, "count"),
+    ):
+        answer = probability_of(*parts, share)
+        assert (answer.value, answer.by_curve, answer.basis) == (value, found.by_curve, basis)
+        assert (answer.band is None) == (basis == "count")
+    low, high = probability_of(*parts, expected).band or (math.nan, math.nan)
     assert low <= expected <= high
     assert found.fragility.records == len(SUITE)
     assert found.verdict == "above target"
@@ -132,8 +145,8 @@ def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Ass
     ]
     for case in found.cases[1:]:
         bar = next(bar for bar in bars if bar["parameter"] == case.parameter)
-        assert bar["low"] <= case.probability <= bar["high"]
-        assert bar["low"] <= found.cases[0].probability <= bar["high"]
+        assert bar["low"] <= case.fitted <= bar["high"]
+        assert bar["low"] <= found.cases[0].fitted <= bar["high"]
 
 
 def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
@@ -231,15 +244,20 @@ def test_everything_is_plain_json_and_every_caveat_is_printed(found: Assessment)
 
 def test_the_first_line_has_the_number_that_the_verdict_follows(found: Assessment) -> None:
     """By the curve, or by the runs at the demand where far more of these fall."""
-    value, first = found.probability, found.cases[0]
+    value, first = found.by_curve, found.cases[0]
     assert value is not None
     for fell in range(first.trials + 1):
         counted = fell / first.trials
         case = dataclasses.replace(first, fell=fell, counted=counted)
-        changed = dataclasses.replace(found, cases=(case, *found.cases[1:]))
+        above = counted > value + 0.1
+        changed = dataclasses.replace(
+            found,
+            cases=(case, *found.cases[1:]),
+            probability=counted if above else value,
+            basis="count" if above else "curve",
+        )
         answer = changed.describe().answer
         assert answer is not None
-        above = counted > value + 0.1
         runs = f"{fell} of its {first.trials} runs"
         assert answer.sentence.startswith(runs if above else f"{100.0 * value:.0f} % of such")
         facts = dict(answer.lines)
@@ -366,7 +384,7 @@ def test_what_is_doubtful_stands_on_the_answer(found: Assessment) -> None:
             dataclasses.replace(found.fragility, states=states) if misfit else found.fragility
         )
         changed = dataclasses.replace(
-            found, cases=(case, *found.cases[1:]), fragility=fragility, probability=probability
+            found, cases=(case, *found.cases[1:]), fragility=fragility, by_curve=probability
         )
         usual = int(not misfit and found.curve.misfit > 0.1)
         assert len(changed.doubts) == sentences + usual
@@ -391,7 +409,9 @@ def test_a_measure_needs_its_demand() -> None:
 @pytest.mark.slow
 def test_no_run_that_falls_is_a_count(found: Assessment) -> None:
     case = dataclasses.replace(found.cases[0], fell=0, counted=0.0)
-    changed = dataclasses.replace(found, cases=(case,), basis="count", probability=0.0)
+    changed = dataclasses.replace(
+        found, cases=(case,), basis="count", probability=0.0, by_curve=None
+    )
     assert f"None of its {case.trials} runs" in changed.summary()
     assert "0 %" not in changed.summary().splitlines()[0]
 

@@ -74,7 +74,8 @@ def test_the_curve_is_near_the_count_and_the_closed_form_stands_beside(table: Ob
         assert row["closed_form"] == closed
         if row["basis"] == "curve":
             assert row["method"].startswith("curve through the runs at 6 levels, 2 restitutions")
-            shares.append((row["probability"], row["counted"]))
+        if row["by_curve"] is not None:
+            shares.append((row["by_curve"], row["counted"]))
     assert len(shares) > 5
     assert np.abs(np.diff(shares)).mean() < 0.12
     assert np.corrcoef(np.array(shares).T)[0, 1] > 0.9
@@ -120,20 +121,28 @@ def test_no_object_meets_its_target_where_far_more_runs_fall_than_its_curve_allo
         suite = make_synthetic_suite(count)
         table = assess_objects(bodies, suite, pga_g=pga, pgv_m_s=pgv)
         for body, row in zip(bodies, table.rows, strict=True):
-            share, counted = row["probability"], row["counted"]
-            if row["basis"] != "curve" or not counted > max(share + 0.1, 0.1):
+            share, counted = row["by_curve"], row["counted"]
+            if share is None:
+                continue
+            # One number: the one that its colour follows, in the table and of the object alone.
+            decides = counted is not None and counted > share + 0.1
+            assert row["probability"] == (counted if decides else share)
+            assert row["basis"] == ("count" if decides else "curve")
+            if not decides or counted <= 0.1:
                 continue
             assert (row["colour"], row["verdict"]) == ("red", "above target")
             if share <= 0.1 and not far:
                 found = assess_object(body.with_peaks(pga_g=pga, pgv_m_s=pgv), suite)
-                assert found.probability == share
+                assert (found.probability, found.by_curve) == (counted, share)
+                assert (found.basis, found.probability_band) == ("count", None)
+                assert found.summary().startswith(f"{row['fell']} of its {row['tried']} runs")
                 assert (found.colour, found.meets_target) == ("red", False)
                 assert f"but {row['fell']} of its {row['tried']} runs that lift" in found.sentence
                 assert all(each.value is None or met(each, 0.1) for each in found.remedies)
+                assert found.bars[0][1] <= found.cases[0].counted <= found.bars[0][2]
                 assert f"{row['fell']} fell, which decides." in row["sentence"]
-                assert row["judged"] == counted
             far += share <= 0.1
-        shown = [row["judged"] or 0.0 for row in table.to_dict()["objects"]]
+        shown = [row["probability"] or 0.0 for row in table.to_dict()["objects"]]
         assert shown == sorted(shown, reverse=True)
         assert table.meets_target == all(row["verdict"] == "below target" for row in table.rows)
     assert far >= 3
@@ -165,7 +174,7 @@ def test_the_whole_table_is_in_json_and_the_worst_come_first(table: ObjectsTable
     places = {"red": 0, "amber": 1, "grey": 2, "green": 3}
     assert [row["name"] for row in values["objects"]] == [
         row["name"]
-        for row in sorted(table.sorted_by("judged"), key=lambda row: places[row["colour"]])
+        for row in sorted(table.sorted_by("probability"), key=lambda row: places[row["colour"]])
     ]
     assert sum(values["colours"].values()) == len(table.rows)
     assert "colour" in table.summary(more=True)
@@ -224,8 +233,8 @@ def test_of_thirty_objects_the_worst_are_on_the_screen() -> None:
         pga_g=0.4,
         pgv_m_s=0.45,
     )
-    assert None not in [row["judged"] for row in table.rows]
-    worst = sorted(table.rows, key=lambda row: -row["judged"])
+    assert None not in [row["probability"] for row in table.rows]
+    worst = sorted(table.rows, key=lambda row: -row["probability"])
     first, *lines = table.summary().splitlines()
     reds = [row["name"] for row in worst if row["colour"] == "red"]
     assert first.startswith(f"{len(reds)} of 30 objects are above the target of 10 % at 0.4 g")

@@ -160,15 +160,23 @@ def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -
     seen = set()
     for each, row in zip(objects, table.rows, strict=True):
         file = assess_object(each, SUITE)
-        for key in ("probability", "basis", "method", "verdict", "colour", "friction_needed"):
+        for key in (
+            "probability",
+            "by_curve",
+            "basis",
+            "method",
+            "verdict",
+            "colour",
+            "friction_needed",
+        ):
             assert getattr(file, key) == row[key], (each.name, key)
         assert file.facts.uplift_pga_g == row["uplift_pga_g"]
         if file.cases:
             assert (file.cases[0].fell, file.cases[0].trials) == (row["fell"], row["tried"])
-        seen.add(row["basis"])
+        seen.add((row["basis"], row["by_curve"] is None))
     (alone,) = assess_objects(objects[:1], SUITE, **peaks).rows
     assert alone == table.rows[0]
-    assert seen == {"curve", "count", "statics", None}
+    assert seen >= {("count", False), ("count", True), ("statics", True), (None, True)}
     assert "restitutions from" in table.rows[0]["method"]
 
 

@@ -20,8 +20,10 @@ from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.show.assessment._assessment_pictures import tornado_rows
+from rocksteady.show.assessment._assessment_tables import answer_rows
 from rocksteady.show.assessment.object_report import report_html, write_assessment_page
 from rocksteady.show.export.manifest import make_manifest
+from rocksteady.show.style.wording import span
 from tests.show.assessment.pages import Page, check_alone
 
 HOSTILE = "<script>alert('1')</script> & \u202eevil \"q\" $\\frac{x}$ {{ 7*7 }} </style>\\"
@@ -76,8 +78,8 @@ def _slides() -> Assessment:
 
 def test_bars_go_from_the_low_to_the_high_end_the_widest_first() -> None:
     cases = [
-        SimpleNamespace(parameter=parameter, change=change, probability=probability)
-        for parameter, change, probability in (
+        SimpleNamespace(parameter=parameter, change=change, fitted=share)
+        for parameter, change, share in (
             ("", "", 0.3),
             ("width", "-5 % alone", 0.5),
             ("width", "+5 % alone", 0.2),
@@ -86,7 +88,9 @@ def test_bars_go_from_the_low_to_the_high_end_the_widest_first() -> None:
             ("restitution", "+1 %", math.nan),
         )
     ]
-    rows = tornado_rows(SimpleNamespace(cases=cases))  # type: ignore[arg-type]
+    shares = [case.fitted for case in cases]
+    found: Any = SimpleNamespace(cases=cases, case_probabilities=shares)
+    rows = tornado_rows(found)
     assert [row[1:] for row in rows] == [(0.3, 0.9), (0.5, 0.2), (0.25, 0.3)]
     assert rows[1][0].endswith(", -5 % to +5 %")
 
@@ -108,11 +112,12 @@ def test_its_headings_are_in_order_and_numbered(page: Page) -> None:
 
 def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) -> None:
     values = found.to_dict()
-    shares = [values["probability"], *values["probability_band"], values["target_probability"]]
+    assert values["probability"] > values["by_curve"] + 0.1  # both stand on it, and which decides
+    shares = [values["probability"], values["by_curve"], values["target_probability"]]
     expected = [number(100.0 * share) for share in shares]
     expected += [number(values[key]) for key in ("median", "friction_needed", "uplift_pga_g")]
     for case in values["cases"]:
-        expected += [number(100.0 * case["probability"]), f"{case['fell']} of {case['trials']}"]
+        expected += [number(100.0 * case["fitted"]), f"{case['fell']} of {case['trials']}"]
     for row in values["screens"]:
         expected += [row["edition"], row["status"]]
         expected += [] if row["value"] is None else [number(row["value"])]
@@ -123,6 +128,14 @@ def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) ->
     for risk in values["risks"]:
         expected += [risk["hazard"], number(risk["hclpf"])]
     assert [each for each in expected if each not in page.text] == []
+
+
+def test_a_probability_by_the_curve_has_its_band(found: Assessment) -> None:
+    by_curve = replace(found, basis="curve", probability_band=(0.213, 0.435))
+    (row,) = (each for each in answer_rows(by_curve) if each["name"] == "Probability of falling")
+    assert row["words"].endswith(f"({span(0.213, 0.435, 100.0)} %, 90 % band)")
+    (row,) = (each for each in answer_rows(found) if each["name"] == "Probability of falling")
+    assert "band" not in row["words"]
 
 
 def test_the_curves_of_all_states_stand_on_it(found: Assessment, page: Page) -> None:

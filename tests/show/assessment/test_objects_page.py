@@ -69,8 +69,8 @@ def test_rows_stand_by_probability_those_without_one_last(table: ObjectsTable, h
 def test_each_order_gives_each_row_a_place(table: ObjectsTable, html: str) -> None:
     styles = [each["style"] for each in Page(html).of("tr") if "style" in each]
     assert len(styles) == len(SIZES)
-    rows = table.sorted_by("judged")
-    for key in ("judged", "uplift_pga_g", "name"):
+    rows = table.sorted_by("probability")
+    for key in ("probability", "uplift_pga_g", "name"):
         places = [int(re.search(rf"--{key}:(\d+)", style)[1]) for style in styles]  # type: ignore[index]
         assert sorted(places) == [*range(len(SIZES))]
         values = [rows[places.index(place)][key] for place in range(len(SIZES))]

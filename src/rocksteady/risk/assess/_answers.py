@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rocksteady.results.answer import MOST_ROWS, Answer
-from rocksteady.results.doubts import FEW_RECORDS, far_above, misfit_words
+from rocksteady.results.doubts import FEW_RECORDS, misfit_words
 from rocksteady.results.numbers import chance, interval, number, plural, quantity
 from rocksteady.risk.assess._remedies import Remedy, cheapest
 from rocksteady.risk.assess._sensitivity import parameter_words, tornado
@@ -67,15 +67,16 @@ def answer_of_object(result: Any) -> Answer:
     that = " that lift" if level.measure.given_uplift else ""
     fell, runs = f"{base.fell:,}" if base.fell else "none", f"{base.trials:,} runs{that}"
     share = f" ({chance(base.counted)})" if 0 < base.fell < base.trials else ""
-    by_curve = f"{chance(value)} by the curve through all levels{band}"
+    at_curve = value if result.by_curve is None else result.by_curve
+    by_curve = f"{chance(at_curve)} by the curve through all levels{band}"
     counted = f"{fell} of {runs} at this demand fall{share}"
     if not base.trials:
         counted = "no run lifts at this demand"
     by_count = f"{fell.capitalize()} of its {runs} fall at {at}{share}."
     sentence = f"{chance(value)} of such objects fall at {at}{band}."
-    if result.basis == "count":
+    if result.by_curve is None:
         sentence, counted = by_count, f"by {runs} at this demand; no curve can be fitted"
-    elif far_above(value, base.counted) > value:
+    elif result.basis == "count":
         sentence, counted = by_count, f"these runs decide; {by_curve}"
     elif result.beyond:
         sentence = f"No answer yet: {at} lies outside the levels of the runs."
@@ -168,13 +169,14 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
 
 def _row_words(row: Mapping[str, Any]) -> str:
     """Return the number that the colour of an object follows, and what else is known."""
-    if row["judged"] is None:
+    if row["probability"] is None:
         return f"grey: {row['verdict']}, no probability"
-    words = f"{row['colour']}, {chance(row['judged'], row['tried'])}"
+    words = f"{row['colour']}, {chance(row['probability'], row['tried'])}"
     if row["basis"] == "statics":
         return f"{row['colour']}: the PGA does not lift it"
     if row["basis"] == "count":
-        return f"{words}, counted in {row['tried']:,} runs; no curve can be fitted"
-    if row["judged"] != row["probability"]:
-        return f"{words}, counted in {row['tried']:,} runs; {chance(row['probability'])} by curve"
+        beside = "no curve can be fitted"
+        if row["by_curve"] is not None:
+            beside = f"{chance(row['by_curve'])} by curve"
+        return f"{words}, counted in {row['tried']:,} runs; {beside}"
     return words

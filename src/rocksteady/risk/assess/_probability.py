@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from rocksteady.results.doubts import far_above
-from rocksteady.results.numbers import number, number_or_none, plural
+from rocksteady.results.numbers import number, percent, plural
 from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
@@ -82,28 +82,21 @@ class Probability:
     ----------
     value
         None of an object that slides, or that no run lifts.
+    by_curve
+        That of the fitted curve; None without one.
     band
-        Confidence band of the curve; None without one.
+        Confidence band of the curve; None without one, and where the count is the value.
     basis
         "curve", "count" or "statics"; None of an object that slides.
     method
         The same in words, with the restitutions.
-    counted
-        Share of the runs at the demand that fall; None without runs.
     """
 
     value: float | None
+    by_curve: float | None = None
     band: tuple[float, float] | None = None
     basis: Basis | None = None
     method: str = "none: it slides"
-    counted: float | None = None
-
-    @property
-    def judged(self) -> float | None:
-        """What verdict and colour are from: the share counted where it is far above the curve."""
-        if self.value is None or self.counted is None:
-            return self.value
-        return far_above(self.value, self.counted)
 
 
 NO_ANSWER = Probability(value=None)
@@ -119,8 +112,9 @@ def probability_of(
 ) -> Probability:
     """Return the probability of falling at a demand.
 
-    It is that of the curve through all levels; where no curve can be fitted, of the runs at the
-    demand; 0 where the demand does not lift the object.
+    It is that of the curve through all levels; where no curve can be fitted, or the share counted
+    in the runs at the demand is far above it, that share; 0 where the demand does not lift the
+    object.
 
     Parameters
     ----------
@@ -138,15 +132,22 @@ def probability_of(
         words = f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}"
         return Probability(value=counted, basis="count", method=words)
     at = np.array([level.of(fragility.measure, block)])
+    by_curve = float(curve.probability(at)[0])
+    if far_above(by_curve, counted) > by_curve:
+        words = (
+            f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}; "
+            f"it is far above the {percent(by_curve)} of the curve"
+        )
+        return Probability(value=counted, by_curve=by_curve, basis="count", method=words)
     band = curve.probability_band(at)
     levels = plural(fragility.ensemble.sizes["level"], "level")
     draws = described.given.assessment.draws
     return Probability(
-        value=float(curve.probability(at)[0]),
+        value=by_curve,
+        by_curve=by_curve,
         band=None if band is None else (float(band[0][0]), float(band[1][0])),
         basis="curve",
         method=f"curve through the runs at {levels}, {_restitutions(described, draws)}",
-        counted=number_or_none(counted),
     )
 
 

@@ -69,7 +69,8 @@ class Remedy:
         the largest coefficient of friction.
     probability, basis
         Probability of the changed object at the demand, nan where no run lifts, and what it is
-        from: "curve" (through its runs about the demand), "count" (of its runs there) or "statics".
+        from: "curve" (through its runs about the demand), "count" (of its runs there) or "statics";
+        the count too where it is far above the curve.
         Where no change is enough, or none is needed, that of the largest change tried, or of the
         object as it is.
     fell, trials
@@ -195,11 +196,11 @@ class Search:
             counts = self.runs(block)
             case = case_of("", "", counts, rests=stays(self.described, block))
             rounds += 1
-            if case.judged <= self.target:
+            if case.probability <= self.target:
                 # An end that has stood twice counts half, so that the other comes to it.
                 above *= 0.5
                 best, high, below = (change, case), change, self._beyond(case)
-            elif math.isnan(case.judged):
+            elif math.isnan(case.probability):
                 self.unknown = True
                 break
             elif change == most or rounds == ROUNDS:
@@ -245,7 +246,7 @@ class Search:
         from scipy.special import ndtri
 
         fitted, target = (
-            min(max(share, SMALLEST), 1.0 - SMALLEST) for share in (case.judged, self.target)
+            min(max(share, SMALLEST), 1.0 - SMALLEST) for share in (case.probability, self.target)
         )
         # Exactly at the target is still below.
         return float(ndtri(fitted) - ndtri(target)) or -SMALLEST

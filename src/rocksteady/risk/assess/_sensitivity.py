@@ -44,7 +44,7 @@ class Case:
         What is changed; "as described" of the first case.
     change
         How, in words.
-    probability, counted
+    fitted, counted
         Probability of falling at the demand: fitted over the levels about it, and the share of the
         runs there; where no curve can be fitted both are the share.
     basis
@@ -57,7 +57,7 @@ class Case:
 
     parameter: str
     change: str
-    probability: float
+    fitted: float
     counted: float
     basis: Basis
     fell: int
@@ -65,17 +65,17 @@ class Case:
     median: float
 
     @property
-    def judged(self) -> float:
-        """What a target is compared with: the share counted where it is far above the curve."""
+    def probability(self) -> float:
+        """Probability of falling: the share counted where it is far above the curve."""
         if self.basis == "statics":
-            return self.probability
-        return far_above(self.probability, self.counted)
+            return self.fitted
+        return far_above(self.fitted, self.counted)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, None for what does not exist."""
         return {
             key: None if isinstance(value, float) and math.isnan(value) else value
-            for key, value in vars(self).items()
+            for key, value in {**vars(self), "probability": self.probability}.items()
         }
 
 
@@ -176,7 +176,7 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
     return Case(
         parameter=parameter,
         change=change,
-        probability=0.0 if rests else probability if fitted else counted,
+        fitted=0.0 if rests else probability if fitted else counted,
         counted=counted,
         basis="statics" if rests else "curve" if fitted else "count",
         fell=fell,
@@ -223,12 +223,21 @@ def parameter_words(parameter: str) -> str:
     return f"{table} {words}" if table == "content" else words
 
 
+def by_one_method(cases: Sequence[Case]) -> list[float]:
+    """Return the probability of each case by the method that decides for the first.
+
+    A change that moved a case from curve to count would be a difference of methods.
+    """
+    counted = cases[0].probability > cases[0].fitted
+    return [case.counted if counted and case.basis != "statics" else case.fitted for case in cases]
+
+
 def tornado(cases: Sequence[Case]) -> list[dict[str, Any]]:
     """Return a bar for each parameter, the widest first: lowest and highest probability."""
-    base = cases[0].probability
+    base, *shares = by_one_method(cases)
     bars: dict[str, list[float]] = {}
-    for case in cases[1:]:
-        bars.setdefault(case.parameter, [base]).append(case.probability)
+    for case, share in zip(cases[1:], shares, strict=True):
+        bars.setdefault(case.parameter, [base]).append(share)
     rows = [
         {"parameter": name, "low": min(values), "high": max(values), "base": base}
         for name, values in bars.items()

@@ -80,7 +80,7 @@ def verdict_of(answer: Probability, target: float) -> str:
         return "slides" if answer.basis is None else "undecided"
     if answer.basis == "statics":
         return "stands"
-    return "above target" if (answer.judged or 0.0) > target else "below target"
+    return "above target" if answer.value > target else "below target"
 
 
 def colour_of(probability: float | None, target: float) -> str:
@@ -103,7 +103,7 @@ def answer_of(findings: Findings) -> Answer:
     facts, remedy, target = findings.facts, findings.remedy, findings.target
     answer, need = findings.answer, findings.onset.friction_needed
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
-    verdict, colour = verdict_of(answer, target), colour_of(answer.judged, target)
+    verdict, colour = verdict_of(answer, target), colour_of(answer.value, target)
     if verdict == "slides":
         assert need is not None  # without a PGA nothing is known to slide
         low = facts.friction[0] if facts.friction else 0.0
@@ -136,12 +136,12 @@ def answer_of(findings: Findings) -> Answer:
     side = "more than" if verdict == "above target" else "within"
     base = findings.cases[0]
     runs = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
-    share = f"{share_words(answer.value)} objects of this shape and size would fall"
-    if answer.basis == "count":  # a share is no smaller than one of the runs
-        share = runs
-    percents = percent(answer.value)
-    if answer.judged != answer.value:
-        percents += f"), but {runs} there ({percent(answer.judged)}"
+    share, percents = runs, percent(answer.value)  # a share is no smaller than one of the runs
+    if answer.by_curve is not None:
+        share = f"{share_words(answer.by_curve)} objects of this shape and size would fall"
+        percents = percent(answer.by_curve)
+        if answer.basis == "count":
+            percents += f"), but {runs} there ({percent(answer.value)}"
     sentence = (
         f"{share} at {with_article(findings.level.words)} ({percents}): {side} the "
         f"target of {number(100.0 * target)} %."

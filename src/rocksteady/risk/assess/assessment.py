@@ -31,6 +31,7 @@ from rocksteady.risk.assess._probability import (
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import (
     Case,
+    by_one_method,
     parameter_words,
     tornado,
     vary,
@@ -58,6 +59,10 @@ if TYPE_CHECKING:
     import xarray
 
 
+WHOLE_CURVE = "of the curve through all levels."
+"""What a probability is of that is not counted."""
+
+
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Assessment(Result):
@@ -81,8 +86,11 @@ class Assessment(Result):
     sentence, reason
         The answer and why.
     probability, probability_band
-        Probability of falling at the demand, and the confidence band of its curve; None where
-        there is none.
+        Probability of falling at the demand, and its confidence band, which a count has not; None
+        where there is none.
+    by_curve
+        The probability by the fitted curve, which is `probability` unless the share of the runs at
+        the demand is more than 10 points above it; None without a curve.
     basis, method
         What the probability is from: "curve", "count" (of the runs at the demand) or "statics" (the
         demand does not lift it), None where it slides; and the same in words.
@@ -112,6 +120,7 @@ class Assessment(Result):
     reason: str
     probability: float | None = None
     probability_band: tuple[float, float] | None = None
+    by_curve: float | None = None
     basis: Basis | None = None
     method: str = ""
     fragility: Fragility | None = None
@@ -134,10 +143,10 @@ class Assessment(Result):
         poor = misfit_words(self.curve.misfit)
         sentences = [f"The curve of falling is a {poor}."] if poor else []
         case = self.cases[0]
-        if counted_otherwise(self.probability, case.counted):
+        if self.by_curve is not None and counted_otherwise(self.by_curve, case.counted):
             sentences.append(
                 f"{case.fell} of {case.trials} runs at the demand fall, {percent(case.counted)}: "
-                f"the curve's {percent(self.probability)} is more than "
+                f"the curve's {percent(self.by_curve)} is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
         return tuple(sentences)
@@ -188,6 +197,11 @@ class Assessment(Result):
         peaks = self.described.given.demand
         pga, pgv = quantity(peaks.pga_g or 0.0, "g"), quantity(peaks.pgv_m_s or 0.0, "m/s")
         return f"at {pga} a PGV of {pgv} is percentile {self.pgv_percentile:.0f} of the motions"
+
+    @property
+    def case_probabilities(self) -> list[float]:
+        """Probability of each case, all by the method that decides for the object as described."""
+        return by_one_method(self.cases)
 
     @property
     def bars(self) -> list[tuple[str, float, float]]:
@@ -243,6 +257,7 @@ class Assessment(Result):
             Fact("reason", self.reason, "why"),
             Fact("probability", self.probability, "probability", share),
             Fact("probability_band", self.probability_band and list(self.probability_band)),
+            Fact("by_curve", self.by_curve),
             Fact("basis", self.basis),
             Fact("method", self.method, "from", self.method),
             Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),
@@ -300,7 +315,8 @@ class Assessment(Result):
                 "What matters and what helps is fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
                 f"{percent(self.cases[0].probability)} for the object as described; the "
-                "probability is of the curve through all levels."
+                "probability is "
+                + ("the share at the demand." if self.basis == "count" else WHOLE_CURVE)
             )
         warnings += [remark for risk in self.risks for remark in risk.remarks]
         return list(dict.fromkeys(filter(None, warnings)))
@@ -434,9 +450,9 @@ def _rocking(
     cases = vary(described, suite, level, run=inner)
     answer = probability_of(described, findings.onset, fragility, level, cases[0].counted)
     remedies: tuple[Remedy, ...] = ()
-    if answer.judged and answer.judged > findings.target:
+    if answer.value and answer.value > findings.target:
         # Where the runs about the demand give less than the answer, remedies owe the same factor.
-        share = min(1.0, cases[0].judged / answer.judged) if cases[0].judged else 1.0
+        share = min(1.0, cases[0].probability / answer.value) if cases[0].probability else 1.0
         goal = findings.target * share
         remedies = find_remedies(Search(described, suite, level, goal, inner))
     assessed = replace(
@@ -445,6 +461,7 @@ def _rocking(
         cases=cases,
         probability=answer.value,
         probability_band=answer.band,
+        by_curve=answer.by_curve,
         basis=answer.basis,
         method=answer.method,
         remedies=remedies,

@@ -69,10 +69,9 @@ class ObjectsTable(Result):
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
-        `Assessment`, the share ``counted`` at the demand, of those ``tried``, the probability that
-        is ``judged`` (the share where it is more than 10 points above the curve), and that by the
-        ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
-        of its table after them.
+        `Assessment`, the share ``counted`` at the demand, of those ``tried``, the probability
+        ``by_curve`` and that by the ``closed_form``, ``colour``, ``class``, ``verdict`` and
+        ``sentence``; further columns of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
     target_probability
@@ -121,7 +120,7 @@ class ObjectsTable(Result):
         colours = Counter(row["colour"] for row in self.rows)
         counts = {colour: colours[colour] for colour in ("red", "amber", "green", "grey")}
         target = 100.0 * self.target_probability
-        worst = sorted(self.sorted_by("judged"), key=lambda row: ORDER[row["colour"]])
+        worst = sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]])
         columns = [
             Column("name", "object", left=True),
             Column("probability", "P"),
@@ -318,7 +317,7 @@ def _row(
             vertical_g=demand.vertical_g,
             vertical_share=demand.vertical_share,
         ).probability
-    colour = colour_of(answer.judged, target)
+    colour = colour_of(answer.value, target)
     side, need = first_side(block), onset.friction_needed
     row = {
         "name": described.name,
@@ -329,7 +328,7 @@ def _row(
         "basis": answer.basis,
         "method": answer.method,
         "counted": number_or_none(counts.share),
-        "judged": answer.judged,
+        "by_curve": answer.by_curve,
         "closed_form": closed,
         **counts._asdict(),
         "alpha_rad": side.alpha,
@@ -360,10 +359,11 @@ def _sentence(
         return f"{name} slides at {peak_words(described.demand)}: rocking is no answer."
     if answer.basis == "statics":
         return f"{name} stands: {peak_words(described.demand)} does not lift it."
-    if answer.basis == "count":  # a share is no smaller than one of the runs
+    if answer.by_curve is None:  # a share is no smaller than one of the runs
         return f"{name}: {fell or 'none'} of its {runs} fall at {with_article(level.words)}."
-    decides = "" if answer.judged == answer.value else ", which decides"
+    decides = ", which decides" if answer.basis == "count" else ""
+    share = share_words(answer.by_curve).lower()
     return (
-        f"{name}: {share_words(answer.value).lower()} objects of its shape and size would fall at "
+        f"{name}: {share} objects of its shape and size would fall at "
         f"{with_article(level.words)}; of its {runs} there {fell or 'none'} fell{decides}."
     )

@@ -58,7 +58,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
         )
     bars = tornado_rows(assessment)
     if bars and abs(bars[0][1] - bars[0][2]) > LEAST_BAR:
-        base = assessment.cases[0].probability
+        base = assessment.case_probabilities[0]
         pictures["tornado"] = picture(
             lambda axes: plot_tornado(
                 [(name, 100.0 * low, 100.0 * high) for name, low, high in bars],
@@ -81,21 +81,22 @@ def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:
     """
     if not assessment.cases:
         return []
-    base, changes = assessment.cases[0].probability, dict[str, list[Any]]()
-    for case in assessment.cases[1:]:
-        changes.setdefault(case.parameter, []).append(case)
+    base, *shares = assessment.case_probabilities
+    changes = dict[str, list[Any]]()
+    for case, share in zip(assessment.cases[1:], shares, strict=True):
+        changes.setdefault(case.parameter, []).append((case, share))
     rows = []
     for parameter, cases in changes.items():
         name = key_words(parameter)
-        first, last = cases[0], cases[-1]
+        (first, low), (last, high) = cases[0], cases[-1]
         if len(cases) > 1:
             ends = " to ".join(case.change.removesuffix(" alone") for case in (first, last))
             words = f"{name}, {ends}"
-            rows.append((words, first.probability, last.probability))
+            rows.append((words, low, high))
         elif first.change.startswith(("-", "−")):
-            rows.append((f"{name}, {first.change}", first.probability, base))
+            rows.append((f"{name}, {first.change}", low, base))
         else:
-            rows.append((f"{name}, {first.change}", base, first.probability))
+            rows.append((f"{name}, {first.change}", base, low))
     rows = [row for row in rows if all(math.isfinite(end) for end in row[1:])]
     return sorted(rows, key=lambda row: -abs(row[1] - row[2]))
 
@@ -147,5 +148,5 @@ def _words_of_curve(assessment: Assessment) -> str:
         words += f", median {number(curve.median)}"
     demand = demand_in_measure(assessment)
     if math.isfinite(demand):
-        words += f"; the demand is at {number(demand)}, with {percent(assessment.probability)}"
+        words += f"; the demand is at {number(demand)}, with {percent(assessment.by_curve)}"
     return f"{words}."

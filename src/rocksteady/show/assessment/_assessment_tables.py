@@ -52,6 +52,8 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
         if assessment.probability_band is not None and bands is not None:
             low, high = assessment.probability_band
             words += f" ({span(low, high, 100.0)} %, {number(100.0 * bands.confidence)} % band)"
+        if assessment.basis == "count" and assessment.by_curve is not None:
+            words += f", counted at the demand; {percent(assessment.by_curve)} by the curve"
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
         rows.append(_row("Probability of falling", words, target))
     rows += [_row("Doubt", text) for text in assessment.doubts]
@@ -257,7 +259,7 @@ def case_rows(assessment: Assessment) -> list[Row]:
         {
             "changed": Cell(key_words(case.parameter), "name"),
             "to": prose(case.change),
-            "fitted": figure(percent(case.probability)),
+            "fitted": figure(percent(case.fitted)),
             "counted": figure(percent(case.counted)),
             "runs that fall": figure(f"{case.fell:,} of {case.trials:,}"),
             "median": figure(number(case.median)),

@@ -12,7 +12,7 @@ from rocksteady.show.style.markup import badge
 from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek, percent
 
 ORDERS = (
-    ("judged", "probability of falling", True),
+    ("probability", "probability of falling", True),
     ("uplift_pga_g", "acceleration that lifts it", False),
     ("name", "name", False),
 )
@@ -32,7 +32,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     manifest
         From `rocksteady.export.make_manifest`.
     """
-    rows = table.sorted_by("judged")
+    rows = table.sorted_by("probability")
     places = {key: _places(rows, key, descending) for key, _, descending in ORDERS}
     description = table.describe()
     facts = {fact.key: fact for fact in description.facts}
