@@ -134,7 +134,9 @@ def test_a_case_is_the_object_with_that_changed(found: Assessment) -> None:
 
 
 def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Assessment) -> None:
-    bars = tornado(found.cases)
+    assert found.basis == "count"
+    assert found.case_probabilities[0] == found.probability  # bars stand about the answer
+    bars = tornado(found.cases, found.basis)
     widths = [bar["high"] - bar["low"] for bar in bars]
     assert widths == sorted(widths, reverse=True)
     assert widths[0] > 0.0
@@ -145,8 +147,12 @@ def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Ass
     ]
     for case in found.cases[1:]:
         bar = next(bar for bar in bars if bar["parameter"] == case.parameter)
-        assert bar["low"] <= case.fitted <= bar["high"]
-        assert bar["low"] <= found.cases[0].fitted <= bar["high"]
+        assert bar["low"] <= case.counted <= bar["high"]
+        assert bar["low"] <= found.cases[0].counted <= bar["high"]
+    by_curve = tornado(found.cases, "curve")
+    assert {bar["base"] for bar in by_curve} == {found.cases[0].fitted}
+    unknown = dataclasses.replace(found.cases[1], parameter="last", counted=math.nan)
+    assert tornado([*found.cases, unknown], "count")[-1]["parameter"] == "last"
 
 
 def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:

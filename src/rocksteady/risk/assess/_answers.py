@@ -83,7 +83,7 @@ def answer_of_object(result: Any) -> Answer:
         counted, verdict = f"{by_curve}; {counted}", f"provisional: {verdict}"
     matters = [
         f"{parameter_words(bar['parameter'])}: {chance(bar['low'])[:-2]} to {chance(bar['high'])}"
-        for bar in tornado(result.cases)[:1]
+        for bar in tornado(result.cases, result.basis)[:1]
         if math.isfinite(bar["low"] + bar["high"])
     ]
     facts = [

@@ -6,6 +6,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Table
 from rocksteady.results.numbers import percent, quantity
+from rocksteady.risk.assess._counts import Basis
 from rocksteady.risk.assess._demand_level import horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy
 from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
@@ -17,6 +18,7 @@ from rocksteady.seismic.measures.scalar import Measure
 def tables_of(
     screens: Screens,
     cases_found: Sequence[Case],
+    basis: Basis | None,
     remedies: Sequence[Remedy],
     risks_found: Sequence[Risk],
     motions: Sequence[Record | BaseMotion],
@@ -51,7 +53,7 @@ def tables_of(
         Column("hclpf", "HCLPF", str),
     ]
     cases = [case.to_dict() for case in cases_found]
-    bars = tornado(cases_found) if cases_found else []
+    bars = tornado(cases_found, basis) if cases_found else []
     bar_columns = [
         Column("parameter", "what is varied alone", parameter_words, left=True),
         Column("range", "over", left=True),

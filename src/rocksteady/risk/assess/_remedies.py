@@ -69,8 +69,7 @@ class Remedy:
         the largest coefficient of friction.
     probability, basis
         Probability of the changed object at the demand, nan where no run lifts, and what it is
-        from: "curve" (through its runs about the demand), "count" (of its runs there) or "statics";
-        the count too where it is far above the curve.
+        from: "curve" (through its runs about the demand), "count" (of its runs there) or "statics".
         Where no change is enough, or none is needed, that of the largest change tried, or of the
         object as it is.
     fell, trials

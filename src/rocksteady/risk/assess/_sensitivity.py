@@ -48,7 +48,8 @@ class Case:
         Probability of falling at the demand: fitted over the levels about it, and the share of the
         runs there; where no curve can be fitted both are the share.
     basis
-        What the probability is from: "curve", "count", or "statics" (the PGA does not lift it).
+        What the probability is from: "curve", "count" (no curve can be fitted, or the share counted
+        is far above it), or "statics" (the PGA does not lift it).
     fell, trials
         Runs at the demand.
     median
@@ -66,10 +67,8 @@ class Case:
 
     @property
     def probability(self) -> float:
-        """Probability of falling: the share counted where it is far above the curve."""
-        if self.basis == "statics":
-            return self.fitted
-        return far_above(self.fitted, self.counted)
+        """Probability of falling by the basis."""
+        return self.counted if self.basis == "count" else self.fitted
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, None for what does not exist."""
@@ -172,13 +171,14 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
     probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
     counted = fell / trials if trials else math.nan
     # A step, or no curve, has no value between the levels: the share is all there is.
-    fitted = is_fitted(curve)
+    fitted = 0.0 if rests else probability if is_fitted(curve) else counted
+    by_curve = is_fitted(curve) and far_above(fitted, counted) == fitted
     return Case(
         parameter=parameter,
         change=change,
-        fitted=0.0 if rests else probability if fitted else counted,
+        fitted=fitted,
         counted=counted,
-        basis="statics" if rests else "curve" if fitted else "count",
+        basis="statics" if rests else "curve" if by_curve else "count",
         fell=fell,
         trials=trials,
         median=float(curve.median),
@@ -223,23 +223,35 @@ def parameter_words(parameter: str) -> str:
     return f"{table} {words}" if table == "content" else words
 
 
-def by_one_method(cases: Sequence[Case]) -> list[float]:
-    """Return the probability of each case by the method that decides for the first.
+def by_one_method(cases: Sequence[Case], basis: Basis | None) -> list[float]:
+    """Return the probability of each case by the method of the answer.
 
-    A change that moved a case from curve to count would be a difference of methods.
+    A case that went from curve to count would show the difference of the methods, not of the
+    change.
     """
-    counted = cases[0].probability > cases[0].fitted
-    return [case.counted if counted and case.basis != "statics" else case.fitted for case in cases]
+    return [
+        case.counted if basis == "count" and case.basis != "statics" else case.fitted
+        for case in cases
+    ]
 
 
-def tornado(cases: Sequence[Case]) -> list[dict[str, Any]]:
-    """Return a bar for each parameter, the widest first: lowest and highest probability."""
-    base, *shares = by_one_method(cases)
+def tornado(cases: Sequence[Case], basis: Basis | None) -> list[dict[str, Any]]:
+    """Return a bar for each parameter, the widest first: lowest and highest probability.
+
+    Parameters
+    ----------
+    cases
+        The object as described, and each change of it.
+    basis
+        What the probability of the answer is from.
+    """
+    base, *shares = by_one_method(cases, basis)
     bars: dict[str, list[float]] = {}
     for case, share in zip(cases[1:], shares, strict=True):
         bars.setdefault(case.parameter, [base]).append(share)
     rows = [
-        {"parameter": name, "low": min(values), "high": max(values), "base": base}
-        for name, values in bars.items()
+        {"parameter": name, "low": float(np.min(ends)), "high": float(np.max(ends)), "base": base}
+        for name, ends in bars.items()
     ]
-    return sorted(rows, key=lambda row: row["low"] - row["high"])
+    # A bar without an end, where no run lifts the changed object, comes last.
+    return sorted(rows, key=lambda row: np.nan_to_num(row["low"] - row["high"], nan=1.0))

@@ -164,7 +164,7 @@ def _reason(findings: Findings, lifts: str) -> str:
         f"{lifts}; the demand is {findings.demand}. In {base.fell} of {base.trials} runs{that} at "
         "the demand it falls."
     )
-    bars = tornado(findings.cases)
+    bars = tornado(findings.cases, findings.answer.basis)
     if bars:
         widest = bars[0]
         reason += (

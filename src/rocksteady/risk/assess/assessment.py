@@ -200,13 +200,13 @@ class Assessment(Result):
 
     @property
     def case_probabilities(self) -> list[float]:
-        """Probability of each case, all by the method that decides for the object as described."""
-        return by_one_method(self.cases)
+        """Probability of each case, all by the method of the answer."""
+        return by_one_method(self.cases, self.basis)
 
     @property
     def bars(self) -> list[tuple[str, float, float]]:
         """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
-        rows = tornado(self.cases) if self.cases else []
+        rows = tornado(self.cases, self.basis) if self.cases else []
         return [(parameter_words(row["parameter"]), row["low"], row["high"]) for row in rows]
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
@@ -232,7 +232,9 @@ class Assessment(Result):
         return Description(
             headline=self.sentence,
             facts=[*self._answer(), *(fact for fact in facts.facts if fact.key != "name")],
-            tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
+            tables=tables_of(
+                self.screens, self.cases, self.basis, self.remedies, self.risks, self.motions
+            ),
             notes=[*self.facts.warnings, *self._warnings(), *CAVEATS],
             answer=answer_of_object(self),
         )
