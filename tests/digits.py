@@ -101,7 +101,7 @@ def recordings() -> Numbers:
 
 def courses() -> Numbers:
     """Through the kernels: closed forms, time histories of both models, returns, spectra."""
-    states = rs.find_steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
+    states = rs.formulas.steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
     for grid in (states.phase, states.velocity_tau, states.trace, states.multipliers.real):
         yield from np.asarray(grid, dtype=np.float64).ravel()
     block = rs.Block.rectangle(width=0.5, height=2.0)

@@ -296,7 +296,7 @@ def test_a_picture_of_a_history_loads_no_more_than_it_shows(tmp_path: Path) -> N
     ("call", "code", "said"),
     [
         ("sys.exit(app.run(['simulate', '-A', '2', '-W', '4', '-r', '0.8']))", 2, "rocksteady: "),
-        ("rs.find_steady_states(2.0, 4.0, 0.8)", 1, "rocksteady.errors.MissingKernelsError: "),
+        ("rs.formulas.steady_states(2.0, 4.0, 0.8)", 1, "rocksteady.errors.MissingKernelsError: "),
         ("sys.exit(app.run(['simulate', '--help']))", 0, None),
     ],
 )

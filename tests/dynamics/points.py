@@ -4,7 +4,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import SteadyStates
 from tests.strategies import logarithmic
 
@@ -14,7 +14,7 @@ points = st.tuples(logarithmic(0.05, 12.0), logarithmic(0.3, 50.0), st.floats(0.
 
 def states_at(point: tuple[float, float, float, int], **options: bool) -> SteadyStates:
     a, w, r, n = point
-    return find_steady_states(a, w, r, order=n, **options)
+    return steady_states(a, w, r, order=n, **options)
 
 
 def checked(values: Any) -> Any:

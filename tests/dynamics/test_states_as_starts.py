@@ -17,12 +17,12 @@ from rocksteady import (
     find_attractor,
     find_fatal_kicks,
     find_orbits,
-    find_steady_states,
     map_fates,
     simulate,
 )
 from rocksteady.basins import find_hilltop_saddles
 from rocksteady.branches import follow_branch, follow_resting_branch
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_steady_orbit
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -31,7 +31,7 @@ A, W = 2.0, 4.0
 
 
 def test_a_steady_state_repeats_itself_from_either_velocity() -> None:
-    states = find_steady_states(A, W, 0.8)
+    states = steady_states(A, W, 0.8)
     shaking = Harmonic(amplitude=A, frequency_ratio=W, phase=float(states.phase[0]))
     velocity, velocity_tau = float(states.velocity[0]), float(states.velocity_tau[0])
     for start in (
@@ -45,7 +45,7 @@ def test_a_steady_state_repeats_itself_from_either_velocity() -> None:
 
 def test_any_point_of_a_steady_orbit_is_a_start() -> None:
     orbit = compute_steady_orbit(A, W, 0.8, samples=801)
-    phase = float(find_steady_states(A, W, 0.8).phase[0])
+    phase = float(steady_states(A, W, 0.8).phase[0])
     assert np.allclose(orbit.velocity, W * orbit.velocity_tau, rtol=1e-15)
     for first in (100, 555):
         late = 120

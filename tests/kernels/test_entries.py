@@ -251,8 +251,8 @@ def layouts(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     run = rs.simulate(block, shaking, cycles=3, model=model)
     for given in (frozen, values[::2], values.astype(np.float32), values.reshape(2, 4).T):
         yield partial(run, given)
-        yield partial(rs.find_steady_states, given, 4.0, 0.8)
-        yield partial(rs.find_steady_states, 2.0, given, 0.5 * given)
+        yield partial(rs.formulas.steady_states, given, 4.0, 0.8)
+        yield partial(rs.formulas.steady_states, 2.0, given, 0.5 * given)
         yield partial(rs.orbits.compute_region_boundaries, given, 0.8, order=3)
         yield partial(
             rs.map_fates, block, shaking, axes={"amplitude": given.ravel()}, cycles=5, model=model

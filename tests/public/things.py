@@ -64,7 +64,7 @@ def things() -> dict[str, Any]:
     few = [-0.5, 0.0, 0.5]
     edge = rs.find_edge_state(bare, rs.Harmonic(amplitude=0.1, frequency_ratio=4.0))
     saddles = rs.basins.find_hilltop_saddles(bare, edge.motion)[:1]
-    states = rs.find_steady_states(2.0, 4.0, 0.8)
+    states = rs.formulas.steady_states(2.0, 4.0, 0.8)
     hazard = rs.risk.HazardCurve(
         measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([1e-2, 1e-4, 1e-5])
     )

@@ -74,7 +74,7 @@ def test_the_rows_of_a_data_frame_are_the_values_of_the_dataset(name: str, along
     assert (
         shared
         >= {
-            "diagram": {"branch", "type", "stable", "multiplier_1_re", "highest_rad", "freq_hz"},
+            "diagram": {"branch", "type", "stable", "multiplier_1_re", "highest", "freq_hz"},
             "branch": {"type", "amplitude", "stable", "multiplier_2_im", "lowest", "arclength"},
             "sweep": {"kind", "period", "highest", "lowest", "frequency_ratio"},
             "cascade": {"frequency_ratio", "period", "distance", "ratio"},

@@ -28,10 +28,10 @@ from rocksteady import (
     Steady,
     Still,
     compute_response_curve,
-    find_steady_states,
     plots,
     simulate,
 )
+from rocksteady.formulas import steady_states
 from rocksteady.histories import Trajectory
 from rocksteady.orbits import (
     RegionMap,
@@ -324,7 +324,7 @@ def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
     centres = region_centres(drawn, 12.0)
     assert set(centres) == {1, 2, 3, 4, 5}
     for region, (w, a) in centres.items():
-        assert find_steady_states(a, w, 0.5, order=3).region == region
+        assert steady_states(a, w, 0.5, order=3).region == region
 
 
 @figures

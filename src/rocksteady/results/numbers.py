@@ -102,13 +102,13 @@ def percent(probability: float | None) -> str:
     return f"{number(100.0 * probability, 3 if probability == 1.0 else 2)} %"
 
 
-def chance(probability: float, of: int = 0) -> str:
-    """Return a probability as an answer states it: whole per cent, one decimal below 10 %.
+def chance(probability: float | None, of: int = 0) -> str:
+    """Return a probability of falling: whole per cent, one decimal below 10 %.
 
     Parameters
     ----------
     probability
-        In [0, 1]; 0 % is only what statics exclude, and 100 % nothing.
+        In [0, 1]; 0 % is only what statics exclude, and 100 % nothing; None for one not known.
     of
         Number of runs that it was counted in: none and all of them are counts.
 
@@ -117,6 +117,8 @@ def chance(probability: float, of: int = 0) -> str:
     >>> chance(0.3992), chance(0.0623), chance(4e-4), chance(0.9996), chance(0.0, 168)
     ('40 %', '6.2 %', '< 0.1 %', '> 99 %', '0 of 168')
     """
+    if probability is None or math.isnan(probability):
+        return "—"
     percents = 100.0 * probability
     if of and probability in (0.0, 1.0):
         return f"{round(probability * of):,} of {of:,}"

@@ -244,7 +244,9 @@ def test_the_csv_holds_the_orbit_s_impacts_to_the_last_digit(tmp_path: Path) -> 
         assert int(row["side"]) == state["side"]
         assert float(row["phase_rad"]) == state["phase"]
         assert float(row["speed_per_pivot_time"]) == state["speed"]
-        assert float(row["speed_rad_s"]) == pytest.approx(0.2 * 2.0 * math.pi * state["speed"])
+        degrees = math.degrees(0.2 * 2.0 * math.pi * state["speed"])
+        assert float(row["speed_deg_s"]) == pytest.approx(degrees)
+    assert "speed_rad_s" not in rows[0]
 
 
 @every(

@@ -278,10 +278,15 @@ def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
     np.testing.assert_array_equal(table["energy"], motion.energy)
     np.testing.assert_allclose(table["tau"], 4.0 * motion.pt)
     np.testing.assert_allclose(table["time_s"], motion.pt / 3.0)
-    np.testing.assert_allclose(table["angle_rad"], 0.2 * motion.angle)
+    np.testing.assert_allclose(table["angle_deg"], np.degrees(0.2 * motion.angle))
+    np.testing.assert_allclose(table["velocity_deg_s"], np.degrees(0.2 * 3.0 * motion.velocity))
     np.testing.assert_allclose(
-        table["base_acceleration_m_s2"], 2.0 * 0.2 * 9.80665 * np.sin(4.0 * motion.pt), atol=1e-12
+        table["acceleration_deg_s2"], np.degrees(0.2 * 9.0 * motion.acceleration)
     )
+    np.testing.assert_allclose(
+        table["base_acceleration_g"], 2.0 * 0.2 * np.sin(4.0 * motion.pt), atol=1e-12
+    )
+    assert not any(name.endswith(("_rad", "_m_s2")) for name in table)
     assert np.isin(run.impacts.pt, table["pt"]).all()
     assert len(rows) > 50
 

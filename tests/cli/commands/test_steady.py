@@ -9,16 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    Harmonic,
-    Nonlinear,
-    Steady,
-    find_attractor,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import Block, Harmonic, Nonlinear, Steady, find_attractor, simulate
 from rocksteady.dynamics.steady.regions import REGIONS
+from rocksteady.formulas import steady_states
 from tests.cli.program import refused, rocksteady
 from tests.every import every
 
@@ -91,7 +84,7 @@ def test_the_json_of_a_point_keeps_the_contract() -> None:
     values = ran.json
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/steady/1"
-    states = find_steady_states(2.0, 4.0, 0.8)
+    states = steady_states(2.0, 4.0, 0.8)
     assert values["region"] == 2
     assert values["boundaries"] == {
         "existence": float(states.existence),
@@ -333,7 +326,7 @@ def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
     assert f"wrote {file}" in ran.err
     assert str(file) not in ran.out
     rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    states = find_steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
+    states = steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
     index = np.argwhere(states.region != 4)
     assert len(rows) == 2 * len(index)
     for row, (i, j, which) in zip(

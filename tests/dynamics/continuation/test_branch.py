@@ -6,9 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import find_attractor, find_orbits, find_steady_states
+from rocksteady import find_attractor, find_orbits
 from rocksteady.branches import BranchPoint, follow_branch
-from rocksteady.formulas import symmetry_breaking_amplitude, symmetry_breaking_frequencies
+from rocksteady.formulas import (
+    steady_states,
+    symmetry_breaking_amplitude,
+    symmetry_breaking_frequencies,
+)
 from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
@@ -72,7 +76,7 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
     for k, point in enumerate(points):
         if abs(k - turn) < 2:
             continue
-        states = find_steady_states(point.amplitude, frequency, 0.8, order=order)
+        states = steady_states(point.amplitude, frequency, 0.8, order=order)
         which = 0 if k < turn else 1
         here = point.chain.phases[0] + point.chain.turns[0] * math.pi
         assert math.cos(here - states.phase[which]) == pytest.approx(1.0, abs=1e-12)
@@ -109,7 +113,7 @@ def test_symmetry_breaks_on_the_closed_curve_in_any_parameter(parameter: str) ->
         order = int(rng.choice([1, 3, 5]))
         values = [0.0, rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)]
         values[0] = 0.97 * float(symmetry_breaking_amplitude(values[1], values[2], order=order))
-        states = find_steady_states(*values, order=order)
+        states = steady_states(*values, order=order)
         assert states.admissible is not None
         if not states.admissible[0]:
             continue
@@ -150,7 +154,7 @@ def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None
             restitution: float = restitution,
             order: int = order,
         ) -> bool:
-            states = find_steady_states(amplitude, frequency, restitution, order=order)
+            states = steady_states(amplitude, frequency, restitution, order=order)
             return bool(np.asarray(states.admissible)[0])
 
         low, high = 0.999 * last.amplitude, 1.001 * last.amplitude

@@ -6,14 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Steady,
-    find_attractor,
-    find_orbits,
-    find_steady_states,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Steady, find_attractor, find_orbits
 from rocksteady.branches import (
     BranchPoint,
     PointType,
@@ -25,7 +18,7 @@ from rocksteady.branches import (
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.points import Branch
 from rocksteady.errors import InputError, ModelError
-from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.formulas import steady_states, symmetry_breaking_amplitude
 from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     first,
@@ -60,7 +53,7 @@ def test_a_branch_ends_at_the_end_of_its_range_exactly() -> None:
             *_, last = follow_branch(start, parameter, within, direction=direction)
             assert last.type == "end-of-range"
             assert getattr(last, parameter) == end
-            states = find_steady_states(last.amplitude, last.frequency_ratio, last.restitution)
+            states = steady_states(last.amplitude, last.frequency_ratio, last.restitution)
             here = last.chain.phases[0] + last.chain.turns[0] * math.pi
             assert math.cos(here - states.phase[0]) == pytest.approx(1.0, abs=1e-12)
 
@@ -122,7 +115,7 @@ def test_from_a_fold_both_sides_can_be_followed() -> None:
         amplitudes = [point.amplitude for point in points]
         assert all(b > a for a, b in pairwise(amplitudes))
         ends.append(points[-1])
-    states = find_steady_states(3.0, 6.0, 0.8, order=3)
+    states = steady_states(3.0, 6.0, 0.8, order=3)
     phases = sorted(end.chain.phases[0] for end in ends)
     assert phases == pytest.approx(sorted(states.phase), abs=1e-12)
 

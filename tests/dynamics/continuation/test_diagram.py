@@ -101,8 +101,10 @@ def test_there_is_a_row_a_point(block: Block | DimensionlessBlock) -> None:
     frame = diagram.to_dataframe()
     followed = sum(len(branch.points) for branch in diagram.branches)
     assert len(frame) == followed + sum(len(branch.points) for branch in diagram.resting)
-    assert list(frame) == diagram.columns
-    assert len(diagram.columns) == 18 + (4 if block is SIZED else 0)
+    added = [name for name in frame if name not in set(next(diagram.rows()))]
+    assert added == (["highest_deg", "lowest_deg"] if block is SIZED else [])
+    assert not any(name.endswith("_rad") for name in frame)
+    assert len(frame.columns) == 18 + (4 if block is SIZED else 0)
     moduli = [
         np.hypot(frame[f"multiplier_{n}_re"], frame[f"multiplier_{n}_im"]).to_numpy()
         for n in (1, 2)

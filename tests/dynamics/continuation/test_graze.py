@@ -8,19 +8,12 @@ import pytest
 from matplotlib.figure import Figure
 from scipy.optimize import brentq
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Steady,
-    find_orbits,
-    find_steady_states,
-    plots,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Steady, find_orbits, plots, simulate
 from rocksteady.basins import compute_manifold
 from rocksteady.branches import Branch, BranchPoint, find_branches, follow_branch
 from rocksteady.dynamics.continuation.branch_facts import point_row
 from rocksteady.errors import ModelError
+from rocksteady.formulas import steady_states
 
 RESTITUTION, AMPLITUDE = 0.87, 5.0
 BLOCK = DimensionlessBlock(restitution=RESTITUTION)
@@ -175,11 +168,11 @@ def test_no_number_stands_for_a_derivative_at_a_graze(graze: BranchPoint) -> Non
 
 def test_an_orbit_that_grazes_has_no_multipliers_exponent_or_verdict() -> None:
     for ratio in (2.0, 3.3, 4.7):
-        amplitude = float(find_steady_states(2.0, ratio, 0.8).sign)  # eq 24: no speed at impact
+        amplitude = float(steady_states(2.0, ratio, 0.8).sign)  # eq 24: no speed at impact
         for near in (np.nextafter(amplitude, 0.0), amplitude):
             motion = Harmonic(amplitude=float(near), frequency_ratio=ratio)
             block = DimensionlessBlock(restitution=0.8)
-            states = find_steady_states(float(near), ratio, 0.8)
+            states = steady_states(float(near), ratio, 0.8)
             assert abs(states.velocity[1]) < 1e-15
             assert np.isnan(states.trace[1])
             assert np.isnan(states.multipliers[1]).all()

@@ -8,9 +8,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rocksteady import DimensionlessBlock, Harmonic, State, Steady, find_steady_states, simulate
+from rocksteady import DimensionlessBlock, Harmonic, State, Steady, simulate
 from rocksteady.dynamics.history.departure import unstable_direction
 from rocksteady.dynamics.history.start import KICK
+from rocksteady.formulas import steady_states
 from rocksteady.histories import Trajectory
 from tests.every import every
 
@@ -39,7 +40,7 @@ def started(
 
 def shift(run: Trajectory, a: float, w: float, n: int, branch: int) -> tuple[float, float]:
     """How far a run starts from the orbit: phase, and velocity over that of the orbit."""
-    states = find_steady_states(a, w, 0.8, order=n)
+    states = steady_states(a, w, 0.8, order=n)
     assert isinstance(run.motion, Harmonic)
     velocity = float(states.velocity[branch - 1])
     return (
@@ -79,7 +80,7 @@ def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
 ) -> None:
     # The half-cycle map by differences of two marches to the first impact; the multiplier comes
     # from the trace, the direction from the Jacobian.
-    states = find_steady_states(a, w, 0.8, order=n)
+    states = steady_states(a, w, 0.8, order=n)
     multiplier = float(states.half_cycle_multipliers[branch - 1, 0].real)
     phase, velocity = float(states.phase[branch - 1]), float(states.velocity[branch - 1])
 
@@ -114,7 +115,7 @@ def test_a_stable_state_is_started_on_exactly_whatever_the_kick(kick: float, sid
 def test_where_the_multiplier_is_negative_one_side_is_the_others_mirror_image_later(
     w: float, kick: float
 ) -> None:
-    states = find_steady_states(2.0, w, 0.8)
+    states = steady_states(2.0, w, 0.8)
     multiplier = float(states.half_cycle_multipliers[0, 0].real)
     assume(multiplier < -1.0)
     # after a half cycle the distance is |multiplier| times as large, to first order

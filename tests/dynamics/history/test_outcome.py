@@ -22,10 +22,10 @@ from rocksteady import (
     Steady,
     Still,
     check_neighbours,
-    find_steady_states,
     simulate,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.histories import Neighbours, Samples, Trajectory
 from rocksteady.kernels.core import tables as columns_of
 from rocksteady.model.equations import Model
@@ -89,7 +89,7 @@ def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
 
 
 def test_from_an_unstable_orbit_it_is_the_power_of_its_multiplier() -> None:
-    point = find_steady_states(1.0, 2.0, 0.8)
+    point = steady_states(1.0, 2.0, 0.8)
     branch = next(b for b in (0, 1) if point.admissible[b] and not point.stable[b])  # type: ignore[index]
     trace = abs(float(point.trace[branch]))
     multiplier = 0.5 * (trace + math.sqrt(trace**2 - 4.0 * 0.8**2))
@@ -424,20 +424,22 @@ def test_every_row_has_the_columns_of_the_table(name: str) -> None:
         np.testing.assert_allclose(column["tau"], run.frequency_ratio * column["pt"])
     if isinstance(block, Block):
         np.testing.assert_allclose(column["time_s"] * block.p, column["pt"])
-        np.testing.assert_allclose(column["angle_rad"], block.alpha * motion.angle)
+        np.testing.assert_allclose(column["angle_deg"], np.degrees(block.alpha * motion.angle))
         np.testing.assert_allclose(
-            column["base_acceleration_m_s2"],
+            9.80665 * column["base_acceleration_g"],
             block.uplift_acceleration * column["base_acceleration_per_alpha_g"],
         )
     if name == "vertical":
         at = 0.02 * np.arange(len(LIFT.acceleration_m_s2))
         shaken = column["time_s"] < at[-1] - 1e-9
         expected = np.interp(column["time_s"][shaken], at, LIFT.acceleration_m_s2)
-        found = column["vertical_acceleration_m_s2"]
+        found = 9.80665 * column["vertical_acceleration_g"]
         np.testing.assert_allclose(found[shaken], expected, atol=1e-9)
-    assert ("vertical_acceleration_m_s2" in column) == (name == "vertical")
+    assert ("vertical_acceleration_g" in column) == (name == "vertical")
     dataset = run.to_dataset(20)
-    assert [str(each) for each in dataset.variables if each != "pt"] == list(column)[1:]
+    assert [str(each) for each in dataset.variables if each != "pt"] == [
+        name for name in column if name != "pt"
+    ]
     np.testing.assert_array_equal(dataset["energy"], column["energy"])
     assert dataset.attrs["model"] == run.model.name
 

@@ -17,10 +17,10 @@ from rocksteady import (
     Status,
     Steady,
     Still,
-    find_steady_states,
     simulate,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.motions import Segment
 from tests.dynamics.integrator import integrate
 from tests.dynamics.runs import BARE, half_sine, pulse, rocked
@@ -295,7 +295,7 @@ def test_the_same_motion_as_one_segment_or_several() -> None:
 
 @pytest.mark.slow
 def test_a_million_cycles_do_not_drift() -> None:
-    states = find_steady_states(2.0, 4.0, 0.8)
+    states = steady_states(2.0, 4.0, 0.8)
     run = simulate(
         BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), cycles=1_000_000.25
     )

@@ -8,16 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Piecewise,
-    Rest,
-    State,
-    Steady,
-    Still,
-    find_steady_states,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Piecewise, Rest, State, Steady, Still
 from rocksteady.dynamics.history.start import (
     LARGEST_KICK,
     Start,
@@ -25,6 +16,7 @@ from rocksteady.dynamics.history.start import (
     start_of,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.core.tables import March
 from rocksteady.motions import Segment
 from rocksteady.orbits import compute_region_boundaries
@@ -81,7 +73,7 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_over_the_frequency_ratio() -> No
 
 def test_a_stable_steady_state_decides_on_the_phase() -> None:
     motion, state = initial_march(Steady(), BLOCK, SHAKING)
-    found = find_steady_states(2.0, 4.0, 0.8)
+    found = steady_states(2.0, 4.0, 0.8)
     assert isinstance(motion, Harmonic)
     assert motion.phase == float(found.phase[0])
     assert (state.angle, state.velocity) == (0.0, float(found.velocity[0]))

@@ -6,18 +6,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Rest,
-    State,
-    Steady,
-    find_attractor,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Rest, State, Steady, find_attractor, simulate
 from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
 from rocksteady.errors import ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.orbits.closed_form import symmetry_breaking
 from rocksteady.kernels.orbits.settle import UNSETTLED
 from rocksteady.orbits import Attractor
@@ -156,7 +148,7 @@ def test_the_period_of_the_subharmonic_doubles_too() -> None:
 def test_where_the_paper_is_corrected() -> None:
     # E2: in-phase orbits attract.
     for a, w, r, n in ((0.75, 4.0, 0.5, 1), (1.7, 6.0, 0.8, 3)):
-        states = find_steady_states(a, w, r, order=n)
+        states = steady_states(a, w, r, order=n)
         start = State(angle=0.0, velocity=1.002 * float(states.velocity[0]))
         found = settled(a, w, r, phase=float(states.phase[0]), start=start)
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
@@ -232,7 +224,7 @@ def test_an_unstable_start_is_left_and_never_returned(
 ) -> None:
     a, w, n = point
     found = settled(a, w, 0.8, start=Steady(branch=branch, order=n), side=side)
-    states = find_steady_states(a, w, 0.8, order=n)
+    states = steady_states(a, w, 0.8, order=n)
     assert found.kind is not AttractorKind.UNDECIDED
     if found.orbit is not None:
         is_an_orbit_that_attracts(found)
@@ -243,7 +235,7 @@ def test_an_unstable_start_is_left_and_never_returned(
 
 def test_a_stable_start_is_returned() -> None:
     for a, w, r, n in ((2.0, 4.0, 0.8, 1), (3.0, 8.0, 0.95, 3), (1.7, 6.0, 0.8, 3)):
-        states = find_steady_states(a, w, r, order=n)
+        states = steady_states(a, w, r, order=n)
         found = settled(a, w, r, start=Steady(order=n))
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
         assert found.orbit is not None
@@ -259,7 +251,7 @@ def test_a_stable_start_is_returned() -> None:
 def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, below: float) -> None:
     # Multipliers of .91 to .9999: before it the symmetric orbit attracts, after it two others.
     amplitude = symmetry_breaking(frequency, 0.8, 1) * (1.0 - below)
-    states = find_steady_states(amplitude, frequency, 0.8)
+    states = steady_states(amplitude, frequency, 0.8)
     start = State(angle=0.0, velocity=1.01 * float(states.velocity[0]))
     found = settled(amplitude, frequency, 0.8, phase=float(states.phase[0]), start=start)
     is_an_orbit_that_attracts(found)
@@ -272,8 +264,8 @@ def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, bel
 
 @every("above", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
-    amplitude = float(find_steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
-    states = find_steady_states(amplitude, 4.0, 0.8)
+    amplitude = float(steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
+    states = steady_states(amplitude, 4.0, 0.8)
     start = State(angle=0.0, velocity=(1.0 + 1e-7) * float(states.velocity[0]))
     found = settled(amplitude, 4.0, 0.8, phase=float(states.phase[0]), start=start)
     assert found.kind is AttractorKind.SYMMETRIC

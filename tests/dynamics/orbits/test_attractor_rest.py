@@ -18,10 +18,10 @@ from rocksteady import (
     Still,
     find_attractor,
     find_orbits,
-    find_steady_states,
     simulate,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT
 from rocksteady.outcomes import AttractorKind
@@ -160,7 +160,7 @@ def test_what_is_no_block_what_is_not_harmonic_and_where_no_orbit_is_is_refused(
 def test_without_loss_no_steady_start_is_an_attractor() -> None:
     for amplitude in np.linspace(0.5, 6.0, 12).tolist():
         for frequency in np.linspace(1.0, 12.0, 12).tolist():
-            states = find_steady_states(amplitude, frequency, 1.0)
+            states = steady_states(amplitude, frequency, 1.0)
             if states.neutral[0]:
                 found = settled(amplitude, frequency, 1.0, start=Steady(), max_cycles=40)
                 assert found.orbit is None, (amplitude, frequency)

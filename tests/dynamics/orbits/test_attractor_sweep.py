@@ -15,11 +15,11 @@ from rocksteady import (
     Still,
     find_attractor,
     find_orbits,
-    find_steady_states,
 )
 from rocksteady.branches import follow_branch
 from rocksteady.dynamics.orbits.attractor_sweep import SHOWN_FLIGHTS, flight_peaks
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import AttractorSweep, sweep_attractor
 from rocksteady.outcomes import AttractorKind
 from tests.dynamics.settling import is_an_orbit_that_attracts
@@ -92,7 +92,7 @@ def test_up_and_down_it_shows_the_hysteresis_between_two_folds() -> None:
 def test_peaks_are_those_of_the_orbit() -> None:
     found = trail("amplitude", [1.0, 1.02, 1.04], start=Steady())
     for value, peaks in zip(found.values, found.peaks, strict=True):
-        exact = np.asarray(find_steady_states(value, 2.0, 0.8).peak)[0]
+        exact = np.asarray(steady_states(value, 2.0, 0.8).peak)[0]
         assert sorted(peaks) == pytest.approx([-exact, exact], abs=1e-9)
     orbit = found.attractors[1].orbit
     assert orbit is not None

@@ -8,16 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    State,
-    Still,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, State, Still, simulate
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
 from rocksteady.orbits import ReturnMap
 from rocksteady.outcomes import Event
@@ -76,7 +69,7 @@ def test_it_meets_the_impacts_of_a_simulation(
 
 def test_a_symmetric_orbit_is_half_a_period_of_it() -> None:
     for a, w, r, n in [(2.0, 4.0, 0.8, 1), (2.0, 6.0, 0.8, 3), (1.0, 2.0, 0.5, 1)]:
-        states = find_steady_states(a, w, r, order=n)
+        states = steady_states(a, w, r, order=n)
         first = ImpactState(side=1, phase=float(states.phase[0]), speed=float(states.velocity[0]))
         passage = returns(a, w, r)(first)
         assert passage.state is not None

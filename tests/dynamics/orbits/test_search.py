@@ -16,9 +16,9 @@ from rocksteady import (
     Still,
     find_attractor,
     find_orbits,
-    find_steady_states,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState
 from rocksteady.orbits import Orbit
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
@@ -142,7 +142,7 @@ def test_symmetric_ones_are_the_closed_forms() -> None:
     for a, w, r in POINTS:
         found = at(a, w, r, max_period=5, max_impacts=1, seeds=2)
         for order in (1, 3, 5):
-            states = find_steady_states(a, w, r, order=order)
+            states = steady_states(a, w, r, order=order)
             closed = [orbit for orbit in found if orbit.period == order]
             if states.region == 4:
                 assert not closed

@@ -12,13 +12,13 @@ from rocksteady import (
     Steady,
     find_attractor,
     find_orbits,
-    find_steady_states,
     map_attractors,
     simulate,
 )
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
 from rocksteady.errors import ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.every import every
@@ -77,7 +77,7 @@ def test_it_goes_to_the_linear_one_with_the_square_of_the_slenderness(
     alpha: float, a: float, w: float, delta: float, order: int, branch: int
 ) -> None:
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    states = find_steady_states(a, w, delta, order=order)
+    states = steady_states(a, w, delta, order=order)
     linear = float(states.phase[branch - 1]), float(states.velocity[branch - 1])
     errors = []
     for slender in (0.02 * alpha, 0.04 * alpha):
@@ -156,7 +156,7 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
 @every("w", [0.7, 2.0, 8.0])
 def test_both_branches_end_together_in_a_fold(w: float) -> None:
     # The fold of a stocky block lies at a higher amplitude than that of the linear model.
-    block, fold = body(0.5, 0.8), float(find_steady_states(1.0, w, 0.8).existence)
+    block, fold = body(0.5, 0.8), float(steady_states(1.0, w, 0.8).existence)
     there = []
     for share in (1.00001, 1.01, 1.03, 1.05, 1.07, 1.1, 1.2):
         pair = []

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import find_steady_states
 from rocksteady.errors import InputError
 from rocksteady.formulas import (
     heteroclinic_amplitude,
     melnikov_amplitude,
+    steady_states,
     symmetry_breaking_amplitude,
     symmetry_breaking_frequencies,
 )
@@ -56,11 +56,11 @@ def test_tw2_regions_between_the_boundaries(
         (100.0, 2),
     ]
     amplitudes, regions = zip(*placed, strict=True)
-    assert find_steady_states(amplitudes, w, r, order=n).region.tolist() == list(regions)
+    assert steady_states(amplitudes, w, r, order=n).region.tolist() == list(regions)
 
 
 def test_every_region_occurs_in_figure_4a() -> None:
-    found = find_steady_states(
+    found = steady_states(
         np.linspace(0.0, 12.0, 61)[:, np.newaxis], np.linspace(0.5, 14.0, 28), 0.5, order=3
     ).region
     assert set(np.unique(found).tolist()) == {1, 2, 3, 4, 5}
@@ -123,7 +123,7 @@ def test_tw6_symmetry_breaking(order: int, amplitude: float, expected: float) ->
     assert np.abs(found - expected).min() < 5.1e-7
     for ratio in found:
         assert symmetry_breaking_amplitude(ratio, 0.8, order=order) == pytest.approx(amplitude)
-        states = find_steady_states(amplitude, ratio, 0.8, order=order)
+        states = steady_states(amplitude, ratio, 0.8, order=order)
         assert states.half_cycle_multipliers[0, 0] == pytest.approx(-1.0, abs=1e-9)
 
 
@@ -146,7 +146,7 @@ def test_branch_1_is_stable_just_below_symmetry_breaking_and_not_above(
     if math.isnan(amplitude):
         return
     limit = -(1.0 + r * r)
-    below, at, above = find_steady_states(
+    below, at, above = steady_states(
         [amplitude * (1.0 - 1e-4), amplitude, amplitude * (1.0 + 1e-4)], w, r, order=n
     ).trace[0]
     if math.isnan(below):  # the curve is that close to the existence boundary

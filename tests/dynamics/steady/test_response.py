@@ -6,8 +6,9 @@ from typing import Any, Literal
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, compute_response_curve, find_steady_states
+from rocksteady import Block, DimensionlessBlock, compute_response_curve
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from tests.every import every
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -18,7 +19,7 @@ def test_a_curve_is_the_peak_of_the_admissible_solutions() -> None:
     branches: tuple[Literal[1], Literal[2]] = (1, 2)
     for branch in branches:
         curve = compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3, branch=branch)
-        states = find_steady_states(2.0, w, 0.8, order=3)
+        states = steady_states(2.0, w, 0.8, order=3)
         assert states.peak is not None
         assert states.admissible is not None
         admissible = states.admissible[branch - 1]

@@ -1,13 +1,17 @@
 """Steady states against published numbers and against the formulae."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import find_steady_states
+from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, find_steady_states
+from rocksteady.errors import InputError, ModelError, RocksteadyError
+from rocksteady.formulas import steady_states
+from rocksteady.motions import FourierSeries
 from tests.dynamics.formulae import (
     half_cycle,
     numbers,
@@ -55,7 +59,7 @@ def test_tw1_phase_velocity_and_peak(
 def test_tw3_peaks_of_figure_5(
     order: int, amplitude: float, frequency_ratio: float, peak: float
 ) -> None:
-    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=order)
+    states = steady_states(amplitude, frequency_ratio, 0.8, order=order)
     assert checked(states.peak)[0] == pytest.approx(peak, abs=5.1e-6)
     assert checked(states.admissible)[0]
 
@@ -64,7 +68,7 @@ def test_tw3_peaks_of_figure_5(
 def test_tw3_where_the_subharmonic_curves_have_ended(
     amplitude: float, frequency_ratio: float
 ) -> None:
-    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=3)
+    states = steady_states(amplitude, frequency_ratio, 0.8, order=3)
     assert not checked(states.admissible).any()
     assert not states.stable.any()
 
@@ -79,7 +83,7 @@ def test_tw3_where_the_subharmonic_curves_have_ended(
 def test_tw4_peaks_against_restitution(
     order: int, frequency_ratio: float, peaks: tuple[float, ...]
 ) -> None:
-    states = find_steady_states(3.0, frequency_ratio, [0.7, 0.8, 0.9, 1.0], order=order)
+    states = steady_states(3.0, frequency_ratio, [0.7, 0.8, 0.9, 1.0], order=order)
     np.testing.assert_allclose(checked(states.peak)[0], peaks, rtol=0.0, atol=5.1e-7)
 
 
@@ -112,7 +116,7 @@ def test_tw5_traces(point: tuple[float, float, float, int], trace: float) -> Non
 def test_tw8_branch_2_is_unstable(
     order: int, amplitude: float, frequency_ratio: float, multiplier: float
 ) -> None:
-    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=order)
+    states = steady_states(amplitude, frequency_ratio, 0.8, order=order)
     decimals = len(str(multiplier).partition(".")[2])
     assert abs(states.half_cycle_multipliers[1, 0]) == pytest.approx(
         multiplier, abs=0.51 * 10.0**-decimals
@@ -132,7 +136,7 @@ def test_e2_an_in_phase_solution_of_region_3_is_stable(
 
 
 def test_e3_figure_11a_is_unstable_with_a_multiplier_of_minus_1_182() -> None:
-    states = find_steady_states(4.0, 6.0, 0.8, order=3)
+    states = steady_states(4.0, 6.0, 0.8, order=3)
     assert checked(states.admissible)[0]
     assert not states.stable[0]
     assert states.half_cycle_multipliers[0, 0] == pytest.approx(-1.182, abs=5.1e-4)
@@ -184,7 +188,7 @@ def test_residuals_of_equations_12_and_13_at_a_hundred_thousand_points() -> None
     a = existence * (1.0 + 10.0 ** rng.uniform(-6.0, 1.5, count))
     a = np.where(a > 0.0, a, 1.0)
     a = np.minimum(a, np.maximum(12.0, 1.01 * existence))
-    states = find_steady_states(a, w, r, order=n, shapes=False)
+    states = steady_states(a, w, r, order=n, shapes=False)
     assert (states.region != 4).all()
     end, shrunk = np.tanh(n * math.pi / w), 1.0 / np.cosh(np.minimum(n * math.pi / w, 700.0))
     beta = a / (1.0 + w * w)
@@ -249,7 +253,7 @@ def test_e1_in_regions_2_and_5_branch_2_falls_through_the_floor(
     amplitudes = [max(sign, kind) * (1.0 + 10.0 * share)]  # region 2
     if sign < kind * 0.999:
         amplitudes.append(max(sign, existence) + share * (kind - max(sign, existence)))
-    states = find_steady_states(amplitudes, w, r, order=n)
+    states = steady_states(amplitudes, w, r, order=n)
     assert set(states.region.tolist()) <= {2, 5}
     assert (states.velocity_tau[1] < 0.0).all()
     assert not checked(states.admissible)[1].any()
@@ -262,9 +266,37 @@ def test_e7_in_regions_1_and_3_both_phases_are_positive(
 ) -> None:
     existence, sign, kind = printed_boundaries(w, r, n)
     assume(existence < 0.999 * sign)
-    states = find_steady_states(existence + share * (sign - existence), w, r, order=n)
+    states = steady_states(existence + share * (sign - existence), w, r, order=n)
     assert states.region in (1, 3)
     assert (states.phase > 0.0).all()
     assert (states.velocity_tau > 0.0).all()
     assert bool(states.in_phase[0]) is bool(states.region == 3)
     assert kind > existence  # E8: region 3 never vanishes
+
+
+def test_the_states_of_a_block_under_a_motion_are_those_of_the_closed_form() -> None:
+    sized = Block.rectangle(width=0.4, height=2.0)
+    bare = DimensionlessBlock(restitution=0.8)
+    motion = Harmonic(amplitude=3.0, frequency_ratio=5.0, phase=0.7)
+    for block in (sized, bare):
+        found = find_steady_states(block, motion, order=[1, 3])
+        expected = steady_states(3.0, 5.0, block.dimensionless().restitution, order=[1, 3])
+        for name in ("phase", "velocity", "peak", "admissible", "stable", "region"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(expected, name))
+    assert "°" in find_steady_states(sized, motion).summary()
+    assert "°" not in find_steady_states(bare, motion).summary()
+    assert "velocity_deg_s" in find_steady_states(sized, motion).to_dataframe()
+
+
+def test_a_block_without_symmetric_states_and_a_motion_of_another_kind_are_refused() -> None:
+    motion = Harmonic(amplitude=3.0, frequency_ratio=5.0)
+    wall = DimensionlessBlock(restitution=0.5, one_sided=True)
+    with pytest.raises(ModelError, match=r"block stands against a wall"):
+        find_steady_states(wall, motion)
+    pulse: Any = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=2.0)
+    series: Any = FourierSeries(amplitude=2.0, frequency_ratio=2.0, harmonics=((3, 0.2, 0.0),))
+    for other in (pulse, series):
+        with pytest.raises(RocksteadyError, match="motion = "):
+            find_steady_states(DimensionlessBlock(restitution=0.8), other)
+    with pytest.raises(InputError, match="order = 2"):
+        find_steady_states(DimensionlessBlock(restitution=0.8), motion, order=2)

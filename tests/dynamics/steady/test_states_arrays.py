@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import find_steady_states
 from rocksteady.errors import InputError
+from rocksteady.formulas import steady_states
 from tests.dynamics.points import checked, orders
 from tests.every import every
 from tests.strategies import logarithmic
@@ -20,13 +20,13 @@ from tests.strategies import logarithmic
 def test_arrays_broadcast_and_each_element_is_the_scalar_call() -> None:
     a = np.array([0.1, 0.75, 2.0, 6.0])[:, np.newaxis, np.newaxis]
     w, n = np.array([2.0, 4.0, 9.0])[:, np.newaxis], np.array([1, 3])
-    grid = find_steady_states(a, w, 0.8, order=n)
+    grid = steady_states(a, w, 0.8, order=n)
     assert grid.region.shape == grid.order.shape == grid.amplitude.shape == (4, 3, 2)
     assert grid.phase.shape == checked(grid.peak).shape == grid.stable.shape == (2, 4, 3, 2)
     assert grid.multipliers.shape == (2, 4, 3, 2, 2)
     for index in np.ndindex(4, 3, 2):
         i, j, k = index
-        one = find_steady_states(a[i, 0, 0], w[j, 0], 0.8, order=int(n[k]))
+        one = steady_states(a[i, 0, 0], w[j, 0], 0.8, order=int(n[k]))
         assert one.region.shape == ()
         assert one.phase.shape == (2,)
         assert one.multipliers.shape == (2, 2)
@@ -40,22 +40,22 @@ def test_arrays_broadcast_and_each_element_is_the_scalar_call() -> None:
 
 def test_arrays_of_any_memory_order_and_of_integers_give_the_same() -> None:
     a = np.array([[1, 2, 3], [4, 5, 6]])
-    plain = find_steady_states(a.astype(float), 4.0, 0.8)
+    plain = steady_states(a.astype(float), 4.0, 0.8)
     for same in (a, np.asfortranarray(a), a.T.copy().T, a.tolist(), a.astype(np.int8)):
-        np.testing.assert_array_equal(find_steady_states(same, 4, 0.8).phase, plain.phase)
+        np.testing.assert_array_equal(steady_states(same, 4, 0.8).phase, plain.phase)
 
 
 def test_empty_arrays_give_empty_results() -> None:
-    states = find_steady_states(np.zeros((0, 3)), 4.0, 0.8)
+    states = steady_states(np.zeros((0, 3)), 4.0, 0.8)
     assert states.phase.shape == (2, 0, 3)
     assert states.stable.shape == (2, 0, 3)
     assert states.multipliers.shape == (2, 0, 3, 2)
-    assert find_steady_states([], [], []).region.shape == (0,)
+    assert steady_states([], [], []).region.shape == (0,)
 
 
 def test_results_do_not_share_memory_with_the_arguments() -> None:
     a = np.array([1.0, 2.0])
-    states = find_steady_states(a, 4.0, 0.8)
+    states = steady_states(a, 4.0, 0.8)
     phase = states.phase.copy()
     a[:] = 0.0
     np.testing.assert_array_equal(states.amplitude, [1.0, 2.0])
@@ -64,13 +64,13 @@ def test_results_do_not_share_memory_with_the_arguments() -> None:
 
 @pytest.mark.parametrize("restitution", [0.8, 1.0])
 def test_nothing_exists_without_shaking(restitution: float) -> None:
-    states = find_steady_states(0.0, 4.0, restitution)
+    states = steady_states(0.0, 4.0, restitution)
     assert states.region == 4
     assert np.isnan(states.phase).all()
 
 
 def test_without_shapes_the_rest_is_the_same_and_stability_is_refused() -> None:
-    whole, bare = find_steady_states(2.0, 4.0, 0.8), find_steady_states(2.0, 4.0, 0.8, shapes=False)
+    whole, bare = steady_states(2.0, 4.0, 0.8), steady_states(2.0, 4.0, 0.8, shapes=False)
     np.testing.assert_array_equal(whole.phase, bare.phase)
     np.testing.assert_array_equal(whole.multipliers, bare.multipliers)
     assert [bare.peak, bare.extrema, bare.admissible] == [None, None, None]
@@ -115,12 +115,12 @@ def test_a_bad_argument_is_refused_with_the_reason(
     # An array of an integer and a bool is one of integers before anyone can look at it.
     good[name] = [good[name], value] if in_array and value is not True else value
     with pytest.raises(InputError, match=rf"^{name} = .*{reason}"):
-        find_steady_states(**good)
+        steady_states(**good)
 
 
 def test_shapes_that_do_not_broadcast_are_refused_with_the_shapes() -> None:
     with pytest.raises(InputError, match=r"\(2,\), \(3,\)"):
-        find_steady_states([1.0, 2.0], [1.0, 2.0, 3.0], 0.8)
+        steady_states([1.0, 2.0], [1.0, 2.0, 3.0], 0.8)
 
 
 @given(
@@ -130,7 +130,7 @@ def test_shapes_that_do_not_broadcast_are_refused_with_the_shapes() -> None:
     orders,
 )
 def test_no_nan_is_silent_whatever_the_magnitudes(a: float, w: float, r: float, n: int) -> None:
-    states = find_steady_states(a, w, r, order=n)
+    states = steady_states(a, w, r, order=n)
     assert np.isfinite([states.existence, states.sign, states.kind]).all()
     missing = np.isnan([states.phase, states.velocity_tau, checked(states.peak)])
     assert missing.all() if states.region == 4 else not missing.any()
@@ -143,7 +143,7 @@ def test_no_nan_is_silent_whatever_the_magnitudes(a: float, w: float, r: float, 
 
 
 def test_the_dataset_names_its_dimensions_units_and_classes() -> None:
-    states = find_steady_states(np.array([1.0, 2.0])[:, np.newaxis], [2.0, 4.0, 8.0], 0.8)
+    states = steady_states(np.array([1.0, 2.0])[:, np.newaxis], [2.0, 4.0, 8.0], 0.8)
     data = states.to_dataset()
     assert dict(data.sizes) == {"branch": 2, "grid_0": 2, "grid_1": 3}
     assert data["branch"].values.tolist() == [1, 2]
@@ -159,6 +159,6 @@ def test_the_dataset_names_its_dimensions_units_and_classes() -> None:
 
 
 def test_a_dataset_without_shapes_leaves_out_what_was_not_computed() -> None:
-    data = find_steady_states(2.0, 4.0, 0.8, shapes=False).to_dataset()
+    data = steady_states(2.0, 4.0, 0.8, shapes=False).to_dataset()
     assert "phase" in data
     assert not {"peak", "admissible", "stable"} & set(data.data_vars)

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rocksteady import DimensionlessBlock, Harmonic, State, Steady, find_steady_states, simulate
+from rocksteady import DimensionlessBlock, Harmonic, State, Steady, simulate
 from rocksteady.errors import InputError
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_steady_orbit
 from tests.dynamics.formulae import (
     printed_trace,
@@ -108,7 +109,7 @@ def test_multipliers_solve_their_quadratic_and_decide_stability(
 def test_restitution_1_makes_neutral_orbits_and_never_stable_ones(
     a: float, w: float, n: int
 ) -> None:
-    states = find_steady_states(a, w, 1.0, order=n)
+    states = steady_states(a, w, 1.0, order=n)
     assert states.region in (1, 2)
     assert not states.stable.any()
     for which in (0, 1):
@@ -123,14 +124,14 @@ def test_restitution_1_makes_neutral_orbits_and_never_stable_ones(
 
 
 def test_a_stable_orbit_is_no_neutral_one() -> None:
-    states = find_steady_states(2.0, 4.0, 0.8)
+    states = steady_states(2.0, 4.0, 0.8)
     assert states.stable[0]
     assert not states.neutral.any()
 
 
 def test_at_the_existence_boundary_the_two_branches_meet_with_a_multiplier_of_1() -> None:
-    existence = float(find_steady_states(2.0, 4.0, 0.8).existence)
-    states = find_steady_states(existence * (1.0 + 1e-12), 4.0, 0.8)
+    existence = float(steady_states(2.0, 4.0, 0.8).existence)
+    states = steady_states(existence * (1.0 + 1e-12), 4.0, 0.8)
     assert states.phase[0] == pytest.approx(states.phase[1], abs=1e-5)
     np.testing.assert_allclose(states.trace, 1.64, atol=1e-4)
 
@@ -262,7 +263,7 @@ def test_an_unstable_steady_state_is_left_on_the_named_side(
 
 
 def test_leaving_along_the_unstable_direction_is_symmetric_to_first_order() -> None:
-    states = find_steady_states(1.0, 2.0, 0.8)
+    states = steady_states(1.0, 2.0, 0.8)
     velocity = states.velocity[1]
     departures = [
         np.abs(

@@ -23,12 +23,11 @@ from rocksteady import (
     Record,
     Rest,
     compute_rocking_spectrum,
-    find_steady_states,
     simulate,
 )
 from rocksteady.errors import InputError
 from rocksteady.export import ExplorerView
-from rocksteady.formulas import housner_restitution, impact_restitution
+from rocksteady.formulas import housner_restitution, impact_restitution, steady_states
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import guard_result
@@ -59,8 +58,8 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
             ["block = ", "a Block or a DimensionlessBlock; the block comes first"],
         ),
-        (lambda: find_steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
-        (lambda: find_steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elem"]),
+        (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
+        (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elem"]),
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest, a State, a"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, max_flights=2**64), ["max_flights = 18446744073709"]),
@@ -73,8 +72,8 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
         (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),
         (lambda: impact_restitution((0.2, 0.3), (1.0, 1.1), gyration=-0.5), ["gyration = -0.5"]),
         (lambda: impact_restitution((0.2, math.nan), (1.0, 1.1), gyration=0.5), ["alphas = "]),
-        (lambda: find_steady_states([[1.0, 2.0], [3.0]], 4.0, 0.8), ["amplitude = ", "one length"]),
-        (lambda: find_steady_states(np.broadcast_to(1.0, 10**12), 4.0, 0.8), ["at most 100000000"]),
+        (lambda: steady_states([[1.0, 2.0], [3.0]], 4.0, 0.8), ["amplitude = ", "one length"]),
+        (lambda: steady_states(np.broadcast_to(1.0, 10**12), 4.0, 0.8), ["at most 100000000"]),
         (lambda: Block.rectangle(width=1e308, height=1.0), ["width = 1e+308"]),
     ],
 )  # fmt: skip
@@ -91,7 +90,7 @@ def test_what_is_no_such_thing_is_refused_in_one_line(call: Any, words: list[str
     "call",
     [
         lambda x: Record(acceleration_m_s2=x, dt_s=0.01),
-        lambda x: find_steady_states(x, 4.0, 0.8),
+        lambda x: steady_states(x, 4.0, 0.8),
         lambda x: rocksteady.sweeps.Axis(name="amplitude", values=x),
         lambda x: compute_response_spectrum(RECORD, x),
         lambda x: simulate(BLOCK, SHAKING, cycles=1).at_time(x),
@@ -130,10 +129,10 @@ def test_scalars_keep_neither_a_mask_nor_a_unit() -> None:
 
 
 def test_an_array_in_si_and_a_mask_without_effect_are_taken() -> None:
-    plain = find_steady_states([1.0, 2.0], 4.0, 0.8).phase
+    plain = steady_states([1.0, 2.0], 4.0, 0.8).phase
     si = xarray.DataArray([1.0, 2.0], dims="x", attrs={"units": "1"})
     for given in (si, np.ma.array([1.0, 2.0]), np.array([1.0, 2.0], dtype=">f8")):
-        assert np.array_equal(find_steady_states(given, 4.0, 0.8).phase, plain, equal_nan=True)
+        assert np.array_equal(steady_states(given, 4.0, 0.8).phase, plain, equal_nan=True)
 
 
 def test_sizes_like_millimetres_are_questioned() -> None:
@@ -268,8 +267,8 @@ def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
     [
         lambda number: Harmonic(amplitude=2.0, frequency_ratio=number),
         lambda number: DimensionlessBlock(restitution=number),
-        lambda number: find_steady_states(2.0, 4.0, number),
-        lambda number: find_steady_states(2.0, [4.0, number], 0.8),
+        lambda number: steady_states(2.0, 4.0, number),
+        lambda number: steady_states(2.0, [4.0, number], 0.8),
         lambda number: Record(acceleration_m_s2=np.array([0.0, number]), dt_s=0.01),
         lambda number: Axis(name="amplitude", values=[number]),
         lambda number: simulate(BLOCK, SHAKING, cycles=number),
@@ -284,7 +283,7 @@ def test_fractions_are_taken_and_decimals_are_refused_everywhere(call: Any) -> N
 def test_a_fraction_beyond_the_floats_is_infinite_and_refused() -> None:
     huge: Any = Fraction(-(10**400))
     with pytest.raises(InputError, match="frequency_ratio = -inf is not valid"):
-        find_steady_states(2.0, [4.0, huge], 0.8)
+        steady_states(2.0, [4.0, huge], 0.8)
 
 
 def test_a_choice_of_two_is_said_in_quotes_and_of_three_as_a_list() -> None:

@@ -18,13 +18,13 @@ def words_of(*remedies: Any) -> tuple[str, str]:
 
 def test_the_remedy_of_the_least_change_is_named_with_its_probability() -> None:
     wider, lower = remedy("a wider base", 0.3, 0.02), remedy("a lower mass", 0.1, 0.04)
-    assert words_of(wider, lower) == words_of(lower, wider) == ("a lower mass", "then 4 %")
+    assert words_of(wider, lower) == words_of(lower, wider) == ("a lower mass", "then 4.0 %")
 
 
 def test_a_remedy_out_of_reach_is_none() -> None:
     out_of_reach = remedy("no width helps", None)
     assert words_of(out_of_reach) == ("none within reach", "")
-    assert words_of(out_of_reach, remedy("a wider base", 0.3)) == ("a wider base", "then 5 %")
+    assert words_of(out_of_reach, remedy("a wider base", 0.3)) == ("a wider base", "then 5.0 %")
 
 
 def test_an_object_without_remedies_needs_none() -> None:

@@ -15,7 +15,7 @@ import pytest
 from rocksteady.errors import OutputError
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
@@ -114,10 +114,10 @@ def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) ->
     values = found.to_dict()
     assert values["probability"] > values["by_curve"] + 0.1  # both stand on it, and which decides
     shares = [values["probability"], values["by_curve"], values["target_probability"]]
-    expected = [number(100.0 * share) for share in shares]
+    expected = [chance(share) for share in shares]
     expected += [number(values[key]) for key in ("median", "friction_needed", "uplift_pga_g")]
     for case in values["cases"]:
-        expected += [number(100.0 * case["fitted"]), f"{case['fell']} of {case['trials']}"]
+        expected += [chance(case["fitted"]), f"{case['fell']} of {case['trials']}"]
     for row in values["screens"]:
         expected += [row["edition"], row["status"]]
         expected += [] if row["value"] is None else [number(row["value"])]

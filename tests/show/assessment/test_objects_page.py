@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
 from rocksteady.show.assessment.object_report import report_html
@@ -52,7 +52,7 @@ def test_every_object_has_its_figures_and_its_sentence(table: ObjectsTable, html
         assert row["sentence"] in text
         assert number(row["uplift_pga_g"]) in text
         if row["probability"] is not None and 1e-4 < row["probability"] < 0.999:
-            assert f"{number(100.0 * row['probability'])} %" in text
+            assert chance(row["probability"]) in text
 
 
 def test_rows_stand_by_probability_those_without_one_last(table: ObjectsTable, html: str) -> None:

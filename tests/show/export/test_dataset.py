@@ -107,7 +107,7 @@ def test_coordinates_that_are_no_axes_are_kept(tmp_path: Path) -> None:
     assert found.identical(data.drop_vars("half"))
     write_dataset(data[["kind"]], tmp_path / "x.csv")
     header, first, *_, last = table(tmp_path / "x.csv")
-    assert header == ["length", "count", "word", "twice", "kind"]
+    assert header == ["length_m", "count_m", "word_m", "twice", "kind"]
     assert first[1:4] == ["0.0", 'b "c"', "0.0"]
     assert last[1:4] == ["3.0", 'b "c"', "4.0"]
 
@@ -141,7 +141,9 @@ def test_a_table_has_every_cell_in_order(shape: tuple[int, ...], tmp_path: Path)
     data = result(shape)
     write_dataset(data, tmp_path / "x.csv")
     header, *rows = table(tmp_path / "x.csv")
-    assert header == [*data.kind.dims, *data.data_vars]
+    names = [*map(str, data.kind.dims), *data.data_vars]
+    assert header == [f"{name}_m" if name in data.dims else name for name in names]
+    header = names
     assert len(rows) == math.prod(shape)
     for row, index in zip(rows, np.ndindex(*shape), strict=True):
         found = dict(zip(header, row, strict=True))

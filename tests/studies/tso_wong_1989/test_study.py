@@ -13,8 +13,8 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states
 from rocksteady.errors import InputError, OutputError
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_region_boundaries
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv
 from rocksteady.studies.tso_wong_1989 import study as study_module
@@ -217,7 +217,7 @@ def test_the_table_of_peaks_is_the_closed_form(saved: Path) -> None:
     assert header == ["amplitude", "frequency_ratio", "peak", "stable"]
     chosen = rows[::211]
     a, w, peak = (np.array([float(row[i]) for row in chosen]) for i in range(3))
-    states = find_steady_states(a, w, 0.8, order=3)
+    states = steady_states(a, w, 0.8, order=3)
     assert states.peak is not None
     assert states.admissible is not None
     np.testing.assert_allclose(peak, np.where(states.admissible[0], states.peak[0], np.nan))

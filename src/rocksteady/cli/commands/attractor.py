@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import SeriesFlags
 from rocksteady.cli.flags.start import StartFlags
 
@@ -67,7 +67,7 @@ def attractor(
             max_cycles=cycles,
             model=equations,
         )
-    output.write_csv(lambda: in_columns(attractor.columns, attractor.rows()))
+    output.write_csv(attractor.to_dataframe)
     output.write_plot(lambda page: figure_of(attractor, page))
     further = "" if model == "nonlinear" else options.follow_up("basins", shaking, series, block)
     if attractor.reason.endswith("follow more cycles"):

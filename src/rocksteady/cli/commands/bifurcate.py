@@ -8,7 +8,7 @@ from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import FlagError, needs
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import Range, SeriesFlags, range_of
 from rocksteady.cli.flags.sweep_start import SweepStart
 from rocksteady.model.checks.validation import positive, whole_number
@@ -148,7 +148,7 @@ def bifurcate(
             "--max-period or --max-impacts",
             file=sys.stderr,
         )
-    output.write_csv(lambda: in_columns(diagram.columns, diagram.rows()))
+    output.write_csv(diagram.to_dataframe)
     output.write_plot(lambda page: bifurcation_figure(diagram, top=top, page=page))
     description = diagram.describe()
     values = start.as_given(description.to_dict())

@@ -6,7 +6,7 @@ from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
-from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import plane_of
 
 curve_flag = options.Panel("Curves")
@@ -108,7 +108,7 @@ def curves(
             "be more; raise --max-curves or --max-branches, or lower --max-impacts",
             file=sys.stderr,
         )
-    output.write_csv(lambda: in_columns(curves_found.columns, curves_found.rows()))
+    output.write_csv(curves_found.to_dataframe)
     output.write_plot(lambda page: curves_figure(curves_found, page=page))
     asked = [
         *(f"-n {each}" for each in order or ()),

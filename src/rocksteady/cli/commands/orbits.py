@@ -64,13 +64,14 @@ def orbits(
 
     announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits.search import describe_orbits, find_orbits
+    from rocksteady.model.units import framed
     from rocksteady.show.figures.single import orbits_figure
 
     limits = {"max_period": max_period, "max_impacts": max_impacts, "seeds": seeds}
     listed = find_orbits(body, motion, model=equations, **limits)
     description = describe_orbits(listed, body, motion, equations, **limits)
     (table,) = description.tables
-    output.write_csv(lambda: (table.header or ["number"], table.records()))
+    output.write_csv(lambda: framed(table.rows, body, "number"))
     output.write_plot(lambda page: orbits_figure(listed, description.headline, page))
     chosen = "--model nonlinear" if model == "nonlinear" else ""
     further = options.follow_up("attractor", shaking, series, block, chosen, *_start_of(listed))

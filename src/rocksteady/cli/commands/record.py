@@ -43,7 +43,7 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady record RSN77_PUL164.AT2 --plot pacoima.png\n\n"
     "rocksteady record *.AT2 --json\n\n"
-    "rocksteady record column.txt --units m/s^2 --dt-s 0.005 --csv record.csv --units-out g\n\n"
+    "rocksteady record column.txt --units m/s^2 --dt-s 0.005 --csv record.csv --units-out gal\n\n"
     "rocksteady record RSN77_PUL164.AT2 --width-m 0.5 --height-m 2"
 )
 
@@ -76,7 +76,7 @@ def record(
     ),
     units_out: str | None = options.output_flag(
         "--units-out UNIT",
-        "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
+        "Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default g.",
     ),
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
@@ -289,7 +289,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
     from rocksteady.records.core.units import unit_named
 
     if units_out is None:
-        return "m/s^2"
+        return "g"
     needs("--units-out", units_out, "--csv", "record.csv", beside=output.csv)
     return unit_named(units_out, "--units-out")
 

@@ -8,7 +8,7 @@ from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
-from rocksteady.cli.flags.groups import OutputFlags, grouped, in_columns
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear
@@ -71,14 +71,13 @@ def steady(
     announce_compilation("closed_form.fill_steady")
     import numpy as np
 
-    from rocksteady.dynamics.steady.states import find_steady_states
+    from rocksteady.dynamics.steady.states import steady_states
 
     orders = tuple(dict.fromkeys(order or (1,)))
     plane = np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution
     each = orders[0] if len(orders) == 1 else np.array(orders)[:, np.newaxis, np.newaxis]
-    states = find_steady_states(*plane, order=each).for_block(body)
-    columns = ["amplitude", "frequency_ratio"]
-    output.write_csv(lambda: in_columns(next(map(list, states.rows()), columns), states.rows()))
+    states = steady_states(*plane, order=each).for_block(body)
+    output.write_csv(states.to_dataframe)
     description = states.describe()
     if states.region.size == 1:
         output.write_plot(lambda page: point_figure(states, page))

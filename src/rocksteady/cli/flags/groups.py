@@ -105,14 +105,15 @@ class OutputFlags:
         )
 
     def write_csv(self, rows: "Callable[[], Rows]") -> None:
-        """Save the rows of --csv, made where the flag is given."""
+        """Save the rows of --csv, made where the flag is given; what is missing is left empty."""
         if self.csv is None:
             return
         made = rows()
         if isinstance(made, Table):
             made = made.header, made.records()
         elif not isinstance(made, tuple):
-            made = list(made), made.itertuples(index=False, name=None)
+            plain = made.astype(object).where(made.notna(), None)
+            made = list(plain), plain.itertuples(index=False, name=None)
         save_csv("--csv", self.csv, *made)
         announce_file(self.csv)
 

@@ -44,6 +44,7 @@ from rocksteady.model.checks.confidence import CONFIDENCE, Confidence
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, largest_amplitude
+from rocksteady.model.units import in_units
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
@@ -304,14 +305,13 @@ class Basins(Result):
         import pandas as pd
 
         names = np.array([attractor.name for attractor in self.attractors])
-        return pd.DataFrame(
-            {
-                "angle": self.start_angle.ravel(),
-                "velocity": self.start_velocity.ravel(),
-                "label": self.label.ravel(),
-                "attractor": names[self.label.ravel()],
-            }
-        )
+        columns = {
+            "angle": self.start_angle.ravel(),
+            "velocity": self.start_velocity.ravel(),
+            "label": self.label.ravel(),
+            "attractor": names[self.label.ravel()],
+        }
+        return pd.DataFrame(in_units(columns, self.block))
 
 
 @checked

@@ -26,6 +26,7 @@ from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
+from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
@@ -272,16 +273,15 @@ class FateBasins(Result):
 
         velocity, angle = np.meshgrid(self.velocity, self.angle, indexing="ij")
         labels = np.array([status.label for status in Status])
-        return pd.DataFrame(
-            {
-                "angle": angle.ravel(),
-                "velocity": velocity.ravel(),
-                "fate": labels[self.fate.ravel()],
-                "side": self.side.ravel(),
-                "impacts": self.impacts.ravel(),
-                "peak": self.peak.ravel(),
-            }
-        )
+        columns = {
+            "angle": angle.ravel(),
+            "velocity": velocity.ravel(),
+            "fate": labels[self.fate.ravel()],
+            "side": self.side.ravel(),
+            "impacts": self.impacts.ravel(),
+            "peak": self.peak.ravel(),
+        }
+        return pd.DataFrame(in_units(columns, self.block))
 
     def describe(self) -> Description:
         """Return the shares of the fates, the integrity, and the window."""

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.batch.attractors import starting
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.start import Steady
-from rocksteady.dynamics.steady.states import find_steady_states
+from rocksteady.dynamics.steady.states import steady_states
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch.attractors import fill_clocks
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
@@ -79,7 +79,7 @@ def on_orbits(
     [False  True] [0.       0.732389] [0.       2.846543]
     """
     restitution = sides[:, 0, RESTITUTION]
-    states = find_steady_states(amplitude, frequency_ratio, restitution, order=start.order)
+    states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
     assert states.admissible is not None
     which = start.branch - 1
     admissible = states.admissible[which].copy()

@@ -36,6 +36,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.units import framed
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -152,16 +153,9 @@ class BifurcationDiagram(Result):
             for rests in resting.points:
                 yield {**diagram_row(place, rests), "rest_phases": resting.rest_phases}
 
-    @property
-    def columns(self) -> list[str]:
-        """Names of the values of each row."""
-        return next((list(row) for row in self.rows()), ["branch"])
-
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""
-        import pandas as pd
-
-        return pd.DataFrame(list(self.rows()), columns=self.columns)
+        return framed(self.rows(), self.block, "branch")
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return branches and bifurcations as an xarray Dataset; sweeps and cascade have their own.

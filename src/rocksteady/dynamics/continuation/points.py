@@ -43,6 +43,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
+from rocksteady.model.units import framed
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -356,9 +357,7 @@ class Branch(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point."""
-        import pandas as pd
-
-        return pd.DataFrame(self.rows())
+        return framed(self.rows(), None)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the points as an xarray Dataset with dimensions point and flight.

@@ -18,6 +18,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import in_units
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, number_or_none, plural
@@ -109,13 +110,8 @@ class EdgeState(Result):
         """Return one row per tracked state: periods since the boundary, angle and velocity."""
         import pandas as pd
 
-        return pd.DataFrame(
-            {
-                "period": np.arange(len(self.angle)),
-                "angle": self.angle,
-                "velocity": self.velocity,
-            }
-        )
+        columns = {"period": np.arange(len(self.angle)), "angle": self.angle}
+        return pd.DataFrame(in_units({**columns, "velocity": self.velocity}, self.block))
 
     def describe(self) -> Description:
         """Return what the edge state is, what it parts, and how it was tracked."""

@@ -20,6 +20,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import in_units
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -235,7 +236,8 @@ class Manifold(Result):
             )
         columns = ["branch", "sign", "place", "piece", first, second, "side", "impacts"]
         columns += ["label", "arclength"]
-        return pd.concat(frames, ignore_index=True) if frames else pd.DataFrame(columns=columns)
+        frame = pd.concat(frames, ignore_index=True) if frames else pd.DataFrame(columns=columns)
+        return pd.DataFrame(in_units(dict(frame.items()), self.block))
 
     def describe(self) -> Description:
         """Return the saddle, and the branches with their lengths and ends."""

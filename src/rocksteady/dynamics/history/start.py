@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.steady.states import (
-    find_steady_states,
     refuse_asymmetric,
+    steady_states,
     validated_branch,
 )
 from rocksteady.errors import InputError, ModelError, Words
@@ -354,7 +354,7 @@ def _steady_state(
         )
     refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
-    states = find_steady_states(a, w, r, order=start.order)
+    states = steady_states(a, w, r, order=start.order)
     which = start.branch - 1
     if states.region == 4:
         raise ModelError(

@@ -29,6 +29,7 @@ from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
+from rocksteady.model.units import in_units
 from rocksteady.outcomes import Status
 
 if TYPE_CHECKING:
@@ -389,15 +390,9 @@ class Trajectory(Described):
             "base_acceleration_per_alpha_g": motion.base_acceleration,
             "energy": motion.energy,
         }
-        if isinstance(self.block, Block):
-            table["time_s"] = motion.pt / self.block.p
-            table["angle_rad"] = motion.angle * self.block.alpha
-            uplift = self.block.uplift_acceleration
-            table["base_acceleration_m_s2"] = motion.base_acceleration * uplift
-            if self.vertical is not None:
-                lifting = base_motion.lift(self.segments, motion.pt)
-                table["vertical_acceleration_m_s2"] = lifting * self.block.gravity
-        return table
+        if self.vertical is not None:
+            table["vertical_acceleration_per_g"] = base_motion.lift(self.segments, motion.pt)
+        return in_units(table, self.block)
 
     def to_dataset(self, samples: int = 100) -> "xarray.Dataset":
         """Return the time history as a Dataset: the columns of `to_columns` over pt."""

@@ -71,12 +71,9 @@ def state_rows(states: Sequence[ImpactState]) -> list[dict[str, Any]]:
     return [{"side": each.side, "phase": each.phase, "speed": each.speed} for each in states]
 
 
-def section_row(state: ImpactState, block: AnyBlock) -> dict[str, Any]:
-    """Return the row of a state after an impact, in rad/s too where the block has a size."""
-    row = {"side": state.side, "phase_rad": state.phase, "speed_per_pivot_time": state.speed}
-    if isinstance(block, Block):
-        row["speed_rad_s"] = state.speed * block.alpha * block.p
-    return row
+def section_row(state: ImpactState) -> dict[str, Any]:
+    """Return the row of a state after an impact."""
+    return {"side": state.side, "phase_rad": state.phase, "speed_per_pivot_time": state.speed}
 
 
 def orbit_values(orbit: Any) -> dict[str, Any]:

@@ -52,6 +52,7 @@ from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model, needs_full_equations
 from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.units import framed
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
@@ -254,18 +255,16 @@ class Attractor(Result):
                     phases.tolist(), impacts.velocity_after[late].tolist(), strict=True
                 )
             ]
-        return [section_row(state, self.block) for state in states]
+        return [section_row(state) for state in states]
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per impact: of an orbit's period, or of the second half of a long run."""
-        import pandas as pd
-
-        return pd.DataFrame(self.rows(), columns=self.columns)
+        return framed(self.rows(), self.block, *self.columns)
 
     @property
     def columns(self) -> list[str]:
         """Names of the values of each row."""
-        return list(section_row(ImpactState(side=1, phase=0.0, speed=0.0), self.block))
+        return list(section_row(ImpactState(side=1, phase=0.0, speed=0.0)))
 
     def describe(self) -> Description:
         """Return what the motion settles to, its orbit, and when that was known."""

@@ -29,6 +29,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.units import in_units
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.results.datasets import ColumnWords, padded, variables_of
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -146,10 +147,7 @@ class AttractorSweep(Result):
         frame.insert(0, self.parameter, self.values)
         frame.insert(1, "kind", self.kinds)
         frame.insert(2, "period", pd.array(self.periods, dtype="Int64"))
-        if isinstance(self.block, Block):
-            frame["highest_rad"] = frame.highest * self.block.alpha
-            frame["lowest_rad"] = frame.lowest * self.block.alpha
-        return frame
+        return pd.DataFrame(in_units(dict(frame.items()), self.block))
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the attractors as an xarray Dataset with dimensions of the parameter and flight.

@@ -40,6 +40,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import PeriodicMotion
+from rocksteady.model.units import framed
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description
 from rocksteady.results.result import Result
@@ -244,9 +245,7 @@ class Orbit(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per impact, in order."""
-        import pandas as pd
-
-        return pd.DataFrame([section_row(state, self.block) for state in self.states])
+        return framed([section_row(state) for state in self.states], self.block)
 
 
 def orbit_from(

@@ -84,9 +84,10 @@ class ReturnMap:
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, find_steady_states
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> from rocksteady.formulas import steady_states
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> states = find_steady_states(2.0, 4.0, 0.8)
+    >>> states = steady_states(2.0, 4.0, 0.8)
     >>> state = ImpactState(side=1, phase=states.phase[0], speed=states.velocity[0])
     >>> passage = ReturnMap(DimensionlessBlock(restitution=0.8), motion)(state)
     >>> print(passage.kind.label, f"{passage.phase:.6f}", f"{passage.state.speed:.6f}")

@@ -20,7 +20,7 @@ from rocksteady.dynamics.orbits.return_map import (
     periodic_motion,
     section_of,
 )
-from rocksteady.dynamics.steady.states import find_steady_states
+from rocksteady.dynamics.steady.states import steady_states
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic, return_map
 from rocksteady.kernels.orbits.periodic import mirror
@@ -214,7 +214,7 @@ def _symmetric_orbits(
         return
     a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
     for order in range(1, longest + 1, 2):
-        states = find_steady_states(a, w, r, order=order)
+        states = steady_states(a, w, r, order=order)
         assert states.peak is not None
         assert states.admissible is not None
         if states.region == 4:
@@ -261,7 +261,7 @@ def _nonlinear_symmetric_orbits(
     a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
     sides = sides_of(block, model)
     for order in range(1, longest + 1, 2):
-        states = find_steady_states(a, w, r, order=order)
+        states = steady_states(a, w, r, order=order)
         assert states.admissible is not None
         for which in np.flatnonzero(states.admissible).tolist():
             half = nonlinear_half(

@@ -124,6 +124,11 @@ def describe_point(states: Any) -> Description:
     block, limits = states.block, values["boundaries"]
     existence, kind, sign = (number(limits[name]) for name in ("existence", "kind", "sign"))
     place = f"A = {values['amplitude']:.6g}, Ω = {values['frequency_ratio']:.6g}"
+    if block is not None:
+        place = (
+            f"{amplitude_text(block, values['amplitude'])}, "
+            f"{frequency_text(block, values['frequency_ratio'])}"
+        )
     words = {
         "region": ("region", f"{values['region']}: {values['region_meaning']}"),
         "boundaries": (

@@ -197,7 +197,7 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
     Parameters
     ----------
     frequency_ratio, restitution
-        As for `find_steady_states`; arrays that broadcast against each other.
+        As for `steady_states`; arrays that broadcast against each other.
 
     Returns
     -------
@@ -226,7 +226,7 @@ def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Fl
     Parameters
     ----------
     frequency_ratio, restitution
-        As for `find_steady_states`; arrays that broadcast against each other.
+        As for `steady_states`; arrays that broadcast against each other.
 
     Returns
     -------
@@ -260,7 +260,7 @@ def symmetry_breaking_amplitude(
     Parameters
     ----------
     frequency_ratio, restitution, order
-        As for `find_steady_states`; arrays that broadcast against each other.
+        As for `steady_states`; arrays that broadcast against each other.
 
     Returns
     -------

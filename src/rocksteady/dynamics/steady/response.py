@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.steady.states import (
     SteadyStates,
-    find_steady_states,
     refuse_asymmetric,
+    steady_states,
     validated_branch,
 )
 from rocksteady.errors import ModelError, Words
@@ -170,7 +170,7 @@ def compute_response_curve(
         assert frequency_ratio is not None
         ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
     refuse_asymmetric(block, "block", "a response curve")
-    states = find_steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
+    states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None
     which = branch - 1

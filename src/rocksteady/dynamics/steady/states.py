@@ -35,6 +35,8 @@ from rocksteady.model.checks.arrays import scalar_of
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import OfLinear
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import framed
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import quantity
 from rocksteady.results.result import Result
@@ -203,7 +205,8 @@ class SteadyStates(OfLinear, Result):
     @property
     def _allowed(self) -> Bools:
         if self.admissible is None:
-            message = "stability needs admissibility: call find_steady_states(..., shapes=True)"
+            hint = "call rs.formulas.steady_states(..., shapes=True)"
+            message = f"stability needs admissibility: {hint}"
             raise AttributeError(message)
         return self.admissible
 
@@ -217,9 +220,7 @@ class SteadyStates(OfLinear, Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per solution, in the order of the points."""
-        import pandas as pd
-
-        return pd.DataFrame(self.rows())
+        return framed(self.rows(), self.block, "amplitude", "frequency_ratio")
 
     def describe(self) -> Description:
         """Return both solutions at one point, or what there is along the axes."""
@@ -236,7 +237,7 @@ class SteadyStates(OfLinear, Result):
 
         Examples
         --------
-        >>> data = find_steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
+        >>> data = steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
         >>> print(data.phase.dims, data.phase.attrs["units"])
         ('branch', 'grid_0') rad
         """
@@ -264,6 +265,62 @@ class SteadyStates(OfLinear, Result):
 
 @checked
 def find_steady_states(
+    block: Block | DimensionlessBlock, motion: Harmonic, *, order: ArrayLike = 1
+) -> SteadyStates:
+    """Find both symmetric steady states of a block under harmonic motion, in closed form.
+
+    They are those of the linear model and of a symmetric block; `rocksteady.find_orbits` finds the
+    periodic motions of any other block, model and motion.  Over arrays of amplitudes and
+    frequencies there is `rocksteady.formulas.steady_states`.
+
+    Parameters
+    ----------
+    block
+        Symmetric; with a size the states are described in degrees, g and Hz.
+    motion
+        Its phase does not matter.
+    order
+        n = 1, 3, 5, ...: half periods of the motion in one half cycle; one or several.
+
+    Returns
+    -------
+    SteadyStates
+        Arrays of shape ``(2, *order.shape)`` for the solutions.
+
+    Raises
+    ------
+    InputError
+        If an order is even, or a value of the motion is outside its range.
+    ModelError
+        If the sides of the block differ, one is a wall, or the motion is not `Harmonic`.
+
+    References
+    ----------
+    W. K. Tso and C. M. Wong, Earthquake Eng. Struct. Dyn. 18, 89-106 (1989), eqs 12 to 25.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, Harmonic
+    >>> block = Block.rectangle(width=0.4, height=2.0)
+    >>> motion = Harmonic.from_si(block, acceleration_m_s2=3.92, frequency_hz=2.0)
+    >>> print(find_steady_states(block, motion).describe().answer.sentence)
+    It can rock steadily at 1.61° (0.142 alpha), out of phase, and that is stable.
+    """
+    if not isinstance(motion, Harmonic):
+        raise ModelError(
+            "motion",
+            motion,
+            "the closed form is that of harmonic motion",
+            "find_orbits takes any periodic motion, simulate any motion",
+        )
+    refuse_asymmetric(block, "block", "find_steady_states")
+    ratio = block.dimensionless().restitution
+    states = steady_states(motion.amplitude, motion.frequency_ratio, ratio, order=order)
+    return states.for_block(block)
+
+
+@checked
+def steady_states(
     amplitude: ArrayLike,
     frequency_ratio: ArrayLike,
     restitution: ArrayLike,
@@ -306,7 +363,7 @@ def find_steady_states(
 
     Examples
     --------
-    >>> states = find_steady_states(2.0, 4.0, 0.8)
+    >>> states = steady_states(2.0, 4.0, 0.8)
     >>> print(states.region, states.phase.round(6), states.velocity.round(6))
     2 [ 2.846543 -0.03411 ] [ 0.732389 -0.085893]
     >>> print(states.admissible, states.stable, states.peak[0].round(6))
@@ -417,7 +474,7 @@ def compute_steady_orbit(
     Parameters
     ----------
     amplitude, frequency_ratio, restitution, order
-        As for `find_steady_states`, one number each.
+        As for `steady_states`, one number each.
     branch
         1 or 2.
     samples
@@ -456,7 +513,7 @@ def compute_steady_orbit(
             "give an odd number, as 801",
         )
     a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
-    states = find_steady_states(a, w, r, order=n, shapes=False)
+    states = steady_states(a, w, r, order=n, shapes=False)
     if states.region == 4:
         raise InputError(
             "amplitude",

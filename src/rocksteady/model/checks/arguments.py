@@ -51,7 +51,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("follow_branch", "within"),
         ("overturning_impulse", "block"),
         ("find_overturning_windows", "within"),
-        ("find_steady_states", "order"),
+        ("steady_states", "order"),
         ("Scatter.__init__", "deviation"),
         ("Axis.__init__", "values"),
         ("Grid.__init__", "axes"),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Table
-from rocksteady.results.numbers import percent, quantity
+from rocksteady.results.numbers import chance, percent, quantity
 from rocksteady.risk.assess._counts import Basis
 from rocksteady.risk.assess._demand_level import horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy
@@ -57,8 +57,8 @@ def tables_of(
     bar_columns = [
         Column("parameter", "what is varied alone", parameter_words, left=True),
         Column("range", "over", left=True),
-        Column("low", "lowest probability", percent),
-        Column("high", "highest", percent),
+        Column("low", "lowest probability", chance),
+        Column("high", "highest", chance),
     ]
     bars = [{**bar, "range": _range(cases_found, bar["parameter"])} for bar in bars]
     tables = [

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from rocksteady.results.doubts import MOST_MISFIT, far_above
-from rocksteady.results.numbers import number, percent, plural
+from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.assess._counts import Basis, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._sensitivity import MOST_DRAWS, band_of
@@ -136,7 +136,7 @@ def probability_of(
     if far_above(by_curve, counted) > by_curve:
         words = (
             f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}; "
-            f"it is more than {100.0 * MOST_MISFIT:g} points above the curve's {percent(by_curve)}"
+            f"it is more than {100.0 * MOST_MISFIT:g} points above the curve's {chance(by_curve)}"
         )
         return Probability(value=counted, by_curve=by_curve, basis="count", method=words)
     band = curve.probability_band(at)

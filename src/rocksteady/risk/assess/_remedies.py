@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.results.numbers import length, number, percent
+from rocksteady.results.numbers import chance, length, number
 from rocksteady.risk.assess._counts import Basis, Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured
 from rocksteady.risk.assess._sensitivity import (
@@ -94,7 +94,7 @@ class Remedy:
         """What to do, and the probability that follows."""
         if self.value is None:
             return self.words
-        return f"{self.words}; the probability is then {percent(self.probability)}"
+        return f"{self.words}; the probability is then {chance(self.probability)}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values."""

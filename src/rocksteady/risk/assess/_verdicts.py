@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rocksteady.results.numbers import number, percent, quantity
+from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
@@ -136,12 +136,12 @@ def answer_of(findings: Findings) -> Answer:
     side = "more than" if verdict == "above target" else "within"
     base = findings.cases[0]
     runs = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
-    share, percents = runs, percent(answer.value)  # a share is no smaller than one of the runs
+    share, percents = runs, chance(answer.value)  # a share is no smaller than one of the runs
     if answer.by_curve is not None:
         share = f"{share_words(answer.by_curve)} objects of this shape and size would fall"
-        percents = percent(answer.by_curve)
+        percents = chance(answer.by_curve)
         if answer.basis == "count":
-            percents += f"), but {runs} there ({percent(answer.value)}"
+            percents += f"), but {runs} there ({chance(answer.value)}"
     sentence = (
         f"{share} at {with_article(findings.level.words)} ({percents}): {side} the "
         f"target of {number(100.0 * target)} %."
@@ -169,6 +169,6 @@ def _reason(findings: Findings, lifts: str) -> str:
         widest = bars[0]
         reason += (
             f" What matters most is the {parameter_words(widest['parameter'])}: it moves the "
-            f"probability between {percent(widest['low'])} and {percent(widest['high'])}."
+            f"probability between {chance(widest['low'])} and {chance(widest['high'])}."
         )
     return reason

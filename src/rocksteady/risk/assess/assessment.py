@@ -15,7 +15,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
-from rocksteady.results.numbers import number, number_or_none, percent, quantity
+from rocksteady.results.numbers import chance, number, number_or_none, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._answers import answer_of_object
 from rocksteady.risk.assess._assessment_tables import tables_of
@@ -145,8 +145,8 @@ class Assessment(Result):
         case = self.cases[0]
         if self.by_curve is not None and counted_otherwise(self.by_curve, case.counted):
             sentences.append(
-                f"{case.fell} of {case.trials} runs at the demand fall, {percent(case.counted)}: "
-                f"the curve's {percent(self.by_curve)} is more than "
+                f"{case.fell} of {case.trials} runs at the demand fall, {chance(case.counted)}: "
+                f"the curve's {chance(self.by_curve)} is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
         return tuple(sentences)
@@ -241,11 +241,11 @@ class Assessment(Result):
 
     def _answer(self) -> list[Fact]:
         """Return the facts of the answer."""
-        share = percent(self.probability)
+        share = chance(self.probability)
         doubts = self.doubts
         bands = None if self.fragility is None else self.fragility.fitting.bands
         if self.probability_band is not None and bands is not None:
-            low, high = (percent(side) for side in self.probability_band)
+            low, high = (chance(side) for side in self.probability_band)
             share += f" ({low} to {high}: {100.0 * bands.confidence:g} % band of the records)"
         curve = self.curve
         target = self.described.given.assessment.target_probability
@@ -316,7 +316,7 @@ class Assessment(Result):
             warnings.append(
                 "What matters and what helps is fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
-                f"{percent(self.cases[0].probability)} for the object as described; the "
+                f"{chance(self.cases[0].probability)} for the object as described; the "
                 "probability is "
                 + ("the share at the demand." if self.basis == "count" else WHOLE_CURVE)
             )

@@ -3,7 +3,7 @@
 import math
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.show.assessment._demand_in_units import demand_in_measure
@@ -12,7 +12,7 @@ from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, picture_address
 from rocksteady.show.style import palette
-from rocksteady.show.style.wording import greek, key_words, percent, span
+from rocksteady.show.style.wording import greek, key_words, span
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -67,7 +67,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
                 label="probability of falling at the demand [%]",
             ),
             1.1 + 1.2 * ROW * len(bars),
-            f"Tornado plot about {percent(base)}; the widest bar is {bars[0][0]}, "
+            f"Tornado plot about {chance(base)}; the widest bar is {bars[0][0]}, "
             f"{span(min(bars[0][1:]), max(bars[0][1:]), 100.0)} %.",
             phone=False,  # its names leave no room for bars; the table below has its numbers
         )
@@ -148,5 +148,5 @@ def _words_of_curve(assessment: Assessment) -> str:
         words += f", median {number(curve.median)}"
     demand = demand_in_measure(assessment)
     if math.isfinite(demand):
-        words += f"; the demand is at {number(demand)}, with {percent(assessment.by_curve)}"
+        words += f"; the demand is at {number(demand)}, with {chance(assessment.by_curve)}"
     return f"{words}."

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.numbers import angle, chance, length, number, percent, quantity
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
@@ -23,7 +23,7 @@ from rocksteady.show.style.markup import (
     quiet,
     under,
 )
-from rocksteady.show.style.wording import NOTHING, greek, key_words, percent, span
+from rocksteady.show.style.wording import NOTHING, greek, key_words, span
 
 STATUS = {
     "fitted": "fitted",
@@ -48,12 +48,12 @@ def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
         _row("Demand", assessment.demand, assessment.percentile_words),
     ]
     if assessment.probability is not None:
-        words = percent(assessment.probability)
+        words = chance(assessment.probability)
         if assessment.probability_band is not None and bands is not None:
             low, high = assessment.probability_band
             words += f" ({span(low, high, 100.0)} %, {number(100.0 * bands.confidence)} % band)"
         if assessment.basis == "count" and assessment.by_curve is not None:
-            words += f", counted at the demand; {percent(assessment.by_curve)} by the curve"
+            words += f", counted at the demand; {chance(assessment.by_curve)} by the curve"
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
         rows.append(_row("Probability of falling", words, target))
     rows += [_row("Doubt", text) for text in assessment.doubts]
@@ -122,7 +122,7 @@ def _remedy_words(assessment: Assessment) -> tuple[str, str]:
     if not possible:
         return ("none within reach" if assessment.remedies else "none needed"), ""
     least = min(possible, key=lambda each: each.change or 0.0)
-    return least.words, f"then {percent(least.probability)}"
+    return least.words, f"then {chance(least.probability)}"
 
 
 def object_rows(assessment: Assessment) -> list[dict[str, str]]:
@@ -259,8 +259,8 @@ def case_rows(assessment: Assessment) -> list[Row]:
         {
             "changed": Cell(key_words(case.parameter), "name"),
             "to": prose(case.change),
-            "fitted": figure(percent(case.fitted)),
-            "counted": figure(percent(case.counted)),
+            "fitted": figure(chance(case.fitted)),
+            "counted": figure(chance(case.counted)),
             "runs that fall": figure(f"{case.fell:,} of {case.trials:,}"),
             "median": figure(number(case.median)),
         }
@@ -280,7 +280,7 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
             "change": figure(
                 NOTHING if each.change is None else f"{number(100.0 * each.change)} %"
             ),
-            "probability": figure(percent(each.probability)),
+            "probability": figure(chance(each.probability)),
             "from": each.basis
             + under(None if each.trials is None else f"{each.fell:,} of {each.trials:,}"),
         }

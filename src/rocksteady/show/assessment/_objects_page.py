@@ -3,13 +3,13 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import chance, number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
 from rocksteady.show.style.markup import badge
-from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek, percent
+from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek
 
 ORDERS = (
     ("probability", "probability of falling", True),
@@ -40,7 +40,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         {
             "name": row["name"],
             "badge": badge(*BADGES[row["colour"]]),
-            "probability": percent(row["probability"]),
+            "probability": chance(row["probability"]),
             "uplift": number(row["uplift_pga_g"]),
             "friction": NOTHING
             if row["friction_needed"] is None
@@ -51,7 +51,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         for place, row in enumerate(rows)
     ]
     colours: dict[str, int] = facts["colours"].value
-    over, target = f"{colours['red']:,} of {len(rows):,}", percent(table.target_probability)
+    over, target = f"{colours['red']:,} of {len(rows):,}", chance(table.target_probability)
     values: dict[str, Any] = {
         "above": f"{over} objects are more likely to fall than the target of {target}.",
         "caveats": [greek(sentence) for sentence in CAVEATS],

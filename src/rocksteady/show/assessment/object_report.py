@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
@@ -33,7 +33,6 @@ from rocksteady.show.style.wording import (
     BADGES,
     cleaned,
     greek,
-    percent,
     plain_name,
     sentence,
     span,
@@ -127,7 +126,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "given": list(_given(described.values)),
         "method": _method(assessment),
         "motions": motion_rows(assessment, manifest),
-        "probability": percent(assessment.probability),
+        "probability": chance(assessment.probability),
         "provenance": provenance(manifest, described.source, described.sha256),
         "name": described.name,
         "reason": greek(assessment.reason),
@@ -142,7 +141,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "sources": " ".join(greek(f"{row.name}: {row.source}.") for row in assessment.screens.rows),
         "states": [] if fragility is None else state_rows(fragility),
         "ranking": [] if fragility is None else ranking_rows(fragility),
-        "target": percent(described.given.assessment.target_probability),
+        "target": chance(described.given.assessment.target_probability),
         "warnings": _warnings(assessment),
     }
     return render(

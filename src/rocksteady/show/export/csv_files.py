@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.units import COORDINATES, with_unit
 from rocksteady.show.export._slices import beside, parts_of, refuse_others
 from rocksteady.show.export.files import save_csv
 from rocksteady.sweep.store.chunks import Chunks
@@ -35,11 +37,20 @@ def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
                 f"in a table all outputs are over the same axes, here {first.dims}",
                 "save those of the same axes, as dataset[['kind']], or all as NetCDF",
             )
-    axes = {str(dim): _texts(dataset, dim, first) for dim in first.dims}
-    others = {key: _texts(dataset, key, first) for key in beside(dataset, first)}
-    coordinates = axes | others
+    coordinates: dict[str, Array] = {}
+    for key in (*map(str, first.dims), *beside(dataset, first)):
+        if key in COORDINATES:
+            twin, factor = COORDINATES[key]
+            values = dataset[key] * factor(dataset.attrs.get("gravity", STANDARD_GRAVITY))
+            coordinates[twin] = _texts(dataset.assign_coords({twin: values}), twin, first)
+        coordinates[key] = _texts(dataset, key, first)
     rows = _rows(coordinates, outputs, parts_of(first))
-    save_csv(name, file, [*coordinates, *outputs], rows)
+    save_csv(name, file, [_header(dataset, key) for key in (*coordinates, *outputs)], rows)
+
+
+def _header(dataset: "xarray.Dataset", key: str) -> str:
+    """Return the name of a column, with its unit."""
+    return with_unit(key, str(dataset[key].attrs.get("units", ""))) if key in dataset else key
 
 
 def _texts(dataset: "xarray.Dataset", key: Hashable, cells: "xarray.Variable") -> Array:

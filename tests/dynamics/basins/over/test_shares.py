@@ -15,7 +15,6 @@ from rocksteady import (
     Store,
     compute_basins,
     find_orbits,
-    find_steady_states,
 )
 from rocksteady.basins import (
     BasinShares,
@@ -25,6 +24,7 @@ from rocksteady.basins import (
     compute_uncertainty_exponent,
 )
 from rocksteady.errors import InputError, ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import Orbit, sweep_attractor
 from rocksteady.outcomes import AttractorKind
 from tests.dynamics.kicks import apart
@@ -138,7 +138,7 @@ def test_a_family_is_the_continued_orbit_and_that_of_the_closed_form() -> None:
     for value, mine, theirs in zip(values, family.orbits, swept.attractors, strict=True):
         assert same(mine, theirs.orbit)
         assert mine is not None
-        states = find_steady_states(2.0, float(value), 0.8)
+        states = steady_states(2.0, float(value), 0.8)
         speeds = states.velocity[states.stable]
         assert mine.states[0].speed == pytest.approx(speeds[0], rel=1e-9)
 

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, find_orbits, find_steady_states
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.errors import ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import Orbit
 from tests.dynamics.continuation.branches import setting, symmetric_start
 
@@ -125,7 +126,7 @@ def test_half_of_a_chain_that_leans_is_the_mean_of_its_halves() -> None:
 def test_determinants_vanish_at_the_closed_forms() -> None:
     # TW5: the trace of half a cycle is 1 + restitution^2 at a fold, and less that where it breaks.
     for frequency in (1.5, 2.0, 4.0):
-        states = find_steady_states(2.0, frequency, 0.8)
+        states = steady_states(2.0, frequency, 0.8)
         chain = chain_of(symmetric_start(2.0, frequency, 0.8))
         trace, loss = float(states.trace[0]), 0.8**2
         for closing in (1.0, -1.0):

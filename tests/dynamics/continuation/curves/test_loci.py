@@ -5,10 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states
 from rocksteady.branches import BranchPoint, follow_bifurcation, follow_branch
 from rocksteady.errors import InputError, ModelError
-from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.formulas import steady_states, symmetry_breaking_amplitude
 from rocksteady.orbits import compute_region_boundaries
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
@@ -139,7 +138,7 @@ def test_grazes_are_grazes_of_the_closed_form(plane: tuple[str, str]) -> None:
         # A little weaker shaking keeps it off the floor, a little stronger does not.
         here = []
         for share in (1.0 - 1e-7, 1.0 + 1e-7):
-            states = find_steady_states(
+            states = steady_states(
                 share * point.amplitude, point.frequency_ratio, point.restitution, order=3
             )
             which = int(np.argmin(np.abs(np.sin(0.5 * (states.phase - graze_phase(point))))))

@@ -13,10 +13,10 @@ from rocksteady import (
     Rest,
     State,
     Steady,
-    find_steady_states,
     map_attractors,
 )
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_region_map
 from rocksteady.outcomes import AttractorKind
 from tests.explorer.in_node import InNode
@@ -169,5 +169,5 @@ def test_boundaries_are_those_of_the_package(
         values = np.array(found[name], dtype=float)
         np.testing.assert_array_equal(values[number], expected[number], name)
         assert number.sum() > 50
-    states = find_steady_states(np.array(amplitudes)[:, None], ratios, restitution, order=order)
+    states = steady_states(np.array(amplitudes)[:, None], ratios, restitution, order=order)
     np.testing.assert_array_equal(found["regions"], states.region)

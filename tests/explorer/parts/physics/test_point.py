@@ -17,10 +17,10 @@ from rocksteady import (
     Status,
     Steady,
     find_attractor,
-    find_steady_states,
     simulate,
 )
 from rocksteady.errors import ModelError
+from rocksteady.formulas import steady_states
 from rocksteady.histories import ImpactState, Trajectory
 from rocksteady.orbits import Attractor, find_attractors
 from tests.explorer.in_node import InNode
@@ -386,7 +386,7 @@ def test_closed_forms_are_those_of_python(in_node: InNode) -> None:
         given = each["given"]
         here = []
         for order in (1, 3):
-            states = find_steady_states(
+            states = steady_states(
                 given["amplitude"], given["frequencyRatio"], given["restitution"], order=order
             )
             if states.region == 4:

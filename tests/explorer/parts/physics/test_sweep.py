@@ -1,4 +1,4 @@
-"""Sweeps of the page against `sweep_attractor`, its curves against `find_steady_states`."""
+"""Sweeps of the page against `sweep_attractor`, its curves against `steady_states`."""
 
 import math
 from typing import Any
@@ -6,18 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    Block,
-    DimensionlessBlock,
-    Harmonic,
-    Linear,
-    Nonlinear,
-    Rest,
-    State,
-    Steady,
-    find_steady_states,
-)
+from rocksteady import Block, DimensionlessBlock, Harmonic, Linear, Nonlinear, Rest, State, Steady
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import sweep_attractor
 from tests.explorer.in_node import InNode
 
@@ -159,7 +150,7 @@ def test_curves_are_the_steady_states_that_are_motions(in_node: InNode, by: str)
     ]
     for curve in curves:
         amplitude, ratio = (2.0, values) if by == "w" else (values, 5.0)
-        states = find_steady_states(amplitude, ratio, 0.8, order=curve["order"])
+        states = steady_states(amplitude, ratio, 0.8, order=curve["order"])
         assert states.peak is not None
         assert states.admissible is not None
         which = curve["branch"] - 1

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.studies.atlas.analysis.columns import column
 from rocksteady.studies.atlas.analysis.families import family_map
 from tests.studies.atlas.small import plane, small
@@ -24,7 +24,7 @@ def test_symmetric_bands_hold_what_the_closed_form_calls_stable() -> None:
     for family in small().families:
         plane = family.plane
         amplitude = plane.amplitudes[:, np.newaxis]
-        states = find_steady_states(amplitude, plane.ratios, 0.8, order=family.order)
+        states = steady_states(amplitude, plane.ratios, 0.8, order=family.order)
         inside = (amplitude > family.edges[0]) & (amplitude < family.edges[1])
         np.testing.assert_array_equal(inside, states.stable[0])
 
@@ -42,7 +42,7 @@ def test_the_symmetric_area_is_that_of_the_closed_form_in_the_whole_window() -> 
         left, right, low, high = family.plane.window
         ratios = left + (right - left) * (np.arange(600) + 0.5) / 600
         amplitudes = low + (high - low) * (np.arange(400) + 0.5) / 400
-        states = find_steady_states(amplitudes[:, np.newaxis], ratios, 0.8, order=family.order)
+        states = steady_states(amplitudes[:, np.newaxis], ratios, 0.8, order=family.order)
         assert family.area(0) == pytest.approx(float(states.stable[0].mean()), abs=3e-3)
 
 

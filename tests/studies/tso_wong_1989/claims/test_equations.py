@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, find_steady_states, simulate
+from rocksteady import Block, DimensionlessBlock, Harmonic, simulate
 from rocksteady.errors import InputError
+from rocksteady.formulas import steady_states
 from rocksteady.studies.tso_wong_1989.claims import _equations as equations
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, random_sample
 from tests.dynamics.formulae import numbers, printed, printed_boundaries, printed_region
@@ -124,7 +125,7 @@ def test_e4_names_the_odd_orders_and_those_that_are_refused() -> None:
     assert min(defects[1], defects[3]) > 0.1
     for order in (2, 4):
         with pytest.raises(InputError, match="odd"):
-            find_steady_states(2.0, 4.0, 0.8, order=order)
+            steady_states(2.0, 4.0, 0.8, order=order)
 
 
 # --------------------------------------------------------------------------- the random points

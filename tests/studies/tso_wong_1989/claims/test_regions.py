@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import RegionMap, SteadyStates, compute_region_map
 from rocksteady.studies.tso_wong_1989.claims import _regions as regions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -49,9 +49,9 @@ def nothing_in_region_3(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world in which the points between (23) and (25) lie in another region."""
 
     def higher(amplitude: Any, *more: Any, **options: Any) -> SteadyStates:
-        return find_steady_states(1.5 * amplitude, *more, **options)
+        return steady_states(1.5 * amplitude, *more, **options)
 
-    monkeypatch.setattr(regions, "find_steady_states", higher)
+    monkeypatch.setattr(regions, "steady_states", higher)
     return evidence()
 
 
@@ -80,12 +80,12 @@ def exchanged_numbers(_: object) -> Evidence:
 
 def nothing_at_large_amplitudes(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def bounded(amplitude: Any, *more: Any, **options: Any) -> SteadyStates:
-        found_ = find_steady_states(amplitude, *more, **options)
+        found_ = steady_states(amplitude, *more, **options)
         if found_.admissible is None:
             return found_
         return replace(found_, admissible=np.zeros_like(found_.admissible))
 
-    monkeypatch.setattr(regions, "find_steady_states", bounded)
+    monkeypatch.setattr(regions, "steady_states", bounded)
     return evidence()
 
 
@@ -167,8 +167,7 @@ def test_e5_region_1_grows_and_region_2_gains_what_region_5_had() -> None:
     w = 0.05 + (np.arange(500) + 0.5) * 13.95 / 500
     a = (np.arange(500) + 0.5) * 6.0 / 500
     few, many = (
-        find_steady_states(a[:, np.newaxis], w, r, order=3, shapes=False).region
-        for r in (0.5, 0.95)
+        steady_states(a[:, np.newaxis], w, r, order=3, shapes=False).region for r in (0.5, 0.95)
     )
     for number in (1, 2):
         counted = float((many == number).sum() / (few == number).sum())
@@ -215,5 +214,5 @@ def test_e9_branch_1_goes_on_at_any_amplitude() -> None:
         solution = printed(a, 4.0, 0.8, 1, 1)
         _, angle = half_cycle(a, 4.0, 1, solution.phase, solution.velocity, 5001)
         assert angle[1:-1].min() > 0.0
-    below = find_steady_states(0.2, 4.0, 0.8)
+    below = steady_states(0.2, 4.0, 0.8)
     assert below.region == 4

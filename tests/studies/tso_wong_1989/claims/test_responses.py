@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, compute_response_curve, find_steady_states
+from rocksteady import Block, compute_response_curve
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import ResponseCurve, compute_region_boundaries
 from rocksteady.studies.tso_wong_1989.claims import _responses as responses
 from rocksteady.studies.tso_wong_1989.claims._responses import peaks_at
@@ -87,7 +88,7 @@ def peaks_by(law: Callable[[float, float, float], float]) -> Tamper:
         def states(a: float, w: float, r: float, **_: object) -> Any:
             return SimpleNamespace(peak=np.array([law(a, w, r), 0.0]))
 
-        monkeypatch.setattr(responses, "find_steady_states", states)
+        monkeypatch.setattr(responses, "steady_states", states)
         return evidence()
 
     return tamper
@@ -156,7 +157,7 @@ def test_sensitivities_are_differences_of_the_closed_form() -> None:
     came = values("sensitivities")["n=3, Omega=6"]
 
     def peak(a: float, w: float, r: float) -> float:
-        found_ = find_steady_states(a, w, r, order=3).peak
+        found_ = steady_states(a, w, r, order=3).peak
         assert found_ is not None
         return float(found_[0])
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import SteadyStates
 from rocksteady.studies.tso_wong_1989.claims import _stability as stability
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -60,9 +60,9 @@ def one_fate_each(_: object) -> Evidence:
 
 def two_peaks_down_to_the_end(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def higher(amplitude: Any, *more: Any, **options: Any) -> SteadyStates:
-        return find_steady_states(np.asarray(amplitude) + 0.8, *more, **options)
+        return steady_states(np.asarray(amplitude) + 0.8, *more, **options)
 
-    monkeypatch.setattr(stability, "find_steady_states", higher)
+    monkeypatch.setattr(stability, "steady_states", higher)
     return evidence()
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import find_steady_states, map_attractors
-from rocksteady.formulas import symmetry_breaking_frequencies
+from rocksteady import map_attractors
+from rocksteady.formulas import steady_states, symmetry_breaking_frequencies
 from rocksteady.studies.tso_wong_1989.claims import _transitions as transitions
 from rocksteady.studies.tso_wong_1989.claims._transitions import Descent, descent
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -70,10 +70,10 @@ def one_motion_each(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world in which only the harmonic motion is ever stable."""
 
     def states(*arguments: Any, order: int, **more: Any) -> Any:
-        made = find_steady_states(*arguments, order=order, **more)
+        made = steady_states(*arguments, order=order, **more)
         return replace(made, trace=np.full_like(made.trace, 3.0)) if order > 1 else made
 
-    monkeypatch.setattr(transitions, "find_steady_states", states)
+    monkeypatch.setattr(transitions, "steady_states", states)
     return evidence()
 
 
@@ -137,7 +137,7 @@ def test_symmetry_breaks_at_the_reference_frequencies(
         found_ = symmetry_breaking_frequencies(amplitude, 0.8, order=order)[-1]
         assert found_ == pytest.approx(boundary, abs=5.1e-7)
         above, below = (
-            bool(find_steady_states(amplitude, boundary + shift, 0.8, order=order).stable[0])
+            bool(steady_states(amplitude, boundary + shift, 0.8, order=order).stable[0])
             for shift in (1e-3, -1e-3)
         )
         assert (above, below) == (True, False)
@@ -190,7 +190,7 @@ def test_unsymmetric_motions_swing_nearly_as_far_as_the_symmetric_one() -> None:
         (1, 1.8, 1.0976, -0.2997),
         (3, 4.2, 0.53129, -0.44713),
     ):
-        peak = find_steady_states(2.0, w, 0.8, order=order).peak
+        peak = steady_states(2.0, w, 0.8, order=order).peak
         assert peak is not None
         expected.append(abs(0.5 * (high - low) / float(peak[0]) - 1.0))
     assert relative == pytest.approx(expected, abs=1e-4)

@@ -6,16 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    Rest,
-    State,
-    Status,
-    Steady,
-    find_steady_states,
-    simulate,
-)
+from rocksteady import DimensionlessBlock, Harmonic, Rest, State, Status, Steady, simulate
+from rocksteady.formulas import steady_states
 from rocksteady.histories import Trajectory
 from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, fates_over_kicks, settle
 from tests.dynamics.integrator import integrate
@@ -79,7 +71,7 @@ def test_beyond_the_doublings_the_harmonic_motion_overturns_and_the_subharmonic_
     ],
 )
 def test_a_stable_closed_form_is_its_own_fate(a: float, w: float, order: int, name: str) -> None:
-    states = find_steady_states(a, w, 0.8, order=order)
+    states = steady_states(a, w, 0.8, order=order)
     assert states.peak is not None
     assert states.stable[0]
     fate = settled(a, w, order=order)

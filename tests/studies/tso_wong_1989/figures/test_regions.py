@@ -8,7 +8,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_region_boundaries, compute_region_map
 from rocksteady.studies.tso_wong_1989.figures.regions import (
     FREQUENCIES,
@@ -124,7 +124,7 @@ def test_shares_are_those_of_points_counted_on_a_fine_grid(restitution: float, o
     points = 700
     w = low + (np.arange(points) + 0.5) * (high - low) / points
     a = (np.arange(points) + 0.5) * HIGHEST_AMPLITUDE / points
-    region = find_steady_states(a[:, np.newaxis], w, restitution, order=order, shapes=False).region
+    region = steady_states(a[:, np.newaxis], w, restitution, order=order, shapes=False).region
     shares = region_shares(compute_region_map(FREQUENCIES, restitution, order=order))
     for number, share in shares.items():
         assert share == pytest.approx(float((region == number).mean()), abs=1.5e-3), number

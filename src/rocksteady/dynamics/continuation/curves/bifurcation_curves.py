@@ -26,6 +26,7 @@ from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import odd_order, whole_number
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import framed
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -196,9 +197,7 @@ class BifurcationCurve(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point."""
-        import pandas as pd
-
-        return pd.DataFrame(self.rows())
+        return framed(self.rows(), self.block)
 
     def describe(self) -> Description:
         """Return what the curve is, where it begins and ends, and why."""
@@ -306,16 +305,9 @@ class BifurcationCurves(Result):
             for point in curve.points:
                 yield _row(place, curve.type, point)
 
-    @property
-    def columns(self) -> list[str]:
-        """Names of the values of each row."""
-        return next((list(row) for row in self.rows()), ["curve"])
-
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each curve."""
-        import pandas as pd
-
-        return pd.DataFrame(list(self.rows()), columns=self.columns)
+        return framed(self.rows(), self.block, "curve")
 
     def describe(self) -> Description:
         """Return the points of codimension two, the curves, and the regions that are known."""

@@ -30,6 +30,7 @@ from rocksteady.model.checks.bounds import Whole
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import framed
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -100,9 +101,7 @@ class RestingBranches(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point of each branch, in SI too where the block has a size."""
-        import pandas as pd
-
-        return pd.DataFrame(list(self.rows()))
+        return framed(self.rows(), self.block)
 
     def describe(self) -> Description:
         """Return the branches, the events on them, and the gaps."""

@@ -29,6 +29,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.units import framed
 from rocksteady.results.description import Description
 from rocksteady.results.result import Result
 
@@ -389,9 +390,7 @@ class RestingBranch(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point, in SI too where the block has a size."""
-        import pandas as pd
-
-        return pd.DataFrame(self.rows())
+        return framed(self.rows(), self.block)
 
     def describe(self) -> Description:
         """Return what the branch is, its ends, and the events on it."""

@@ -287,7 +287,7 @@ export function steadyTable(kernels, amplitudes, ratios, restitution, order) {
 }
 
 /**
- * Return both steady states at one point of a table, as `find_steady_states` has them.
+ * Return both steady states at one point of a table, as `steady_states` has them.
  * @param {SteadyTable} table
  * @param {number} place
  * @param {Case} given  at that point
@@ -312,7 +312,7 @@ export function solutionsIn(table, place, { frequencyRatio, restitution }) {
 }
 
 /**
- * Return both symmetric steady states of the linear model, as `find_steady_states` has them.
+ * Return both symmetric steady states of the linear model, as `steady_states` has them.
  * @param {Kernels} kernels
  * @param {Case} given
  * @param {number} order  1, 3, 5, ...: half periods of the shaking in a half cycle

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Execution, find_steady_states
+from rocksteady import Execution
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import cos, sin
 from rocksteady.orbits import Attractors, find_attractors
 from rocksteady.outcomes import AttractorKind
@@ -200,7 +201,7 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Upr
     for k in range(REST_PHASES):
         yield still, np.full(len(amplitude), k * math.pi / REST_PHASES)
     for order, branch in STEADY:
-        states = find_steady_states(amplitude, ratio, restitution, order=order)
+        states = steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
         admissible = states.admissible[branch - 1]
         phase = np.where(admissible, states.phase[branch - 1], 0.0)

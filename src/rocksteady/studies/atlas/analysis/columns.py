@@ -23,10 +23,9 @@ from rocksteady import (
     RocksteadyError,
     Steady,
     find_attractor,
-    find_steady_states,
 )
 from rocksteady.branches import BranchPoint, PointType, follow_branch
-from rocksteady.formulas import symmetry_breaking_amplitude
+from rocksteady.formulas import steady_states, symmetry_breaking_amplitude
 from rocksteady.orbits import Orbit
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.sweeps import Axis, Grid, Output, evaluate
@@ -221,7 +220,7 @@ def followed(
     if low >= top:
         return math.nan, ()
     scan = low + (min(high, top) - low) * (np.arange(SCANNED) + 0.5) / SCANNED
-    stable = find_steady_states(scan, ratio, restitution, order=order).stable[0]
+    stable = steady_states(scan, ratio, restitution, order=order).stable[0]
     if not stable.any():
         return math.nan, ()
     first = int(np.argmax(stable))
@@ -243,7 +242,7 @@ def followed(
 
 def _symmetric_range(restitution: float, ratio: float, order: int) -> tuple[float, float]:
     """Return the amplitudes between which there are symmetric motions that may be stable."""
-    states = find_steady_states(0.5, ratio, restitution, order=order)
+    states = steady_states(0.5, ratio, restitution, order=order)
     breaking = symmetry_breaking_amplitude(ratio, restitution, order=order)
     return float(states.existence), float(breaking)
 

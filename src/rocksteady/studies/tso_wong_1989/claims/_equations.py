@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, State, find_steady_states, simulate
+from rocksteady import Block, DimensionlessBlock, Harmonic, State, simulate
 from rocksteady.errors import InputError
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, log, sin, tanh
 from rocksteady.studies.tso_wong_1989.claims._solutions import (
     LONGEST,
@@ -131,7 +132,7 @@ def odd_orders(_: Evidence) -> Finding:
     refused = []
     for n in defects:
         try:
-            find_steady_states(a, w, r, order=n)
+            steady_states(a, w, r, order=n)
         except InputError:
             refused.append(n)
     words = ", ".join(f"{scientific(defect)} for n = {n}" for n, defect in defects.items())

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from rocksteady import Block, Harmonic, Nonlinear, Steady, find_steady_states, simulate
+from rocksteady import Block, Harmonic, Nonlinear, Steady, simulate
+from rocksteady.formulas import steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 
@@ -26,7 +27,7 @@ CYCLES = 10
 def slender(_: Evidence) -> Finding:
     """Compare the steady motion by the full equations (1), (2) with that by the linear ones."""
     amplitude, ratio, restitution = POINT
-    states = find_steady_states(amplitude, ratio, restitution)
+    states = steady_states(amplitude, ratio, restitution)
     assert states.peak is not None
     linear = float(states.peak[0])
     peaks = {alpha: peak_by_full_equations(alpha) for alpha in SLENDERNESSES}

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import compute_region_map
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements, drawn_between
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -265,7 +265,7 @@ def region_3_stays(_: Evidence) -> Finding:
         widths[restitution] = float((1.0 - curves.existence / top).max())
         column = int(np.argmax(1.0 - curves.existence / top))
         middle = 0.5 * (curves.existence[column] + top[column])
-        inside = find_steady_states(middle, FREQUENCIES[column], restitution)
+        inside = steady_states(middle, FREQUENCIES[column], restitution)
         if inside.region == 3 and inside.in_phase.all():
             alive.append(restitution)
     words = ", ".join(f"{scientific(width)} at δ = {r:g}" for r, width in widths.items())
@@ -347,9 +347,9 @@ def too_large(_: Evidence) -> Finding:
     restitution = drawn_between(draw, 0.1, 0.99, points)
     counts = {}
     for order in (1, 3):
-        base = find_steady_states(1.0, ratio, restitution, order=order, shapes=False)
+        base = steady_states(1.0, ratio, restitution, order=order, shapes=False)
         amplitude = np.maximum(base.sign, base.kind) * drawn_between(draw, 1.01, 20.0, points)
-        states = find_steady_states(amplitude, ratio, restitution, order=order)
+        states = steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
         assert (states.region == 2).all()
         counts[order] = (

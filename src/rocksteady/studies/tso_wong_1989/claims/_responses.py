@@ -5,7 +5,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Block, compute_response_curve, find_steady_states
+from rocksteady import Block, compute_response_curve
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
@@ -291,7 +292,7 @@ def sensitivities(_: Evidence) -> Finding:
             ends = []
             for factor in (1.0 - step, 1.0 + step):
                 moved = {**point, name: value * factor}
-                states = find_steady_states(
+                states = steady_states(
                     moved["amplitude"],
                     moved["frequency_ratio"],
                     moved["restitution"],

@@ -4,7 +4,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from rocksteady import Harmonic, State, find_steady_states
+from rocksteady import Harmonic, State
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -34,7 +35,7 @@ def in_phase_stable(evidence: Evidence) -> Finding:
     regions = sorted({int(region) for region in states.region[stable.any(axis=0)]})
     named = []
     for a, w, r, n in ((0.75, 4.0, 0.5, 1), (1.7, 6.0, 0.8, 3)):
-        point = find_steady_states(a, w, r, order=n)
+        point = steady_states(a, w, r, order=n)
         assert point.peak is not None
         phase = float(point.phase[0])
         fate = settle(
@@ -198,7 +199,7 @@ def settled_out_of_phase(evidence: Evidence) -> Finding:
         for side, fate in history.fates.items():
             if not fate.symmetric:
                 continue
-            states = find_steady_states(
+            states = steady_states(
                 case.amplitude, case.frequency_ratio, RESTITUTION, order=fate.period
             )
             assert states.peak is not None
@@ -239,7 +240,7 @@ def three_periods(evidence: Evidence) -> Finding:
 def second_peak(_: Evidence) -> Finding:
     """Count extrema of the half cycle between A = 4 and A = 2 and find where two of them merge."""
     amplitudes = np.linspace(2.0, 4.0, 2001)
-    states = find_steady_states(amplitudes, 6.0, RESTITUTION, order=3)
+    states = steady_states(amplitudes, 6.0, RESTITUTION, order=3)
     assert states.extrema is not None
     extrema = states.extrema[0]
     two = amplitudes[extrema >= 3]

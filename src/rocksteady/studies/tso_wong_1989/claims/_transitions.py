@@ -7,15 +7,8 @@ from functools import cache
 
 import numpy as np
 
-from rocksteady import (
-    DimensionlessBlock,
-    Harmonic,
-    State,
-    Steady,
-    find_steady_states,
-    map_attractors,
-)
-from rocksteady.formulas import symmetry_breaking_frequencies
+from rocksteady import DimensionlessBlock, Harmonic, State, Steady, map_attractors
+from rocksteady.formulas import steady_states, symmetry_breaking_frequencies
 from rocksteady.orbits import Orbit
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -182,7 +175,7 @@ def several_motions(_: Evidence) -> Finding:
     ratio = np.linspace(1.0, 12.0, 111)
     stable = np.sum(
         [
-            find_steady_states(amplitude, ratio, RESTITUTION, order=order).stable.any(axis=0)
+            steady_states(amplitude, ratio, RESTITUTION, order=order).stable.any(axis=0)
             for order in (1, 3, 5)
         ],
         axis=0,
@@ -191,7 +184,7 @@ def several_motions(_: Evidence) -> Finding:
     here = [
         order
         for order in (1, 3)
-        if find_steady_states(AMPLITUDE, 6.0, RESTITUTION, order=order).stable.any()
+        if steady_states(AMPLITUDE, 6.0, RESTITUTION, order=order).stable.any()
     ]
     return Finding(
         holds=several > 0,
@@ -216,7 +209,7 @@ def symmetry_breaking(_: Evidence) -> Finding:
     values = {}
     for order in (1, 3):
         boundary = float(symmetry_breaking_frequencies(AMPLITUDE, RESTITUTION, order=order)[-1])
-        at = find_steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
+        at = steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
         multiplier = complex(at.half_cycle_multipliers[0, 0])
         above, below = (
             settle(
@@ -287,7 +280,7 @@ def narrow_range(_: Evidence) -> Finding:
     for order in (1, 3):
         result = descent(order)
         ratios = np.linspace(result.symmetric_from, axis_end, 4001)[1:]
-        stable = find_steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
+        stable = steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
         end = float(ratios[stable][-1])
         symmetric = end - result.symmetric_from
         unsymmetric = result.symmetric_from - result.gone_from

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import find_steady_states
+from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import tanh
 from rocksteady.orbits import SteadyStates
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -73,7 +73,7 @@ def random_sample(points: int = POINTS) -> Sample:
     ratio = drawn_between(draw, 0.2, 16.0, points)
     restitution = drawn_between(draw, 0.05, 0.99, points)
     order = draw.choice([1, 3, 5], points)
-    states = find_steady_states(amplitude, ratio, restitution, order=order)
+    states = steady_states(amplitude, ratio, restitution, order=order)
     h = tanh(0.5 * math.pi * order / ratio)
     damping = (1.0 - restitution) / (1.0 + restitution)
     beta = amplitude / (1.0 + ratio * ratio)

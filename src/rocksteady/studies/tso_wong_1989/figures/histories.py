@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from rocksteady import DimensionlessBlock, Harmonic, Steady, find_steady_states, plots, simulate
+from rocksteady import DimensionlessBlock, Harmonic, Steady, plots, simulate
+from rocksteady.formulas import steady_states
 from rocksteady.histories import Trajectory
 from rocksteady.kernels.elementary.arrays import exp, hypot, log
 from rocksteady.orbits import SteadyStates
@@ -62,9 +63,7 @@ class History:
     def states(self) -> SteadyStates:
         """Both steady states of the order at this point."""
         case = self.case
-        return find_steady_states(
-            case.amplitude, case.frequency_ratio, RESTITUTION, order=case.order
-        )
+        return steady_states(case.amplitude, case.frequency_ratio, RESTITUTION, order=case.order)
 
     @property
     def stable(self) -> bool:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady import find_steady_states, plots
+from rocksteady import plots
+from rocksteady.formulas import steady_states
 from rocksteady.orbits import RegionMap, SteadyStates, compute_region_map
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.words import motion_name, percent
@@ -40,9 +41,7 @@ class Plane:
         """Both solutions on a grid over the paper's axes, shape (amplitudes, frequencies)."""
         amplitudes = (np.arange(GRID) + 0.5) * (HIGHEST_AMPLITUDE / GRID)
         ratios = (np.arange(GRID) + 0.5) * (HIGHEST_FREQUENCY / GRID)
-        return find_steady_states(
-            amplitudes[:, np.newaxis], ratios, self.restitution, order=self.order
-        )
+        return steady_states(amplitudes[:, np.newaxis], ratios, self.restitution, order=self.order)
 
     @cached_property
     def shares(self) -> dict[int, float]:
