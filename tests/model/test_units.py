@@ -55,6 +55,16 @@ def test_every_name_ends_in_its_unit_and_what_has_no_size_gains_nothing() -> Non
     assert in_units(sized, BLOCK).keys() == sized.keys()
 
 
+def test_angles_of_unlike_sides_are_angles_and_peaks_of_an_unknown_side_have_no_degrees() -> None:
+    block = Block.asymmetric(left=0.15, right=0.3, height=1.0)
+    table = rs.simulate(block, rs.Still(), start=rs.State(angle=-1.2, velocity=0.0)).to_columns()
+    run = rs.simulate(block, rs.Still(), start=rs.State(angle=-1.2, velocity=0.0))
+    own = math.degrees(run.side_peaks[1] * block.negative.alpha)
+    assert -float(table["angle_deg"].min()) == pytest.approx(own)
+    assert run.side_peaks[1] * math.degrees(block.alpha) < 0.6 * own
+    assert list(in_units({"angle": [1.0], "peak": [1.0]}, block)) == ["angle_deg", "angle", "peak"]
+
+
 def test_missing_values_stay_missing_and_counts_whole() -> None:
     rows: list[dict[str, Any]] = [
         {"period": 2, "highest": 0.5, "highest_rad": 0.1},

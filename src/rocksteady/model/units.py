@@ -67,7 +67,7 @@ def in_units(
         Lists or arrays by their names; None or nan for a missing number.  What has a column in
         radians has one in degrees instead.
     block
-        Without a size, or None, nothing is added.
+        Without a size, or None, nothing is added; peaks have no degrees where its sides differ.
 
     Examples
     --------
@@ -79,6 +79,8 @@ def in_units(
     if not isinstance(block, Block):
         return dict(columns)
     made = {name: TWINS[name] for name in columns if name in TWINS}
+    if not (block.symmetric or block.one_sided):
+        made.pop("peak", None)  # in the alpha of its side, which is not known here
     radians = {f"{name.removesuffix('_deg')}_rad" for name, _ in made.values()}
     table: dict[str, Any] = {}
     for name, values in columns.items():
