@@ -112,8 +112,9 @@ class OutputFlags:
         if isinstance(made, Table):
             made = made.header, made.records()
         elif not isinstance(made, tuple):
-            plain = made.astype(object).where(made.notna(), None)
-            made = list(plain), plain.itertuples(index=False, name=None)
+            for name in made.columns[made.isna().any()]:
+                made[name] = made[name].astype(object).where(made[name].notna(), None)
+            made = list(made), made.itertuples(index=False, name=None)
         save_csv("--csv", self.csv, *made)
         announce_file(self.csv)
 

@@ -55,7 +55,7 @@ def chain_of(orbit: Orbit) -> Chain:
             "origin",
             Words("is an orbit with rests"),
             "an orbit that comes to rest forgets its past and does not bifurcate smoothly",
-            "start from an orbit without rest, as one of steady_states",
+            "start from an orbit without rest, as one of find_steady_states",
         )
     motion = orbit.motion
     states = orbit.states

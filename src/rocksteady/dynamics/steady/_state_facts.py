@@ -124,11 +124,6 @@ def describe_point(states: Any) -> Description:
     block, limits = states.block, values["boundaries"]
     existence, kind, sign = (number(limits[name]) for name in ("existence", "kind", "sign"))
     place = f"A = {values['amplitude']:.6g}, Ω = {values['frequency_ratio']:.6g}"
-    if block is not None:
-        place = (
-            f"{amplitude_text(block, values['amplitude'])}, "
-            f"{frequency_text(block, values['frequency_ratio'])}"
-        )
     words = {
         "region": ("region", f"{values['region']}: {values['region_meaning']}"),
         "boundaries": (
@@ -137,11 +132,13 @@ def describe_point(states: Any) -> Description:
         ),
     }
     if block is not None:
-        amplitude, ratio = values["amplitude"], values["frequency_ratio"]
+        amplitude = amplitude_text(block, values["amplitude"])
+        frequency = frequency_text(block, values["frequency_ratio"])
+        place = f"{amplitude}, {frequency}"
         words |= {
             "block": ("block", block_text(block)),
-            "accel_g": ("amplitude", amplitude_text(block, amplitude)),
-            "freq_hz": ("frequency", frequency_text(block, ratio)),
+            "accel_g": ("amplitude", amplitude),
+            "freq_hz": ("frequency", frequency),
         }
     rows = [
         {"label": label, **{str(s["branch"]): text(s) for s in values["solutions"]}}

@@ -16,6 +16,7 @@ from rocksteady.model.facts import (
     frequency_text,
     harmonic_values,
 )
+from rocksteady.model.units import TWINS
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
     import xarray
 
 PHASE = "phase"
-SI = {"amplitude": "accel_g", "frequency_ratio": "freq_hz"}
+SI = {name: TWINS[name][0] for name in ("amplitude", "frequency_ratio")}
 """The same parameters of a block with a size."""
 
 
