@@ -80,6 +80,15 @@ def test_missing_values_stay_missing_and_counts_whole() -> None:
     assert with_unit("alpha", "rad") == "alpha_rad"
 
 
+def test_a_branch_of_a_sized_block_has_its_units_too() -> None:
+    start = rs.find_orbits(BLOCK, SHAKING, max_period=1, seeds=8)[:1]
+    for branch in rs.branches.find_branches(start, "amplitude", (1.9, 2.1), max_period=1):
+        frame = branch.to_dataframe()
+        expected = one("amplitude") * frame["amplitude"]
+        np.testing.assert_allclose(frame["accel_g"], expected, rtol=1e-14)
+        np.testing.assert_allclose(frame["highest_deg"], one("highest") * frame["highest"])
+
+
 SIZE = "--width-m 0.4 --height-m 2 -r 0.9"
 POINT = f"{SIZE} --accel-g 0.4 --freq-hz 2"
 PLANE = f"{SIZE} --accel-g 0.2:0.6:2 --freq-hz 1:3:2"

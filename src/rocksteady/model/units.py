@@ -5,6 +5,7 @@ unit, and the dimensionless one of the equations.
 """
 
 import math
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
@@ -121,17 +122,6 @@ COORDINATES: Final[Mapping[str, tuple[str, Callable[[float], float]]]] = {
 }
 """The same of coordinates of gridded results, by the acceleration of gravity."""
 
-SUFFIXES: Final = {
-    "rad": "rad",
-    "rad s-1": "rad_s",
-    "s": "s",
-    "m": "m",
-    "m s-1": "m_s",
-    "m s-2": "m_s2",
-    "Hz": "hz",
-    "g": "g",
-}
-
 
 def with_unit(name: str, unit: str) -> str:
     """Return the name of a column that ends in its unit.
@@ -140,6 +130,9 @@ def with_unit(name: str, unit: str) -> str:
     --------
     >>> with_unit("period", "s"), with_unit("frequency_hz", "Hz"), with_unit("impacts", "1")
     ('period_s', 'frequency_hz', 'impacts')
+    >>> with_unit("p", "rad s-1"), with_unit("level", "m/s"), with_unit("acceleration", "cm/s^2")
+    ('p_rad_s', 'level_m_s', 'acceleration_cm_s2')
     """
-    suffix = SUFFIXES.get(unit, "")
-    return name if not suffix or name.endswith(f"_{suffix}") else f"{name}_{suffix}"
+    parts = re.split("[ /]", unit.replace("^", "").replace("-", "").lower())
+    ending = "_".join(part.removesuffix("1") for part in parts)
+    return name if not ending or name.endswith(f"_{ending}") else f"{name}_{ending}"

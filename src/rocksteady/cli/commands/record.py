@@ -215,8 +215,9 @@ def title_of(recordings: "Sequence[Recording]") -> str:
 
 def course_header(unit: str) -> list[str]:
     """Return the columns of a record, its acceleration in a unit."""
-    name = unit.replace("/s^2", "_s2").replace("/", "_")
-    return ["time_s", f"acceleration_{name}", "velocity_m_s", "displacement_m"]
+    from rocksteady.model.units import with_unit
+
+    return ["time_s", with_unit("acceleration", unit), "velocity_m_s", "displacement_m"]
 
 
 def course_rows(course: "IntegratedRecord", unit: str) -> Iterator[list[float]]:

@@ -357,7 +357,7 @@ class Branch(Result):
 
     def to_dataframe(self) -> "pd.DataFrame":
         """Return one row per point."""
-        return framed(self.rows(), None)
+        return framed(self.rows(), self.block)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the points as an xarray Dataset with dimensions point and flight.
