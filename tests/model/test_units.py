@@ -10,7 +10,7 @@ import pytest
 
 import rocksteady as rs
 from rocksteady import Block, DimensionlessBlock, Harmonic
-from rocksteady.model.units import COORDINATES, TWINS, framed, in_units, with_unit
+from rocksteady.model.units import CONVERSIONS, COORDINATES, framed, in_units, with_unit
 from tests.cli.program import rocksteady
 
 BLOCK = Block.rectangle(width=0.4, height=2.0, restitution=0.9)
@@ -20,7 +20,7 @@ SUFFIXES = ("_deg", "_deg_s", "_deg_s2", "_s", "_g", "_hz")
 
 def one(name: str, block: Block = BLOCK) -> float:
     """Return how many of a unit one of a dimensionless quantity is."""
-    return float(TWINS[name][1](block, 1.0))
+    return float(CONVERSIONS[name][1](block, 1.0))
 
 
 def test_the_units_are_those_of_the_block_and_its_motions() -> None:
@@ -46,12 +46,15 @@ def test_the_units_are_those_of_the_block_and_its_motions() -> None:
 
 
 def test_every_name_ends_in_its_unit_and_what_has_no_size_gains_nothing() -> None:
-    assert all(twin.endswith(SUFFIXES) for twin, _ in [*TWINS.values(), *COORDINATES.values()])
-    columns = {name: [1.0] for name in TWINS}
+    assert all(
+        unit_name.endswith(SUFFIXES)
+        for unit_name, _ in [*CONVERSIONS.values(), *COORDINATES.values()]
+    )
+    columns = {name: [1.0] for name in CONVERSIONS}
     bare = DimensionlessBlock(restitution=0.9)
     assert in_units(columns, bare) == in_units(columns, None) == columns
     sized = in_units(columns, BLOCK)
-    assert set(sized) == set(columns) | {twin for twin, _ in TWINS.values()}
+    assert set(sized) == set(columns) | {unit_name for unit_name, _ in CONVERSIONS.values()}
     assert in_units(sized, BLOCK).keys() == sized.keys()
 
 
@@ -126,11 +129,13 @@ def test_tables_of_a_sized_block_are_in_its_units_and_those_of_a_bare_one_are_no
         rows = list(csv.DictReader(stream))
     assert expected <= set(rows[0])
     dimensionless = {
-        twin: name for name, (twin, _) in TWINS.items() if name in rows[0] and twin in expected
+        unit_name: name
+        for name, (unit_name, _) in CONVERSIONS.items()
+        if name in rows[0] and unit_name in expected
     }
     for row in rows:
-        for twin, name in dimensionless.items():
-            given, value = row[twin], row[name]
+        for unit_name, name in dimensionless.items():
+            given, value = row[unit_name], row[name]
             assert (given == "") == (value == "")
             if value:
                 block = BLOCK

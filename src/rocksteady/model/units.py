@@ -26,7 +26,7 @@ def _degrees(block: Block, ratio: Any) -> Any:
     return math.degrees(block.alpha) * ratio
 
 
-TWINS: Final[Mapping[str, tuple[str, Converter]]] = {
+CONVERSIONS: Final[Mapping[str, tuple[str, Converter]]] = {
     "pt": ("time_s", lambda block, pt: pt / block.p),
     "amplitude": (
         "accel_g",
@@ -60,7 +60,7 @@ TWINS: Final[Mapping[str, tuple[str, Converter]]] = {
 def in_units(
     columns: Mapping[str, Any], block: Block | DimensionlessBlock | None
 ) -> dict[str, Any]:
-    """Return the columns of a table; for a block of known size each quantity in its unit first.
+    """Return the columns of a table, with those in the units of a block added.
 
     Parameters
     ----------
@@ -79,15 +79,15 @@ def in_units(
     """
     if not isinstance(block, Block):
         return dict(columns)
-    made = {name: TWINS[name] for name in columns if name in TWINS}
+    made = {name: CONVERSIONS[name] for name in columns if name in CONVERSIONS}
     if not (block.symmetric or block.one_sided):
         made.pop("peak", None)  # in the alpha of its side, which is not known here
     radians = {f"{name.removesuffix('_deg')}_rad" for name, _ in made.values()}
     table: dict[str, Any] = {}
     for name, values in columns.items():
         if name in made and made[name][0] not in columns:
-            twin, converted = made[name]
-            table[twin] = (
+            unit_name, converted = made[name]
+            table[unit_name] = (
                 [None if value is None else converted(block, value) for value in values]
                 if isinstance(values, list)
                 else converted(block, np.asarray(values, dtype=np.float64))
@@ -100,7 +100,7 @@ def in_units(
 def framed(
     rows: Iterable[Mapping[str, Any]], block: Block | DimensionlessBlock | None, *names: str
 ) -> "pd.DataFrame":
-    """Return rows as a data frame, with the columns of `in_units`; `names` where there are none."""
+    """Return rows as a data frame with units; `names` are its columns where there are no rows."""
     import pandas as pd
 
     listed = list(rows)
@@ -120,7 +120,7 @@ COORDINATES: Final[Mapping[str, tuple[str, Callable[[float], float]]]] = {
     "alpha": ("alpha_deg", lambda _: math.degrees(1.0)),
     "acceleration_m_s2": ("accel_g", lambda gravity: 1.0 / gravity),
 }
-"""The same of coordinates of gridded results, by the acceleration of gravity."""
+"""Name with its unit, and factor by the acceleration of gravity, of coordinates of sweeps."""
 
 
 def with_unit(name: str, unit: str) -> str:

@@ -105,7 +105,7 @@ class OutputFlags:
         )
 
     def write_csv(self, rows: "Callable[[], Rows]") -> None:
-        """Save the rows of --csv, made where the flag is given; what is missing is left empty."""
+        """Save the rows of --csv where it is given; a missing value is an empty cell."""
         if self.csv is None:
             return
         made = rows()

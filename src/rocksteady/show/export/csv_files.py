@@ -40,9 +40,9 @@ def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
     coordinates: dict[str, Array] = {}
     for key in (*map(str, first.dims), *beside(dataset, first)):
         if key in COORDINATES:
-            twin, factor = COORDINATES[key]
+            in_unit, factor = COORDINATES[key]
             values = dataset[key] * factor(dataset.attrs.get("gravity", STANDARD_GRAVITY))
-            coordinates[twin] = _texts(dataset.assign_coords({twin: values}), twin, first)
+            coordinates[in_unit] = _texts(dataset.assign_coords({in_unit: values}), in_unit, first)
         coordinates[key] = _texts(dataset, key, first)
     rows = _rows(coordinates, outputs, parts_of(first))
     save_csv(name, file, [_header(dataset, key) for key in (*coordinates, *outputs)], rows)

@@ -16,7 +16,7 @@ from rocksteady.model.facts import (
     frequency_text,
     harmonic_values,
 )
-from rocksteady.model.units import TWINS
+from rocksteady.model.units import CONVERSIONS
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray
 
 PHASE = "phase"
-SI = {name: TWINS[name][0] for name in ("amplitude", "frequency_ratio")}
+SI = {name: CONVERSIONS[name][0] for name in ("amplitude", "frequency_ratio")}
 """The same parameters of a block with a size."""
 
 
