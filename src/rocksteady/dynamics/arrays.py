@@ -3,13 +3,12 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.bounds import RESTITUTION, Bounds
 from rocksteady.model.checks.validation import LARGEST, odd_order
 from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
-
-Floats = NDArray[np.float64]
 
 AMPLITUDE = Bounds(0.0, LARGEST, "[]", "give a_max/(alpha g)")
 FREQUENCY_RATIO = Bounds(LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO, "[]", "give omega/p")

@@ -1,11 +1,9 @@
 """A still picture for browsers that cannot run the page: the regions of steady rocking."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.steady.regions import compute_region_map
-
-Floats = NDArray[np.float64]
 
 RESTITUTION = 0.8
 FREQUENCIES = (0.5, 8.0)

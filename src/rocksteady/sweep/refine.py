@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.sweep.cases.axes import Array, Axis
@@ -26,9 +27,6 @@ from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
 from rocksteady.sweep.evaluate import BATCH, compute_cells
 from rocksteady.sweep.run import Execution, Progress
-
-Integers = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 COARSEST = 1024
 MET = Output(

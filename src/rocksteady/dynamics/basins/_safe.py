@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.batch.fates import batch_size, ends_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import Status
@@ -14,9 +15,6 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 SAFE = Output(name="safe", dtype=np.bool_, long_name="whether the block has not overturned")
 

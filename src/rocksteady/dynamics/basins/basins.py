@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins._basin_facts import basins_described
 from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins.cells import (
@@ -56,7 +57,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
 
 MAX_CYCLES = 500
 """Default number of forcing periods for which a state is followed."""

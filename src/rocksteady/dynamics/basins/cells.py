@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells, starting
 from rocksteady.dynamics.history.lowering import only_side
@@ -14,8 +15,6 @@ from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.outputs import Output
-
-Floats = NDArray[np.float64]
 
 SEED = Whole(0, LARGEST_SEED, "give a seed, as 1, or leave it out")
 TINY = 1e-300

@@ -7,8 +7,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import validated_grid
 from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
@@ -43,8 +44,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 CYCLES = 100
 """Default number of forcing periods that a safe state stands."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.basins._fate_facts import fates_described, fates_headline
 from rocksteady.dynamics.basins._fractions import counted, fraction_described
 from rocksteady.dynamics.basins._safe import measured
@@ -39,8 +40,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 Codes = NDArray[np.int8]
 
 LEAST_WIDTH, WIDEST = 1.5, 20.0

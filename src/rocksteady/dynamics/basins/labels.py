@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.start import ImpactState, Rest
 from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
@@ -29,8 +30,6 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Cells = Mapping[str, NDArray[Any]]
 
 ORDER = (

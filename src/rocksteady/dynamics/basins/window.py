@@ -4,8 +4,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.elementary.arrays import hypot
@@ -17,8 +18,6 @@ from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number
 from rocksteady.sweep.cases.axes import Axis
-
-Floats = NDArray[np.float64]
 
 POINTS = 200
 """Default number of points along an axis of a window."""

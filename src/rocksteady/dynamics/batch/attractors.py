@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
@@ -22,9 +23,6 @@ from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
 from rocksteady.sweep.cases.outputs import Output
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 KIND_FLAGS = {
     **{code: str(kind.value) for code, kind in enumerate(KINDS)},

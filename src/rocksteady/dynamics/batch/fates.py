@@ -1,8 +1,8 @@
 """Fates of many motions under periodic shaking after a given time; chooses the kernel."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides, series_fates
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
@@ -14,9 +14,6 @@ from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.outcomes import Status
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 ENDS = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED, Status.UNDECIDED)
 """How such a motion can end."""

@@ -1,7 +1,7 @@
 """Attractors of many motions at once: `find_attractor` over arrays of points and states."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.arrays import checked_array, real_array, validated_grid
 from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
@@ -15,8 +15,6 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import WALL_RESTITUTION
 from rocksteady.model.checks.validation import LARGEST
-
-Floats = NDArray[np.float64]
 
 MAX_CYCLES = 2000
 """Default largest number of forcing periods that a motion is followed."""

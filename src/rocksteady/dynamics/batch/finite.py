@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import motion_after, refuse_endless
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import segment_table
@@ -29,8 +30,6 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import LONGEST_DURATION, Motion
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
-
-Floats = NDArray[np.float64]
 
 FATE = Output(
     name="fate",

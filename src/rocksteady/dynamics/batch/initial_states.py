@@ -1,8 +1,8 @@
 """Initial states of many motions as arrays, the batch form of `dynamics.history.start`."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.batch.attractors import starting
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.start import Steady
@@ -11,9 +11,6 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.batch.attractors import fill_clocks
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.core.tuples import States
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> States:

@@ -6,8 +6,8 @@ from itertools import chain as joined
 from itertools import islice
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.chains.events import (
     ChainCurve,
@@ -34,8 +34,6 @@ from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked
-
-Floats = NDArray[np.float64]
 
 AT_START = 1e-6
 """Arclength within which an event of the start's own kind is the start."""

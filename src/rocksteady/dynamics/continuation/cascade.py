@@ -6,8 +6,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation._datasets import cascade_dataset
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
@@ -37,7 +37,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 MOST_DOUBLINGS = 8
 """The orbit then has 256 times the impacts, and the next doublings are some 1e-7 apart."""

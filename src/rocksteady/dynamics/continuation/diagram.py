@@ -5,9 +5,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.dynamics.continuation._datasets import bifurcation_variables, branches_dataset
 from rocksteady.dynamics.continuation.branch_answers import diagram_answer
 from rocksteady.dynamics.continuation.branch_facts import (
@@ -45,7 +42,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
 
 SAME_ANGLE = 1e-5
 """Difference of the highest |u| of one bifurcation on two branches."""

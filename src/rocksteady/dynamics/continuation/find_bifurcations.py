@@ -1,8 +1,9 @@
 """Bifurcation diagram found: from which motions branches start, and over which range."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.continuation.branches import (
     BranchOptions,
@@ -36,8 +37,6 @@ from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
-
-Floats = NDArray[np.float64]
 
 LONGEST_SWEEP = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""

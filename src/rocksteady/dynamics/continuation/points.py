@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation._datasets import branches_dataset
 from rocksteady.dynamics.continuation.branch_facts import (
     BARE,
@@ -51,8 +52,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import pandas as pd
     import xarray
-
-Floats = NDArray[np.float64]
 
 
 CLOSING = 1e-6

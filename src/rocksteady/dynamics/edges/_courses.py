@@ -14,11 +14,10 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-
-Floats = NDArray[np.float64]
 
 FEWEST, MOST = 16, 1024
 """Phases at which a motion of the nonlinear model is sought: doubled until they suffice."""

@@ -12,8 +12,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.batch.harmonic import harmonic_segment
@@ -26,8 +26,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
-
-Floats = NDArray[np.float64]
 
 MOST_FLIGHTS = 100_000
 """Of one motion: without an end chatter backward would take for ever."""

@@ -16,6 +16,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.edges._flow import Flow, Reached
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -30,7 +31,6 @@ from rocksteady.kernels.orbits.return_map import (
 )
 from rocksteady.kernels.orbits.systems import make_system
 
-Floats = NDArray[np.float64]
 TURN = 2.0 * math.pi
 
 BESIDE = 1e-6

@@ -12,11 +12,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.edges._leaving import Images
 from rocksteady.kernels.elementary.arrays import acos
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 BEND = 0.3
 """Angle between neighbouring chords [rad] above which the curve is refined."""

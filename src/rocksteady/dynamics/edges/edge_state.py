@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.edges._edge_facts import case_of, place
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.history.start import State
@@ -27,7 +27,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import pandas as pd
 
-Floats = NDArray[np.float64]
 
 MEANING = {
     "hilltop": "On the edge the block balances about its upright position and has no impact.",

@@ -6,8 +6,9 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import checked_array
 from rocksteady.dynamics.edges._courses import (
     Course,
@@ -37,8 +38,6 @@ from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
 
 LONGEST_ROW = 1.0
 """Pivot time after which a trajectory is restarted from the saddle: it grows as e^s."""

@@ -6,8 +6,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.edges._edge_facts import case_of, place
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -28,8 +28,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import pandas as pd
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 Kind = Literal["stable", "unstable"]
 Over = Literal["phase", "impacts"]

@@ -12,8 +12,8 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.fates import ends_of
 from rocksteady.dynamics.edges._flow import Flow
 from rocksteady.dynamics.edges._outcomes import Outcome, Outcomes
@@ -43,7 +43,6 @@ from rocksteady.model.equations import Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
 
-Floats = NDArray[np.float64]
 Point = tuple[float, float]
 TURN = 2.0 * math.pi
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.samples import Flights, Samples
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.segments import Motion
     from rocksteady.outcomes import Status
 
-Floats = NDArray[np.float64]
 
 FRICTION_STEP = 0.02
 """Longest step between samples of the base force, in pivot time."""

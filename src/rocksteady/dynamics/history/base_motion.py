@@ -10,12 +10,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.motions import fill_bounds
 from rocksteady.kernels.elementary.arrays import acos, sin, sincos
-
-Floats = NDArray[np.float64]
 
 SAME_TIME = 1e-12
 """Part of a time by which it may miss a segment's start and still be there."""

@@ -2,9 +2,7 @@
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
+from rocksteady.arrays import Floats
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, is_nonlinear
@@ -12,8 +10,6 @@ from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.symmetric_nonlinear import Half, symmetric_from
-
-Floats = NDArray[np.float64]
 
 
 def set_off(

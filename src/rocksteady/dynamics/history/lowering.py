@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.motions import fill_bounds, fill_lines
@@ -14,8 +15,6 @@ from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.fourier import shares_of
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import LONGEST_DURATION, Motion, Segment, segments_of
-
-Floats = NDArray[np.float64]
 
 
 def segment_table(

@@ -7,8 +7,8 @@ sample to sample, bends; so both are in closed form on every segment.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.lowering import (
     segment_table,
@@ -22,8 +22,6 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear, slender_block
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
-
-Floats = NDArray[np.float64]
 
 SHARE_OF_TOLERANCE = 1e-5
 """What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
-
-Floats = NDArray[np.float64]
 
 
 @checked_result

@@ -6,8 +6,8 @@ from functools import partial
 from typing import Annotated, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.steady.states import (
@@ -33,8 +33,6 @@ from rocksteady.model.checks.validation import (
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, segments_of
-
-Floats = NDArray[np.float64]
 
 KICK = 1e-6
 """Default distance from an unstable orbit at which a block is set off."""

@@ -6,8 +6,9 @@ from functools import cached_property
 from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history._growth import Course, growth_of
@@ -34,8 +35,6 @@ from rocksteady.outcomes import Status
 
 if TYPE_CHECKING:
     import xarray
-
-Floats = NDArray[np.float64]
 
 
 @checked_result

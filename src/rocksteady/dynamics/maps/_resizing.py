@@ -5,16 +5,14 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.parameters import ASYMMETRY, SIZES
 from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.housner_forms import Restitution
-
-Floats = NDArray[np.float64]
 
 MEASURED = (*SIZES, "acceleration_m_s2", "frequency_hz")
 """What a block without a size does not have."""

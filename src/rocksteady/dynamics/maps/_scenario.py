@@ -9,6 +9,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import order_of_orbit
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
@@ -34,8 +35,6 @@ from rocksteady.model.blocks.housner_forms import Restitution, form_text
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion
-
-Floats = NDArray[np.float64]
 
 AMPLITUDES = frozenset({"amplitude", "acceleration_m_s2"})
 FREQUENCIES = frozenset({"frequency_ratio", "frequency_hz"})

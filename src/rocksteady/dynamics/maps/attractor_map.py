@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.attractors import (
     batch_size,
     load_kernel,
@@ -26,8 +27,6 @@ from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
-
-Floats = NDArray[np.float64]
 
 
 @checked

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.fates import ENDS, batch_size, ends_of, load_kernel
 from rocksteady.dynamics.history.start import HasStart, Start
 from rocksteady.dynamics.maps._scenario import Scenario
@@ -22,8 +23,6 @@ from rocksteady.sweep.run import Execution
 
 if TYPE_CHECKING:
     import xarray
-
-Floats = NDArray[np.float64]
 
 
 @checked

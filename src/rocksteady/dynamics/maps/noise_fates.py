@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.batch.finite import OUTPUTS, Fate, collected, fate_of, finite_table
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, lifted_table, sides_of
@@ -52,7 +53,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 AXES = {"level": "factor of the noise", "scale": "factor of the motion"}
 """What may be moved, in words."""

@@ -8,8 +8,9 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import HasStart, ImpactState, Rest, Start, start_of
 from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
@@ -40,7 +41,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
 
 SHOWN_FLIGHTS = 200
 """Flights of a motion without an orbit whose peaks are kept."""

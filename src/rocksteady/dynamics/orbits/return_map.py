@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.errors import ModelError
@@ -22,8 +22,6 @@ from rocksteady.model.equations import Model, Nonlinear, chosen_model
 from rocksteady.model.motions.fourier import PeriodicMotion, shares_of
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Event
-
-Floats = NDArray[np.float64]
 
 MOST_STEPS = 100_000
 """Of one call of the map: some ten seconds."""

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState, Rest
@@ -36,8 +36,6 @@ from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
-
-Floats = NDArray[np.float64]
 
 ROOM = 4096
 """Most orbits that one search returns."""

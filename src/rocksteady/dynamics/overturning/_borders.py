@@ -19,7 +19,7 @@ in the last place, and no line is followed in a narrow interval.
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from rocksteady.arrays import Floats
 
 STRAIGHT = 0.06
 """Part of a chord's slope by which those beside it may differ if it is to be followed."""

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import scan
@@ -25,8 +26,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.pulses import Pulse
-
-Floats = NDArray[np.float64]
 
 MOST_LINES = 1000
 """Segments of a pulse from which on a nonlinear search goes by fewer of them."""

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.start import set_going
 from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT
@@ -13,8 +13,6 @@ from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tuples import Kept, Tables, Until
 from rocksteady.kernels.march.facts import ELASTIC_TIME, LONGEST_REST
 from rocksteady.kernels.march.march import march
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,14 +7,13 @@ theta/alpha and time as p t.
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import checked_array
 from rocksteady.kernels.elementary.arrays import asin, asinh, cos, exp, log, sin
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import ALPHA, RESTITUTION, WALL_RESTITUTION, Bounds, Whole
-
-Floats = NDArray[np.float64]
 
 MOST_IMPACTS = 1_000_000
 

@@ -39,12 +39,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.overturning._borders import next_amplitudes
 from rocksteady.kernels.elementary.arrays import log, log1p
 from rocksteady.sweep.cases.spacing import in_equal_ratios
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 FINEST = 1e-7
 """Part of an amplitude to which intervals beside a hump of the margin are halved."""

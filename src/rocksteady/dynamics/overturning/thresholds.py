@@ -13,8 +13,9 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import cos, exp, expm1, log, log1p, sin
@@ -24,8 +25,6 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.pulses import PULSE_RATIO
 from rocksteady.model.motions.segments import Still
-
-Floats = NDArray[np.float64]
 
 
 @checked

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import only_side
 from rocksteady.dynamics.overturning.scan import Fates, Found
 from rocksteady.kernels.batch.pulses import pulse_fates
@@ -24,7 +25,6 @@ from rocksteady.sweep.cases.outputs import Output
 if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
-Floats = NDArray[np.float64]
 
 MOST_WINDOWS = 32
 """That are kept of one frequency; of more the widest."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.model.blocks.block import Block
@@ -18,9 +18,6 @@ from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 WIDEST = 3
 """Windows that an answer names."""

@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
@@ -32,7 +33,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 TOP = 20.0
 """Default largest amplitude of the search; for a block that hardly lifts by then,"""

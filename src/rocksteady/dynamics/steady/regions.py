@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import order_of_orbit, real_array, validated_grid
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.kernels.elementary.roots import root
@@ -21,8 +22,6 @@ from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
 
 BOUNDARIES = ("existence", "sign", "kind")
 """Names of the boundaries of the regions."""

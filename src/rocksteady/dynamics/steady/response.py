@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.steady.states import (
     SteadyStates,
@@ -30,8 +31,6 @@ from rocksteady.model.facts import (
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
 
 
 @checked_result

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
 from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
@@ -45,8 +46,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 BRANCHES = (1, 2)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from rocksteady.arrays import Floats
 
 NO_MULTIPLIERS = np.full(2, complex(math.nan, math.nan))
 """Multipliers of a motion that grazes: no derivative exists there."""

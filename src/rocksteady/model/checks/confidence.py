@@ -3,11 +3,10 @@
 from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.bounds import Bounds
-
-Floats = NDArray[np.float64]
 
 CONFIDENCE: Final = 0.9
 """Default confidence of every interval."""

@@ -4,16 +4,14 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, guard_result, numeric_array
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._described import DescribedMotion
-
-Floats = NDArray[np.float64]
-
 
 SHORTEST = 1e-15
 """Of intervals between samples [s]; slopes of shorter ones overflow."""

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
@@ -16,8 +16,6 @@ from rocksteady.risk.assess.described.schema import ObjectDemand
 from rocksteady.risk.observations.files.toml_tables import named
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Measure, compute_measure
-
-Floats = NDArray[np.float64]
 
 PEAKS = {"pgv_m_s": "pgv_m_s", "p_pgv_per_uplift": "pgv_m_s",
          "pga_g": "pga_g", "pga_per_uplift": "pga_g"}  # fmt: skip

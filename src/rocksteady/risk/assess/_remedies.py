@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
@@ -29,8 +28,6 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
 
 BALLAST_HEIGHT_M = 0.05
 """Height of the ballast's mass centre above the base [m]."""

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
@@ -12,8 +12,6 @@ from rocksteady.risk.assess._demand_level import horizontal
 from rocksteady.risk.ensemble.levels import Levels
 from rocksteady.seismic.measures.scalar import Measure
 from rocksteady.sweep.cases.spacing import in_equal_ratios
-
-Floats = NDArray[np.float64]
 
 MOST_LOST = 0.01
 """Share of the runs that may lose contact with the base: what a fit accepts."""

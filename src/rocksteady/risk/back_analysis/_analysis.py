@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.risk.back_analysis._chances import Levels, chances, log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
@@ -15,8 +15,6 @@ from rocksteady.risk.back_analysis.scan import ScanOptions
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.seismic.measures.scalar import Measure
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

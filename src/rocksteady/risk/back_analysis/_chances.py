@@ -8,11 +8,9 @@ mean over the spread of sigma and of eps is exact.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.observations.prior import OutcomeErrors
-
-Floats = NDArray[np.float64]
 
 SIGMAS = 5
 """Amplitude errors that stand for their spread."""

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.core.scatter import LARGEST_KEY
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.outcomes import Status
@@ -32,8 +33,6 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import compute_cells
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
 
 POOL = 64
 """Fewest draws of an object, of which each scale takes some in turn."""

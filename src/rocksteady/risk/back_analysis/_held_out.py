@@ -10,10 +10,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.back_analysis._chances import log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, mass_above, tempered
-
-Floats = NDArray[np.float64]
 
 TEMPERS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05)
 AGAIN = 50

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
@@ -29,8 +29,6 @@ from rocksteady.seismic.measures.scalar import Measure, compute_measure
 from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
 
 FEWEST_RECORDS = 4
 """For records that are left out in turn."""

@@ -8,6 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.results.answer import Answer
@@ -18,7 +19,6 @@ from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.seismic.measures.scalar import Measure
 
-Floats = NDArray[np.float64]
 Bound = Literal["interval", "lower bound", "upper bound"]
 
 CAVEATS = (

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Floats
 from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration._shares import normal_strata
@@ -13,9 +13,6 @@ from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.observations.fates import Scatter, compute_test_fates
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -4,14 +4,12 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number_or_none
 from rocksteady.risk.calibration.held_out.folds import weighted_quantiles
 from rocksteady.risk.calibration.posterior import Posterior
-
-Floats = NDArray[np.float64]
 
 IDENTIFIED, BOUND, RETURNED = "identified", "bound", "prior returned"
 LIMIT, NARROWED = "at the prior's limit", "narrowed"

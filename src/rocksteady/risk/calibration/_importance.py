@@ -4,11 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.calibration.held_out.folds import LADDER, effective, normalised
-
-Floats = NDArray[np.float64]
 
 FREEDOM = 5.0
 """Of the t distribution of a refined round."""

@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.equations import Model
 from rocksteady.results.numbers import number, plural
@@ -20,7 +20,6 @@ from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Execution
 
-Floats = NDArray[np.float64]
 KEPT = 0.9999
 """Weight of the draws that are run; the rest weigh nothing and are left out."""
 STREAM = 104_729

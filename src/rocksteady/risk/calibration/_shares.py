@@ -1,10 +1,8 @@
 """Probabilities of a fall from few runs each: gains in strata, and shrinkage to a fitted curve."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
+from rocksteady.arrays import Bools, Floats
 
 NODES = 7
 """Of the quadrature over the gain."""

@@ -4,15 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.prior import OutcomeErrors
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
 
-Floats = NDArray[np.float64]
 ALPHA, RATE, RATIO = 0, 2, 3
 """Columns of the sides of an object: slenderness, p, restitution."""
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -38,8 +38,6 @@ from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.prior import Prior
 from rocksteady.sweep.run import Execution
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 PRIOR_DRAWS = 4096
 """Draws of the prior that the posterior is compared with; nothing is run for them."""
 

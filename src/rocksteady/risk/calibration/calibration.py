@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
@@ -32,8 +32,6 @@ from rocksteady.sweep.run import Execution
 
 LONGEST_NAME = 20
 """Letters of an object in a table of parameters."""
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Folds = Literal["group", "record", "test", "session"]
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 

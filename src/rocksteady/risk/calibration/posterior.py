@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -16,7 +16,6 @@ from rocksteady.results.result import Result
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.held_out.folds import effective, weighted_quantiles
 
-Floats = NDArray[np.float64]
 ENDS = (0.5, 0.05, 0.95)
 
 

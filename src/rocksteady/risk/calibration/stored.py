@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -33,7 +33,6 @@ from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.risk.observations.spread import PriorRange
 from rocksteady.sweep.run import Execution
 
-Floats = NDArray[np.float64]
 TABLES = ("posterior.csv", "predictions.csv")
 FILES = ("fit.json", *TABLES)
 WEIGHTS = ("weight", "untempered_weight", "prior_weight")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers, Objects
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
@@ -26,10 +27,6 @@ from rocksteady.seismic.spectra.many import DIRECTIONS
 
 if TYPE_CHECKING:
     import xarray
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Objects = NDArray[np.object_]
 
 
 @dataclass(frozen=True, kw_only=True)

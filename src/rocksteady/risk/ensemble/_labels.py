@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -19,7 +20,6 @@ from rocksteady.seismic.spectra.batch import OUTPUTS
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 DIMENSIONS = ("block", "record", "direction", "vertical", "draw", "level")
 LARGE_FACTOR = 10.0

@@ -9,15 +9,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.many import DIRECTIONS
-
-Floats = NDArray[np.float64]
 
 
 class Lines(NamedTuple):

@@ -3,16 +3,14 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.seismic.measures.scalar import Measure
 
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 SAME_GATE = 1e-9
 """Relative difference of gates that rounding makes."""
 

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
@@ -17,8 +18,6 @@ from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.seismic.measures.scalar import DEFAULT, Measure, compute_measure
 from rocksteady.seismic.spectra.grounds import axis_values
 from rocksteady.sweep.cases.spacing import in_equal_ratios
-
-Floats = NDArray[np.float64]
 
 SCALE: Final = "scale"
 """Levels that are plain factors."""

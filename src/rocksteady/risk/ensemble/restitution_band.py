@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution
@@ -15,8 +15,6 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import LARGEST_SEED, RESTITUTION, Bounds, Whole
 from rocksteady.model.checks.validation import in_range
 from rocksteady.seismic.measures.free_sides import impact_ratios
-
-Floats = NDArray[np.float64]
 
 HIGHEST: Final = 0.98
 """Default upper end of a band, where the root of the block's own restitution is above it."""

@@ -8,6 +8,7 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -25,9 +26,6 @@ from rocksteady.risk.facades.record_demand import FEWEST, different_motions
 from rocksteady.seismic.spectra.grounds import grounds_of, names_of
 from rocksteady.seismic.spectra.many import DIRECTIONS, cells_of_many
 from rocksteady.sweep.run import Execution
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 LIMITS: Final = {"SLV": SHARE_SLV, "SLC": SHARE_SLC}
 """Displacement over d0 that the mean may reach, by the limit state."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
@@ -20,8 +20,6 @@ from rocksteady.seismic.measures.response_spectrum import (
 )
 from rocksteady.seismic.spectra.batch import GroundShaking
 from rocksteady.seismic.spectra.grounds import grounds_of
-
-Floats = NDArray[np.float64]
 
 FEWEST = 7
 """Records from which on a mean counts (NTC 2018, 7.3.5)."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.results.doubts import FEWEST_RECORDS
 from rocksteady.results.numbers import plural
 from rocksteady.risk.fits._bootstrap import Replicates, draw_replicates
@@ -13,7 +13,6 @@ from rocksteady.risk.fits._maximum import Maximum
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
 from rocksteady.risk.fits.bands import BandOptions
 
-Floats = NDArray[np.float64]
 MOST_LEFT_OUT = 0.05
 """Share of redrawn suites without a curve, above which there is a warning."""
 

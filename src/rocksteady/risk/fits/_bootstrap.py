@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.fits._likelihood import slopes, solve_score
 from rocksteady.risk.fits._maximum import Maximum
 from rocksteady.risk.fits._status import FITTED, kinds_of
 from rocksteady.risk.fits.bands import BandOptions
 
-Floats = NDArray[np.float64]
 Pair = tuple[float, float]
 Quantity = Callable[[Floats], tuple[Floats, Floats]]
 """From coefficients (..., q): quantities (..., m) and their derivatives (..., m, q)."""

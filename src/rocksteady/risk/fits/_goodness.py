@@ -3,14 +3,12 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.results.doubts import FEWEST_RECORDS
 from rocksteady.risk.fits._likelihood import slopes
 from rocksteady.risk.fits._maximum import Maximum
 from rocksteady.risk.fits._status import FITTED
 
-Floats = NDArray[np.float64]
 LEAST_SCATTER = 1e-9
 """Of the scores, below which an added term is as good as a sum of the others."""
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from rocksteady.arrays import Floats
+
 SQRT_2 = math.sqrt(2.0)
 ROOT_OF_2_BY_PI = math.sqrt(2.0 / math.pi)
 

@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.fits._likelihood import Family, family_of, log_likelihood_of, maximise
 from rocksteady.risk.fits._status import (
     FITTED,
@@ -16,7 +16,6 @@ from rocksteady.risk.fits._status import (
 )
 from rocksteady.risk.fits._trial_counts import Counts
 
-Floats = NDArray[np.float64]
 LARGEST_LOG = 690.0
 """Of a median: exp of more is beyond the floats."""
 

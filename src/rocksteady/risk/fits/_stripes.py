@@ -4,13 +4,12 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.results.description import Column, Table
 from rocksteady.results.numbers import number, number_or_none
 from rocksteady.risk.fits._trial_counts import Counts
 
-Floats = NDArray[np.float64]
 Row = tuple[float, int, int, float | None]
 FEWEST = 10
 """Trials of a stripe, on average, and the number of stripes that are made otherwise."""

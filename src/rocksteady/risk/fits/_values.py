@@ -3,15 +3,14 @@
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, number_or_none, quantity
 from rocksteady.results.words import Label
-
-Floats = NDArray[np.float64]
 
 LOG_LIKELIHOOD = Label("log-likelihood")
 MEDIAN = Label(plain=number_or_none)

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import FEW_RECORDS, NOT_IDENTIFIED, with_misfit
@@ -32,8 +33,6 @@ from rocksteady.risk.fits._values import (
     value_words,
 )
 from rocksteady.risk.fits.bands import BandOptions
-
-Floats = NDArray[np.float64]
 
 
 @checked_result

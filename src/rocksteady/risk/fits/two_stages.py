@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Fact
@@ -34,7 +35,6 @@ from rocksteady.risk.fits._values import (
 from rocksteady.risk.fits.bands import BandOptions
 from rocksteady.risk.fits.fragility_curve import FragilityCurve, band_facts, curve_of
 
-Floats = NDArray[np.float64]
 ROUNDING = 1e-9
 """Of ln im at the ends of the search for a quantile."""
 LEAST_GAIN = 1e-6

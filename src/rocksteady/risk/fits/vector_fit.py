@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
@@ -20,7 +21,6 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
 from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import LOG_LIKELIHOOD, intensities
 
-Floats = NDArray[np.float64]
 FEW_POINTS = 500
 """How many points are tested for overlap before all are."""
 LEAST_INDEPENDENCE = 1e-8

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, Words
 from rocksteady.outcomes import Status
 from rocksteady.risk.fragility.damage_states import DamageState, exceeding
@@ -14,8 +15,6 @@ from rocksteady.seismic.measures.scalar import DEFAULT, Measure
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 MOST_WITHOUT = 0.01
 """Share of the runs that may end without an answer."""

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from rocksteady.arrays import Floats
 
 ROUNDING = 1e-14
 """Standard deviation [1] of what rounding leaves in a logarithm."""

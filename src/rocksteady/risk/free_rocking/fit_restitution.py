@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_period
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
@@ -24,8 +25,6 @@ from rocksteady.risk.free_rocking.restitution_fit import (
     slopes,
     velocities,
 )
-
-Floats = NDArray[np.float64]
 
 LOST = 6.0
 """Peaks below this number of standard deviations of the measuring error are left out."""

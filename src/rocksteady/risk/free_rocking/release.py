@@ -13,8 +13,6 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, side_value
 
-Floats = NDArray[np.float64]
-
 MOST_PEAKS = 100_000
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
@@ -18,8 +19,6 @@ from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, number_or_none, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.free_rocking.release import Release
-
-Floats = NDArray[np.float64]
 
 ANSWERED = ("scatter of impacts", "measuring error", "trend", "until 5 % of the peak")
 """Labels of facts that stand in the answer."""

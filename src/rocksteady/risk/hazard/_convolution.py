@@ -13,11 +13,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.risk.hazard.hazard_curve import LARGEST_EXPONENT, HazardCurve
-
-Floats = NDArray[np.float64]
 
 ACCURACY = 1e-12
 """Of a piece, over the whole integral."""

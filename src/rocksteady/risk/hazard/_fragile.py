@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import non_negative, positive
-
-Floats = NDArray[np.float64]
 
 Q05 = 1.6448536269514722
 """Standard normal quantile of .95."""

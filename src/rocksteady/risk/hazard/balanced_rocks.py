@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -24,8 +25,6 @@ from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.risk.hazard.hazard_measures import measure_fact, written
 from rocksteady.seismic.measures.scalar import Measure
-
-Floats = NDArray[np.float64]
 
 NODES = 32
 """Of Gauss and Hermite's rule over ln alpha."""

@@ -7,8 +7,9 @@ from operator import itemgetter
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
@@ -31,8 +32,6 @@ from rocksteady.risk.hazard.hazard_measures import (
     written,
 )
 from rocksteady.seismic.measures.scalar import Measure
-
-Floats = NDArray[np.float64]
 
 LONGEST_YEARS = 1e9
 SHARES = (0.05, 0.5, 0.95)

@@ -4,8 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -17,8 +18,6 @@ from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.hazard.hazard_measures import ground_measure, measure_fact
 from rocksteady.seismic.measures.scalar import Measure
-
-Floats = NDArray[np.float64]
 
 LOWEST, HIGHEST = 1e-100, 1e100
 """Of levels and rates: their logarithms and powers are numbers."""

@@ -8,15 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.seismic.spectra.batch import (
     GroundShaking,
     keys_of,
     scattered_sides,
     shaken_fates,
 )
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 STREAM_BYTES = 8
 DRAW_BITS = 31

@@ -4,13 +4,11 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side
-
-Floats = NDArray[np.float64]
 
 ALPHA, RADIUS, P, RESTITUTION = range(4)
 """Columns of a side."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
@@ -30,7 +31,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 MOST_SCATTER: Final = 0.5
 MOST_DRAWS: Final = 1_000_000

@@ -6,8 +6,9 @@ from functools import cached_property
 from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import atan2
@@ -25,7 +26,6 @@ from rocksteady.risk.observations._sides import (
 )
 from rocksteady.risk.observations.spread import PriorRange, spread_of
 
-Floats = NDArray[np.float64]
 Given = PriorRange | float | str
 
 LARGEST_M: Final = 20.0

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -17,8 +18,6 @@ from rocksteady.results.result import Result
 from rocksteady.risk.observations._doubts import doubts_on
 from rocksteady.risk.observations.object_prior import DEFAULTS, ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
-
-Floats = NDArray[np.float64]
 
 
 @checked

@@ -6,16 +6,15 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import checked_array, real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.bounds import Bounds
 from rocksteady.model.checks.validation import finite, in_range, positive
-
-Floats = NDArray[np.float64]
 
 _NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _FORMS: Final = re.compile(rf"({_NUMBER})(?:\s*(:|\+-|\+/-|±)\s*({_NUMBER}))?")

@@ -5,8 +5,9 @@ from dataclasses import replace
 from typing import Annotated, Final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import exp
@@ -23,8 +24,6 @@ from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
 from rocksteady.seismic.measures.scalar import compute_measure
-
-Floats = NDArray[np.float64]
 
 LEVELS: Final = (0.4, 0.6, 0.8, 1.0)
 """p PGV/(g tan alpha) of the tests of a record, where no gains are given."""

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
@@ -22,8 +22,6 @@ from rocksteady.seismic.measures.response_spectrum import (
     ResponseSpectrum,
     compute_response_spectrum,
 )
-
-Floats = NDArray[np.float64]
 
 RIGID_S = 0.01
 """Period [s] up to which a spectrum has the value of its row at zero."""

@@ -3,11 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.motions.record import Record
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

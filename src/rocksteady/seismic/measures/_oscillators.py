@@ -21,10 +21,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import atan2, exp, sincos
 from rocksteady.kernels.linear.oscillator import fill_oscillator
-
-Floats = NDArray[np.float64]
 
 
 class Parts(NamedTuple):

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -19,8 +19,6 @@ from rocksteady.results.result import Result
 from rocksteady.seismic.measures._durations import absolute_velocity, strong_shaking
 from rocksteady.seismic.measures.response_spectrum import DAMPING, compute_response_spectrum
 from rocksteady.seismic.measures.time_course import integrate_record
-
-Floats = NDArray[np.float64]
 
 HOUSNER_PERIODS_S = np.linspace(0.1, 2.5, 49)
 """Where the pseudo-velocity is evaluated for Housner's intensity: every 0.05 s."""

@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.kernels.core import tables as columns
@@ -24,7 +24,6 @@ from rocksteady.seismic.measures.time_course import integrate_record
 if TYPE_CHECKING:
     import pandas as pd
 
-Floats = NDArray[np.float64]
 
 PERIODS = 3
 """Of an endless motion, that its history has."""

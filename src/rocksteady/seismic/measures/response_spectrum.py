@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
@@ -24,7 +25,6 @@ from rocksteady.seismic.measures.time_course import refuse_extreme
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 LONGEST_S = 1.0e9
 """Longest period [s]; the squares of its inverse are still numbers."""

@@ -11,8 +11,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray
 
-Floats = NDArray[np.float64]
 
 DRIFT = 0.05
 """Velocity at the end over the largest one above which a record counts as drifting."""

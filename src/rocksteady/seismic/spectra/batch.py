@@ -14,6 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.history.counted import COUNTED_IMPACTS
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
@@ -35,9 +36,6 @@ from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.outputs import Output
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 SpectrumRestitution = Restitution | tuple[Literal["wall"], Restitution]
 """Restitution of free blocks, or as ("wall", 0.5) that of a wall that they stand against."""

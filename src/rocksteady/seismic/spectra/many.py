@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats, Objects
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
@@ -43,8 +44,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Objects = NDArray[np.object_]
 
 DIRECTIONS = ("as recorded", "reversed")
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, scan
@@ -47,7 +48,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 WITHIN = (0.1, 10.0)
 RESOLUTION = 5e-4

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.housner_forms import Impacts, Restitution, form_text
 from rocksteady.model.checks.arguments import checked
@@ -44,8 +45,6 @@ if TYPE_CHECKING:
     import xarray
 
     from rocksteady.sweep.cases.cells import Labelled
-
-Floats = NDArray[np.float64]
 
 
 PERIOD = Bounds(2e-6 * math.pi, 2e6 * math.pi, "[]", "give periods 2 pi/p in seconds")

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -14,7 +14,6 @@ from rocksteady.outcomes import Status
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 QUANTILES = (0.16, 0.5, 0.84)
 

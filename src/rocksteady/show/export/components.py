@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
@@ -22,7 +23,6 @@ from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.risk.hazard.hazard_measures import intensity_named
 from rocksteady.seismic.measures.scalar import GIVEN
 
-Floats = NDArray[np.float64]
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
 
 MEASURES: tuple[LossMeasure, ...] = ("pga_g", "pgv_m_s", "sa_g")

@@ -4,14 +4,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import in_range
-
-Floats = NDArray[np.float64]
 
 ALPHA = 0.2
 """Slenderness [rad] of the rectangle that stands for a dimensionless block."""

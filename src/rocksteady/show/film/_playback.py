@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import InputError
@@ -14,8 +14,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
-
-Floats = NDArray[np.float64]
 
 FRAMES_PER_SECOND = 25.0
 FEWEST_A_PERIOD = 8

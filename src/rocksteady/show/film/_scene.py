@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import largest_acceleration
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
     from matplotlib.transforms import Transform
 
-Floats = NDArray[np.float64]
 
 GLOW = 0.5
 """Pivot time for which an impact is seen at the corner that has struck."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.maps.cell_classes import (
     CellClass,
     Classes,
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.patches import Patch
 
-Floats = NDArray[np.float64]
 
 FILLS = {
     AttractorKind.OVERTURNED: palette.OVERTURNED,

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.maps.cell_classes import CellClass, Classes, counts_of
 from rocksteady.errors import InputError
 from rocksteady.show.plots.map_classes import (
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.colors import Colormap, Normalize
 
-Floats = NDArray[np.float64]
 Colouring = Literal["class", "period", "lyapunov", "peak"]
 
 OF_ATTRACTORS: tuple[Colouring, ...] = ("class", "period", "lyapunov", "peak")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
@@ -47,7 +48,6 @@ if TYPE_CHECKING:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colorbar import Colorbar
 
-Floats = NDArray[np.float64]
 
 EXTREMES = ("highest", "lowest")
 FREQUENCIES = ("frequency_ratio", "frequency_hz")

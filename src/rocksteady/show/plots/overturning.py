@@ -7,8 +7,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_peaks, free_rocking_period
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.dynamics.overturning.window_lists import OverturningWindow
@@ -24,7 +25,6 @@ from rocksteady.show.style.line_colours import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 MODES = (
     ("overturns without an impact", palette.tinted(palette.OVERTURNED, 0.45), 0),

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import spaced_by_ratio
 from rocksteady.show.style.legends import size_of, text_size
@@ -13,8 +14,6 @@ from rocksteady.show.style.legends import size_of, text_size
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 SIGNED = ("angle", "velocity", "phase", "kick")
 """Axes whose values may be below 0; the cells of all others are cut off there."""

@@ -124,6 +124,19 @@ LABELS = {
     "free_period": "period  $pT$",
     "multiplier_real": r"real part of the multipliers  Re $\mu$",
     "multiplier_imaginary": r"imaginary part  Im $\mu$",
+    "time_s": "time [s]",
+    "angle_deg": r"tilt  $\theta$ [°]",
+    "peak_deg": r"largest tilt  $|\theta|_{\max}$ [°]",
+    "highest_deg": r"highest tilt  $\theta$ [°]",
+    "lowest_deg": r"lowest tilt  $\theta$ [°]",
+    "angle_deg_at_start": r"tilt at the start  $\theta$ [°]",
+    "velocity_deg_s_at_start": r"velocity at the start  $\dot\theta$ [°/s]",
+    "velocity_deg_s": r"velocity  $\dot\theta$ [°/s]",
+    "speed_deg_s": r"speed after the impact  $|\dot\theta|$ [°/s]",
+    "accel_g": r"acceleration  $a_{\max}$ [g]",
+    "freq_hz": "frequency [Hz]",
+    "base_acceleration_g": "acceleration of the base [g]",
+    "pt": "pivot time  $pt$",
 }
 """Axis labels with their units; angles, amplitudes and ratios have none."""
 

@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Execution, Linear, Nonlinear, Status, simulate_many
+from rocksteady.arrays import Floats
 from rocksteady.codes import RecordDemand
 from rocksteady.studies.facade_checks._plane import Plane
 from rocksteady.sweeps import Axis, Grid, Output, evaluate
 
-Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 Model = Linear | Nonlinear
 Kept = Callable[[str], Execution]
 """Returns how a part of the study is run, and where it is kept."""

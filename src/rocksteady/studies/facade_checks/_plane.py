@@ -4,15 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rocksteady import Record
+from rocksteady.arrays import Floats
 from rocksteady.codes import Facade, RecordDemand
 from rocksteady.errors import InputError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.results.numbers import plural
-
-Floats = NDArray[np.float64]
 
 HEIGHTS_M = np.linspace(2.0, 12.0, 11)
 SLENDERNESS = np.linspace(5.0, 25.0, 21)

@@ -6,14 +6,13 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady import Linear, check_facade, simulate
+from rocksteady.arrays import Floats
 from rocksteady.codes import FacadeCheck, FacadeDemand, FacadeRuns, run_facade
 from rocksteady.histories import Trajectory
 from rocksteady.studies.facade_checks._checked_walls import DAMPING, SHARE, CheckedWalls, scaled
 
-Floats = NDArray[np.float64]
 Kind = Literal["static refuses", "dynamic refuses"]
 KINDS: tuple[Kind, ...] = ("static refuses", "dynamic refuses")
 FEW = 7

@@ -7,13 +7,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
 from rocksteady.model.checks.validation import positive, whole_number
 from rocksteady.sweep.cases.spacing import in_equal_ratios
-
-Floats = NDArray[np.float64]
 
 LARGEST_COUNT = 2**24
 """Values of an axis that is made by a rule."""

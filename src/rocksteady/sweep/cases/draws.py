@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from rocksteady.arrays import Floats
+
 Words = NDArray[np.uint32]
 
 # The constants of `numpy.random.SeedSequence`, which NumPy keeps as they are for good (NEP 19).

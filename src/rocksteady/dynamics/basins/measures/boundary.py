@@ -5,17 +5,15 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 RADIUS = 20
 """Default radius of a ball in cells, that of Attractors.jl."""

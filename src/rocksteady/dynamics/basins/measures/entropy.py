@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
@@ -15,9 +16,6 @@ from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_BOXES, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 BOX = 20
 """Default number of cells along a side of a box, that of Attractors.jl."""

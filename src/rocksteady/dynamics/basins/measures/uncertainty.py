@@ -7,8 +7,9 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.measures.entropy import label_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -19,8 +20,6 @@ from rocksteady.results.doubts import FEWEST_SIZES, NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Probe = Literal["states", "boxes"]
 
 PARTS = 20

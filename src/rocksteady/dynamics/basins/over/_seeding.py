@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.cells import CELL_ATTRACTOR, found_in_cells
 from rocksteady.dynamics.basins.labels import (
     BasinAttractor,
@@ -22,8 +23,6 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.fourier import PeriodicMotion, harmonics_of
 from rocksteady.outcomes import AttractorKind
-
-Floats = NDArray[np.float64]
 
 SEEDED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.REST)
 """Kinds with a state from which a neighbouring value is tried."""

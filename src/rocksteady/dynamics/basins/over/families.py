@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.labels import BasinAttractor, attractor_names
 from rocksteady.dynamics.basins.over._seeding import Here
 from rocksteady.dynamics.basins.over.matching import MatchingOptions, courses, matched
@@ -14,9 +15,6 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.result import Result
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 
 @checked_result

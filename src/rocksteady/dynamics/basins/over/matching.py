@@ -7,13 +7,12 @@ from numbers import Real
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 
-Floats = NDArray[np.float64]
 Distance = Literal["hausdorff", "centroid", "nearest"]
 
 THRESHOLD = 0.3

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.basins.cells import (
     CELL_OUTPUTS,
@@ -56,8 +57,6 @@ from rocksteady.sweep.run import Execution
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 MOVED = (*PARAMETERS, "phase")
 """Parameters over which shares are computed."""

@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.grazing import grazes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.orbit import ordered, squared
@@ -22,8 +23,6 @@ from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.fourier import FourierSeries, PeriodicMotion, shares_of
 from rocksteady.model.motions.harmonics import Harmonics
 from rocksteady.model.motions.segments import Harmonic
-
-Floats = NDArray[np.float64]
 
 COLUMNS = (kernel.BY_AMPLITUDE, kernel.BY_FREQUENCY, kernel.BY_RESTITUTION)
 MERGED = 1e-9

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.predictor_corrector import gradient
 from rocksteady.dynamics.parameters import PARAMETERS, range_of
@@ -20,8 +20,6 @@ from rocksteady.model.checks.validation import (
     whole_number,
 )
 from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
-
-Floats = NDArray[np.float64]
 
 LIMITS: tuple[tuple[float, float, Ends], ...] = (
     (0.0, LARGEST, "[]"),

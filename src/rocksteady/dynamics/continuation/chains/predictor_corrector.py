@@ -12,11 +12,9 @@ from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import acos
-
-Floats = NDArray[np.float64]
 
 STEPS = 12
 """Most steps of Newton's method in a correction."""

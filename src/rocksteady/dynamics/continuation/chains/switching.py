@@ -8,14 +8,12 @@ the new orbit has two impacts more, at the moment of the touch, or two fewer, wh
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.errors import ModelError
 from rocksteady.kernels.core.clock import clock
-
-Floats = NDArray[np.float64]
 
 REPEATED = 1e-6
 """Difference of phases [rad] up to which parts of a chain at a graze are the same."""

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.chain import Chain
 from rocksteady.dynamics.continuation.chains.events import ChainCurve, ChainSpot
 from rocksteady.dynamics.continuation.chains.family import Family
@@ -20,8 +20,6 @@ from rocksteady.dynamics.continuation.curves._codimension_two import (
     touching,
 )
 from rocksteady.errors import ModelError
-
-Floats = NDArray[np.float64]
 
 BESIDE = 1e-5
 """Arclength at which the motions of a curve are tested for passing through the floor."""

@@ -10,11 +10,9 @@ that chains of any model have these coefficients.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.chain import Chain
-
-Floats = NDArray[np.float64]
 
 STEP = 0.01
 """Length of the displacements of the phases of which the differences are taken [rad]."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.branch_answers import curves_answer
 from rocksteady.dynamics.continuation.branch_facts import (
     block_fact,
@@ -34,7 +35,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import pandas as pd
 
-Floats = NDArray[np.float64]
 
 MOST = 1000
 """Limits of periods, impacts, curves and points, as for branches."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from itertools import count, pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.branches import (
     BranchOptions,
     find_branches,
@@ -39,7 +39,6 @@ from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.numbers import plural
 
-Floats = NDArray[np.float64]
 Pair = tuple[float, float]
 
 NEAR = 0.02

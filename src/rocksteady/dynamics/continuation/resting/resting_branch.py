@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.resting._legs import Leg, Uplifts
 from rocksteady.dynamics.continuation.resting.resting_facts import (
     branch_description,
@@ -36,7 +37,6 @@ from rocksteady.results.result import Result
 if TYPE_CHECKING:
     import pandas as pd
 
-Floats = NDArray[np.float64]
 
 EVENTS = (RestingPointType.GRAZING, RestingPointType.UPLIFT, RestingPointType.REST_END)
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.risk.calibration.held_out.folds import (
     LADDER,
     Evidence,
@@ -17,9 +17,6 @@ from rocksteady.risk.calibration.held_out.folds import (
 from rocksteady.risk.calibration.held_out.rivals import base_rate, logistic
 from rocksteady.risk.calibration.held_out.scores import NAMES, Scores, scores_of
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 RULES = ("calibrated", "logistic", "base rate")
 REPEATS = 10
 """Random choices of the training groups at each size."""

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.answer import MOST_ROWS, Answer
 from rocksteady.results.description import Column, Description, Fact, Table
@@ -16,7 +16,6 @@ from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
-Floats = NDArray[np.float64]
 LONGEST_NAME = 30
 """Letters of a test in a table."""
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}

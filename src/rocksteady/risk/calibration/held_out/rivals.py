@@ -4,18 +4,14 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Bools, Floats, Integers
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.motions.record import Record
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.seismic.measures.time_course import integrate_record
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Bools = NDArray[np.bool_]
 
 MEASURES = (
     "ln(gain PGA/(g tan alpha))",

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.arrays import compare_by_value
@@ -16,8 +17,6 @@ from rocksteady.results.doubts import FEWEST_GROUPS
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Interval = tuple[float, float, float]
 """A value and the ends of its interval of 90 %."""
 

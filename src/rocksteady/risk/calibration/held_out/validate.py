@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
@@ -19,8 +19,6 @@ from rocksteady.risk.calibration.held_out.rivals import out_of_group
 from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Row = dict[str, Any]
 ROWS = ("calibrated", "untempered", "base rate", "logistic")
 

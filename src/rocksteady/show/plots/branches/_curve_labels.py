@@ -5,15 +5,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.show.style.legends import LETTER, figure_of, size_of, text_size
 from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 SPACING = 3.0
 """Between the points of a line at which a word is tried [points]."""

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import lane_of, name_lane, runs
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 SWEEPS = {1: ("upward sweep", 0, 4.2, "up"), -1: ("downward sweep", 1, 3.1, "down")}
 """Name, number of the colour, size of the dots and short name of a sweep by its direction: a rim of

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.continuation.points import Branch
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-Floats = NDArray[np.float64]
 Side = Literal["positive", "both"]
 Drawn = BifurcationDiagram | Branch | RestingBranch | RestingBranches | AttractorSweep
 

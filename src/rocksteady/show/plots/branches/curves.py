@@ -4,8 +4,8 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.point_types import CODIMENSION_TWO, PointType
 from rocksteady.dynamics.continuation.curves.bifurcation_curves import (
     BifurcationCurve,
@@ -44,7 +44,6 @@ MARKS = {
     PointType.RESONANT_GRAZE: "P",
 }
 """Marker of each point of codimension two."""
-Floats = NDArray[np.float64]
 Place = tuple[float, float]
 Curve = tuple[PointType, Sequence[BranchPoint]]
 

@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.doubts import NOT_IDENTIFIED
@@ -17,7 +17,6 @@ from rocksteady.show.style.line_colours import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 WITHIN = 10
 """Bars between the ends of the interval of 90 %."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.basins.fate_basins import FateBasins
@@ -22,7 +23,6 @@ from rocksteady.show.style.line_colours import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 

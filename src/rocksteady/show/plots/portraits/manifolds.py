@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.edges.manifold import Manifold, ManifoldBranch
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -20,7 +20,6 @@ from rocksteady.show.style.line_colours import inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 TURN = 2.0 * math.pi
 WIDTH = 0.7
 CASING = 1.5

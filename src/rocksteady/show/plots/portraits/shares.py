@@ -4,8 +4,8 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.over.families import BasinFamily
 from rocksteady.dynamics.basins.over.shares import BasinShares
 from rocksteady.errors import InputError
@@ -21,7 +21,6 @@ from rocksteady.show.style.line_colours import DARKEST_PAPER, inks_of, luminance
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 
 UPWARDS = (
     AttractorKind.REST,

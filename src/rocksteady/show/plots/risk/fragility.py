@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.confidence import CONFIDENCE, share_interval
@@ -31,7 +31,6 @@ from rocksteady.show.style.line_colours import Inks, inks_of
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Floats = NDArray[np.float64]
 Curve = FragilityCurve | TwoStageCurve
 
 SAMPLES = 400

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Execution
+from rocksteady.arrays import Floats, Integers
 from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import cos, sin
 from rocksteady.orbits import Attractors, find_attractors
@@ -19,8 +20,6 @@ from rocksteady.outcomes import AttractorKind
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.sweeps import INFINITELY_MANY, Axis, Grid, Output, evaluate
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Upright = tuple[Floats, Floats]
 """Velocity du/d(pt) and phase [rad] of blocks that stand upright, shape (cells,)."""
 

@@ -24,13 +24,12 @@ from rocksteady import (
     Steady,
     find_attractor,
 )
+from rocksteady.arrays import Floats
 from rocksteady.branches import BranchPoint, PointType, follow_branch
 from rocksteady.formulas import steady_states, symmetry_breaking_amplitude
 from rocksteady.orbits import Orbit
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.sweeps import Axis, Grid, Output, evaluate
-
-Floats = NDArray[np.float64]
 
 LEVELS = 4
 """Symmetric, unsymmetric, doubled once and twice: three doublings determine where infinitely many

@@ -7,11 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Execution
+from rocksteady.arrays import Floats
 from rocksteady.studies.atlas.analysis.columns import Column, columns
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

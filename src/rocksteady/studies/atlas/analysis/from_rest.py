@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import DimensionlessBlock, Execution, map_attractors
+from rocksteady.arrays import Floats
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.outcomes import AttractorKind
 from rocksteady.studies.atlas.analysis.plane import Plane
@@ -19,7 +20,6 @@ from rocksteady.studies.parts import Parts
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 PHASES = 8
 """Phases of the shaking at its start, over half a period: half a period on all is mirrored."""

@@ -8,16 +8,15 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady import RocksteadyError
+from rocksteady.arrays import Floats
 from rocksteady.branches import BranchPoint, PointType, follow_bifurcation
 from rocksteady.orbits import compute_region_boundaries
 from rocksteady.studies.atlas.analysis.columns import Column, followed
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.plane import Plane
 
-Floats = NDArray[np.float64]
 Ranges = tuple[tuple[float, float], tuple[float, float]]
 
 PARAMETERS = ("amplitude", "frequency_ratio")

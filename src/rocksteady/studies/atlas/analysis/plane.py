@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from rocksteady import DimensionlessBlock, Harmonic, Steady
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError
-
-Floats = NDArray[np.float64]
 
 AMPLITUDES = np.linspace(0.08, 8.0, 100)
 FREQUENCY_RATIOS = np.linspace(0.075, 12.0, 160)

@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady import Block, compute_response_curve
+from rocksteady.arrays import Floats
 from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.orbits import compute_region_boundaries
@@ -15,8 +15,6 @@ from rocksteady.studies.tso_wong_1989.figures.responses import RESTITUTION, REST
 from rocksteady.studies.tso_wong_1989.figures.words import series
 
 STATEMENTS = Statements()
-
-Floats = NDArray[np.float64]
 
 
 def peaks_at(response: Responses, x: float) -> Floats:

@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import DimensionlessBlock, Harmonic, State, simulate
+from rocksteady.arrays import Floats
 from rocksteady.kernels.elementary.arrays import cos, cosh, sin, sinh
 from rocksteady.orbits import SteadyStates, compute_steady_orbit
 from rocksteady.sweeps import Axis
-
-Floats = NDArray[np.float64]
 
 LONGEST = 8.0
 """Half cycles in pivot time that are marched from start to end."""

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.formulas import steady_states
 from rocksteady.kernels.elementary.arrays import tanh
 from rocksteady.orbits import SteadyStates
@@ -15,8 +16,6 @@ from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.histories import History, histories
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
-
-Floats = NDArray[np.float64]
 
 POINTS = 100_000
 """Random points of the parameter space."""

@@ -8,7 +8,6 @@ from enum import StrEnum
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady import (
     DimensionlessBlock,
@@ -20,6 +19,7 @@ from rocksteady import (
     map_attractors,
     simulate,
 )
+from rocksteady.arrays import Floats
 from rocksteady.orbits import Orbit
 from rocksteady.outcomes import AttractorKind
 from rocksteady.sweeps import Axis, Grid, Output, evaluate
@@ -27,7 +27,6 @@ from rocksteady.sweeps import Axis, Grid, Output, evaluate
 if TYPE_CHECKING:
     import xarray
 
-Floats = NDArray[np.float64]
 
 FALLING = 1000
 """Excitation periods for which a block may still go on after its last impact until it falls."""

@@ -1,0 +1,70 @@
+"""Scales of axes in the units that a person gave, with the dimensionless ones on the far side."""
+
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.units import CONVERSIONS
+from rocksteady.show.style import palette
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Scale(NamedTuple):
+    """How a dimensionless quantity is drawn.
+
+    Attributes
+    ----------
+    factor
+        By which dimensionless values are multiplied before they are drawn.
+    label
+        Label of the axis, with its unit.
+    far
+        Label of the dimensionless axis on the far side; empty without one.
+    """
+
+    factor: float
+    label: str
+    far: str = ""
+
+
+def scale_of(
+    name: str, block: Block | DimensionlessBlock | None, *, at_start: bool = False
+) -> Scale:
+    """Return the scale of a quantity: in degrees, seconds, g or Hz for a block of known size.
+
+    Parameters
+    ----------
+    name
+        Quantity, as in `rocksteady.model.units.CONVERSIONS` and in the labels of axes.
+    block
+        Whose units they are; without a size, or None, the quantity stays dimensionless.
+    at_start
+        Whether the quantity is that of an initial state; default False.
+
+    Examples
+    --------
+    >>> block = Block.rectangle(width=0.4, height=2.0)
+    >>> scale_of("frequency_ratio", block).label, scale_of("frequency_ratio", None).factor
+    ('frequency [Hz]', 1.0)
+    """
+    labelled = palette.axis_label if at_start else palette.LABELS.__getitem__
+    if name not in CONVERSIONS or not isinstance(block, Block):
+        return Scale(1.0, labelled(name))
+    unit_name, converted = CONVERSIONS[name]
+    return Scale(float(converted(block, 1.0)), labelled(unit_name), labelled(name))
+
+
+def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
+    """Draw the dimensionless axis on the far side, where the near one is in units.
+
+    To be called when the near axis has its limits and its scale.
+    """
+    if not scale.far:
+        return
+    functions = (lambda values: values / scale.factor, lambda values: values * scale.factor)
+    if which == "x":
+        axes.secondary_xaxis("top", functions=functions).set_xlabel(scale.far)
+    else:
+        axes.secondary_yaxis("right", functions=functions).set_ylabel(scale.far)
