@@ -167,13 +167,13 @@ def mixed(colour: str, part: float) -> str:
 def _with_contrast(colour: str, wanted: float, paper: str) -> str:
     """Return a colour mixed with white or black until it has a contrast with paper."""
     dark = luminance(paper) < DARKEST_PAPER
-    low, high = -1.0, 1.0
+    low, high, part = -1.0, 1.0, 0.0
     for _ in range(12):
-        part = 0.5 * (low + high)
         if (contrast(mixed(colour, part), paper) < wanted) == dark:
             low = part
         else:
             high = part
+        part = 0.5 * (low + high)
     return mixed(colour, part)
 
 
