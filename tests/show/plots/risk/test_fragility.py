@@ -148,7 +148,8 @@ def test_probabilities_have_the_hue_of_risk_and_an_axis_from_0_to_100_per_cent()
     (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
     assert points.get_color() == inks.observed
     low, high = drawn.get_ylim()
-    assert low < 0.0 < 1.0 < high
+    assert low < 0.0
+    assert high > 1.0
     ticks = [text.get_text() for text in drawn.get_yticklabels()]
     assert (ticks[0], ticks[-1]) == ("0\N{NO-BREAK SPACE}%", "100\N{NO-BREAK SPACE}%")
 
