@@ -26,6 +26,11 @@ ROLES = (
 )
 """Colours of a page, each of which is a CSS property beside the five steps of the risk."""
 
+FINER = re.compile(rb"(?<!scale\()(\b\d+\.\d\d)\d{2,}")
+"""Digits of places in a drawing below a hundredth of a point, a tenth of its bytes."""
+UNSEEN = re.compile(rb"<metadata>.*?</metadata>\s*|<!--.*?-->\s*", re.DOTALL)
+"""What is not drawn."""
+
 INDEXED = re.compile(r"\b([dT])_(SLV|SLC|C)\b|\b([SaCx])_([eDgCh])\b")
 """Symbols of codes with an index."""
 
@@ -77,7 +82,6 @@ def picture(
     *,
     phone: bool = True,
     page: Page = SCREEN,
-    width: float = WIDTH,
 ) -> dict[str, str]:
     """Return a picture on light and on dark paper, drawn again for a phone or not, with its words.
 
@@ -93,12 +97,10 @@ def picture(
         Whether it is drawn with larger letters for a phone too; default True.
     page
         Width and legend where there is room; default the width of the page.
-    width
-        Natural width of the figure [inches]; default that of the page.
     """
 
     def make(page: Page) -> "Figure":
-        with page.figure(WIDTH if page is PHONE else width, height, "") as figure:
+        with page.figure(WIDTH, height, "") as figure:
             draw(figure.add_subplot())
         return figure
 
@@ -131,7 +133,8 @@ def twins(
 
 def picture_address(figure: "Figure") -> str:
     """Return the address of a figure without its paper, which carries the figure itself."""
-    return svg_data_uri(figure_bytes(figure, "svg", transparent=True))
+    svg = figure_bytes(figure, "svg", transparent=True)
+    return svg_data_uri(FINER.sub(rb"\1", UNSEEN.sub(b"", svg)))
 
 
 def properties(inks: Inks) -> str:
