@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style import palette
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -19,18 +20,16 @@ WIDTH = 7.2
 """Of a figure across the page [inches]."""
 PHONE = Page(width_mm=105.0)
 
-COLOURS = {
-    "paper": palette.REGION_FILLS[2],
-    "wash": palette.REST,
-    "ink": palette.INK,
-    "quiet": palette.NUMBER,
-    "rule": palette.GRID,
-    "link": palette.LINK,
-    "agrees": palette.BASE,
-    "differs": palette.IMPACT,
-    "open": palette.NUMBER,
-}
-"""The page's colours by their part; the base template makes a CSS property of each."""
+ROLES = (
+    *("page", "paper", "ink", "quiet", "edge", "hair"),
+    *("verdict_red", "verdict_amber", "verdict_green"),
+)
+"""Colours of a page, each of which is a CSS property beside the five steps of the risk."""
+
+FINER = re.compile(rb"(?<!scale\()(\b\d+\.\d\d)\d{2,}")
+"""Digits of places in a drawing below a hundredth of a point, a tenth of its bytes."""
+UNSEEN = re.compile(rb"<metadata>.*?</metadata>\s*|<!--.*?-->\s*", re.DOTALL)
+"""What is not drawn."""
 
 INDEXED = re.compile(r"\b([dT])_(SLV|SLC|C)\b|\b([SaCx])_([eDgCh])\b")
 """Symbols of codes with an index."""
@@ -84,7 +83,7 @@ def picture(
     phone: bool = True,
     page: Page = SCREEN,
 ) -> dict[str, str]:
-    """Return a picture across the page, drawn again for a phone or not, with its words.
+    """Return a picture on light and on dark paper, drawn again for a phone or not, with its words.
 
     Parameters
     ----------
@@ -99,17 +98,57 @@ def picture(
     page
         Width and legend where there is room; default the width of the page.
     """
-    sources = {"alt": words}
-    for name, each in (("source", page), *([("narrow", PHONE)] if phone else [])):
-        with each.figure(WIDTH, height, "") as figure:
+
+    def make(page: Page) -> "Figure":
+        with page.figure(WIDTH, height, "") as figure:
             draw(figure.add_subplot())
-        sources[name] = picture_address(figure)
-    return {"narrow": sources["source"], **sources}
+        return figure
+
+    return twins(make, words, page=page, phone=phone)
+
+
+def twins(
+    make: "Callable[[Page], Figure]", words: str, *, page: Page = SCREEN, phone: bool = True
+) -> dict[str, str]:
+    """Return the addresses of a figure on light and dark paper, for a page and for a phone.
+
+    Parameters
+    ----------
+    make
+        Makes the figure for a page.
+    words
+        What it shows, for those who do not see it.
+    page, phone
+        As for `picture`.
+    """
+    sources = {"alt": words}
+    for inks, end in ((LIGHT, ""), (DARK, "_dark")):
+        with palette.on_paper(inks):
+            sources[f"source{end}"] = picture_address(make(page))
+            sources[f"narrow{end}"] = (
+                picture_address(make(PHONE)) if phone else sources[f"source{end}"]
+            )
+    return sources
 
 
 def picture_address(figure: "Figure") -> str:
-    """Return the address of a figure, which carries the figure itself."""
-    return svg_data_uri(figure_bytes(figure, "svg"))
+    """Return the address of a figure without its paper, which carries the figure itself."""
+    svg = figure_bytes(figure, "svg", transparent=True)
+    return svg_data_uri(FINER.sub(rb"\1", UNSEEN.sub(b"", svg)))
+
+
+def properties(inks: Inks) -> str:
+    """Return the colours of a page on a paper, as CSS properties.
+
+    Examples
+    --------
+    >>> properties(LIGHT).partition("; ")[0]
+    '--page: #faf9f6'
+    """
+    colours = {role: getattr(inks, role) for role in ROLES}
+    colours |= {f"risk_{step}": colour for step, colour in enumerate(inks.risk_ramp)}
+    parts = (f"--{role.replace('_', '-')}: {colour}" for role, colour in colours.items())
+    return "; ".join(parts) + ";"
 
 
 def prose(text: str) -> str:
@@ -201,5 +240,6 @@ def _environment(package: str) -> "Environment":
     )
     environment.filters |= {"anchor": anchor, "duration": duration}
     environment.filters |= {"indexed": indexed, "prose": prose}
-    environment.globals |= {"colours": COLOURS, "sections": []}
+    environment.globals |= {"light": LIGHT, "dark": DARK, "properties": properties}
+    environment.globals |= {"sections": []}
     return environment

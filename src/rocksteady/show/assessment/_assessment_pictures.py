@@ -8,10 +8,10 @@ from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.show.assessment._demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
-from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
+from rocksteady.show.plots.risk.fragility import NOT_RUN, plot_fragility, plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
-from rocksteady.show.report import picture, picture_address
-from rocksteady.show.style import palette
+from rocksteady.show.report import picture, twins
+from rocksteady.show.style.tokens import DASHED, inks_of
 from rocksteady.show.style.wording import greek, key_words, span
 
 if TYPE_CHECKING:
@@ -30,9 +30,9 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
 
     Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
     """
-    drawing = picture_address(draw_object(assessment.described))
+    words = _words_of_object(assessment)
     pictures = {
-        "object": {"source": drawing, "narrow": drawing, "alt": _words_of_object(assessment)},
+        "object": twins(lambda _: draw_object(assessment.described), words, phone=False),
     }
     fragility = assessment.fragility
     if fragility is None:
@@ -109,17 +109,17 @@ def _draw_fragility(axes: "Axes", assessment: Assessment) -> None:
     demand, limits = demand_in_measure(assessment), axes.get_xlim()
     if math.isfinite(demand):
         _draw_demand(axes, demand, limits)
-    axes.set_ylabel(palette.LABELS["falling"])
 
 
 def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> None:
     """Draw the demand; the picture grows where it lies outside."""
+    inks = inks_of(axes)
     shown = (min(limits[0], demand / ROOM), max(limits[1], demand * ROOM))
     for begin, end in zip(shown, limits, strict=True):
         if begin != end:  # not run either
-            axes.axvspan(begin, end, color=palette.FAINT, alpha=0.16, lw=0.0, zorder=0.5)
+            axes.axvspan(begin, end, color=inks.edge, alpha=NOT_RUN, lw=0.0, zorder=0.5)
     axes.set_xlim(shown)
-    axes.axvline(demand, color=palette.INK, lw=1.0, ls=(0, (1, 1.5)), zorder=2.5)
+    axes.axvline(demand, color=inks.limit, lw=1.0, ls=DASHED, zorder=2.5)
     axes.annotate(
         "demand", (demand, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
         textcoords="offset points", ha="center", va="bottom", fontsize=8.0, annotation_clip=False,

@@ -33,8 +33,8 @@ STATUS = {
     "not-rising": "no curve",
 }
 """Status of a curve in a word."""
-PASSES = {True: badge("passes", "agrees"), False: badge("does not pass", "differs"), None: ""}
-CONFIRMED = {True: badge("confirmed", "agrees"), False: badge("not confirmed", "open")}
+PASSES = {True: badge("passes", "green"), False: badge("does not pass", "red"), None: ""}
+CONFIRMED = {True: badge("confirmed", "green"), False: badge("not confirmed", "open")}
 SYNTHETIC = "synthetic "
 """What the names of made motions begin with."""
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import chance, number, plural
+from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
@@ -117,11 +117,19 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
     fragility = assessment.fragility
     word, look = BADGES[assessment.colour]
     described = assessment.described
+    answer = assessment.describe().answer
+    assert answer is not None
+    sentence_, reason = assessment.sentence, assessment.reason
+    if assessment.basis in ("curve", "count"):  # the heading has the number, this what it means
+        reason = f"{sentence_} {reason}"
+        sentence_ = sentence(sentence_.partition("): ")[2])
     values: dict[str, Any] = {
         "answer": answer_rows(assessment),
         "badge": badge(word if look == "open" else f"chance of falling: {word}", look),
         "cases": case_rows(assessment),
         "caveats": [greek(each) for each in CAVEATS],
+        "chance": _chance(assessment),
+        "consequence": greek(sentence_),
         "facts": object_rows(assessment),
         "given": list(_given(described.values)),
         "method": _method(assessment),
@@ -129,24 +137,42 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "probability": chance(assessment.probability),
         "provenance": provenance(manifest, described.source, described.sha256),
         "name": described.name,
-        "reason": greek(assessment.reason),
+        "reason": greek(reason),
         "refused": fragility is None,
         "remedies": remedy_rows(assessment),
         "risks": risk_rows(assessment),
         "risk_notes": _risk_notes(assessment),
         "running": plain_name(described.name),
         "screens": screen_rows(assessment),
-        "sentence": greek(assessment.sentence),
         "sides": side_rows(assessment),
         "sources": " ".join(greek(f"{row.name}: {row.source}.") for row in assessment.screens.rows),
         "states": [] if fragility is None else state_rows(fragility),
         "ranking": [] if fragility is None else ranking_rows(fragility),
         "target": chance(described.given.assessment.target_probability),
+        "verdict": greek(answer.sentence),
         "warnings": _warnings(assessment),
     }
     return render(
         __package__, "object.html.j2", **cleaned(values), pictures=pictures_of(assessment)
     )
+
+
+def _chance(assessment: Assessment) -> dict[str, Any]:
+    """Return the places on the bar of the probability and its interval; none without one."""
+    if assessment.probability is None:
+        return {}
+    words, band = chance(assessment.probability), assessment.probability_band
+    place = 100.0 * assessment.probability
+    alt = f"Probability of falling {words} on a scale from 0 to 100 %"
+    shown: dict[str, Any] = {"words": words, "place": f"{place:.2f}", "band": ""}
+    if band is not None and assessment.fragility and assessment.fragility.fitting.bands:
+        confidence = assessment.fragility.fitting.bands.confidence
+        low, high = (100.0 * end for end in band)
+        shown |= {"low": f"{low:.2f}", "width": f"{high - low:.2f}"}
+        shown |= {"middle": f"{0.5 * (low + high):.2f}"}
+        shown["band"] = interval(band, confidence).strip(" ()")
+        alt += f"; {shown['band']}"
+    return shown | {"alt": f"{alt}."}
 
 
 def _warnings(assessment: Assessment) -> list[str]:

@@ -42,13 +42,13 @@ PARAMETERS = {
     "base": "base over outline",
 }
 VERDICTS = {
-    NOT_IDENTIFIED: ("raised", f"fewer than {FEWEST_DRAWS:g} effective draws: make more draws"),
+    NOT_IDENTIFIED: ("differs", f"fewer than {FEWEST_DRAWS:g} effective draws: make more draws"),
     "identified": ("agrees", "the tests narrow it inside what was known before"),
     "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
     "prior returned": ("open", "it comes back as it was put in, and the tests do not inform it"),
-    "bound": ("raised", "all outcomes are alike and bound it from one side, at 90 %"),
+    "bound": ("differs", "all outcomes are alike and bound it from one side, at 90 %"),
     "at the prior's limit": (
-        "raised",
+        "differs",
         "the tests push it to an end of what was thought possible: widen that, or doubt the model",
     ),
 }

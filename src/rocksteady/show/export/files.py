@@ -137,8 +137,8 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
         ) from error
 
 
-def figure_bytes(figure: "Figure", kind: str) -> bytes:
-    """Return a figure as a file of a kind, "png", "svg" or "pdf".
+def figure_bytes(figure: "Figure", kind: str, *, transparent: bool = False) -> bytes:
+    """Return a figure as a file of a kind, "png", "svg" or "pdf", with its paper or without.
 
     A figure that has not been drawn before gives the same bytes each time; drawing it settles its
     layout, which may move by a pixel when it is drawn again.
@@ -150,7 +150,7 @@ def figure_bytes(figure: "Figure", kind: str) -> bytes:
     stream = BytesIO()
     metadata = {"svg": {"Date": None, "Creator": None}, "pdf": {"CreationDate": None}}.get(kind)
     with palette.style():
-        figure.savefig(stream, format=kind, metadata=metadata)
+        figure.savefig(stream, format=kind, metadata=metadata, transparent=transparent)
     return stream.getvalue()
 
 

@@ -11,11 +11,12 @@ from rocksteady.show.plots.facades.capacity import plot_facade_capacity
 from rocksteady.show.plots.facades.languages import Language
 from rocksteady.show.plots.facades.run_displacements import plot_facade_runs
 from rocksteady.show.plots.facades.section import plot_facade_section
-from rocksteady.show.report import PHONE, picture, picture_address
-from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.report import PHONE, picture, twins
+from rocksteady.show.style.page import Page
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SECTION, CAPACITY = (3.4, 3.7), (4.7, 4.3)
 """Width and height of the two pictures that stand side by side [inches]."""
@@ -53,14 +54,14 @@ def _beside(
     draw: "Callable[[Axes], object]", size: tuple[float, float], words: str
 ) -> dict[str, str]:
     """Return a picture that stands beside another, drawn again for a phone."""
-    picture = {"alt": words}
-    page: Page
-    for name, page in (("source", SCREEN), ("narrow", PHONE)):
-        width, height = size if name == "source" else (PHONE.width(7.2), size[1])
-        with page.figure(width, height, "") as figure:
+
+    def make(page: Page) -> "Figure":
+        natural = (PHONE.width(7.2), size[1]) if page is PHONE else size
+        with page.figure(*natural, "") as figure:
             draw(figure.add_subplot())
-        picture[name] = picture_address(figure)
-    return picture
+        return figure
+
+    return twins(make, words)
 
 
 def _words_of_section(check: FacadeCheck, words: Language) -> str:

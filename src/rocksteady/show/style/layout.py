@@ -162,6 +162,14 @@ def plain_ticks(axes: "Axes") -> None:
             axis.set_minor_formatter(NullFormatter())
 
 
+def percent_ticks(axes: "Axes", which: Literal["x", "y"]) -> None:
+    """Write the ticks of a probability in per cent, and show all from 0 to 100 %."""
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    ticks = [0.0, 0.25, 0.5, 0.75, 1.0]
+    axis.set_ticks(ticks, [f"{100.0 * tick:.0f}\N{NO-BREAK SPACE}%" for tick in ticks])
+    axes.set(**{f"{which}lim": (-0.03, 1.03)})
+
+
 def region_centres(
     curves: RegionMap,
     ceiling: float,

@@ -68,7 +68,7 @@ def beside(*parts: str) -> Markup:
 
     Examples
     --------
-    >>> str(beside(badge("low", "agrees"), "a < b", under(None)))
-    '<span class="badge agrees">low</span> a &lt; b'
+    >>> str(beside(badge("low", "green"), "a < b", under(None)))
+    '<span class="badge green">low</span> a &lt; b'
     """
     return Markup(" ").join(part for part in parts if part)

@@ -12,9 +12,9 @@ from rocksteady.results.numbers import number
 from rocksteady.results.rendering import printable
 
 BADGES: Final = {
-    "green": ("low", "agrees"),
-    "amber": ("raised", "raised"),
-    "red": ("high", "differs"),
+    "green": ("low", "green"),
+    "amber": ("raised", "amber"),
+    "red": ("high", "red"),
     "grey": ("no answer", "open"),
 }
 """Word and look of each colour: the word names the class, colour and fill repeat it."""

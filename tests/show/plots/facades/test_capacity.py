@@ -14,6 +14,7 @@ from rocksteady.risk.facades.check_facade import check_facade
 from rocksteady.risk.facades.facade import Facade
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.plots.facades.capacity import plot_facade_capacity
+from rocksteady.show.style.tokens import DARK
 from tests.show.facade.checked_facades import alone, site, thin, tied
 
 
@@ -83,9 +84,11 @@ def test_a_demand_of_runs_stands_at_their_mean() -> None:
 
 
 def test_without_a_demand_there_are_capacity_and_periods_alone() -> None:
-    legend = plot_facade_capacity(alone(), Figure().add_subplot()).get_legend()
+    axes = plot_facade_capacity(alone(), Figure().add_subplot())
+    legend = axes.get_legend()
     assert legend is not None
-    assert len(legend.get_texts()) == 3
+    assert [text.get_text() for text in legend.get_texts()] == ["capacity a(d)"]
+    assert len([text for text in axes.texts if text.get_text().startswith("$T")]) == 2
 
 
 def test_italian_axes_have_italian_words_and_commas() -> None:
@@ -105,7 +108,7 @@ def test_italian_axes_have_italian_words_and_commas() -> None:
 def test_it_is_legible_on_dark_paper_and_refuses_other_languages() -> None:
     with matplotlib.style.context("dark_background"):
         axes = plot_facade_capacity(thin(), Figure().add_subplot())
-        assert axes.lines[0].get_color() == "#f2f2f2"
+        assert axes.lines[0].get_color() == DARK.motion
         assert figure_bytes(axes.figure, "svg")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="language"):
         drawn(language="fr")

@@ -51,7 +51,7 @@ def test_the_likelier_a_fall_the_darker_its_strip() -> None:
         (order[str(test.record.name)], test.gain, chance)
         for test, chance in zip(found.tests.tests, found.validation.predictions.p, strict=True)
     )
-    assert np.corrcoef(shades, [chance for *_, chance in rows])[0, 1] < -0.999
+    assert np.corrcoef(shades, [chance for *_, chance in rows])[0, 1] < -0.98
 
 
 def test_records_are_in_the_order_of_what_it_takes() -> None:

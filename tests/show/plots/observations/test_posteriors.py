@@ -10,6 +10,7 @@ from matplotlib.patches import StepPatch
 
 from rocksteady import plots
 from rocksteady.errors import InputError
+from rocksteady.show.style.tokens import inks_of
 from tests.show.calibrated import calibrated
 
 
@@ -44,9 +45,12 @@ def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
     lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in axes.lines}
     interval = next(x for label, x in lines.items() if label.startswith("90"))
     assert interval.tolist() == [row["low"], row["high"]]
-    assert lines["the outline's"].tolist() == [row["outline"]] * 2
-    labels = [str(each.get_label()) for each in drawn("p_rad_s").lines]
-    assert "the outline's" not in labels
+    (outline,) = axes.texts
+    assert (outline.get_text(), outline.xy[0]) == ("the outline's", row["outline"])  # type: ignore[attr-defined]
+    (limit,) = [line for line in axes.lines if line.get_color() == inks_of(axes).limit]
+    assert limit.get_linestyle() == "--"
+    assert np.asarray(limit.get_xdata()).tolist() == [row["outline"]] * 2
+    assert not drawn("p_rad_s").texts
 
 
 def test_what_is_not_there_is_refused() -> None:

@@ -18,7 +18,9 @@ def test_points_are_shares_of_tests_by_tenths() -> None:
     expected = [(p[tenth == k].mean(), fell[tenth == k].mean()) for k in np.unique(tenth)]
     (points,) = (each for each in axes.lines if each.get_marker() == "o")
     assert np.column_stack(points.get_data()) == pytest.approx(np.array(expected))
-    counts = [int(text.get_text()) for text in axes.texts]
+    *numbers, diagonal = (text.get_text() for text in axes.texts)
+    assert diagonal == "as predicted"
+    counts = [int(text) for text in numbers]
     assert counts == np.unique(tenth, return_counts=True)[1].tolist()
     heights = [bar.get_height() for bar in axes.patches if isinstance(bar, Rectangle)]
     assert np.array(heights) / max(heights) == pytest.approx(np.array(counts) / max(counts))

@@ -37,6 +37,10 @@ def test_the_block_stands_beside_the_logistic_and_the_base_rate() -> None:
         "logistic on intensity": [row["logistic"].brier[0] for row in curve],
         "base rate": [row["base rate"].brier[0] for row in curve],
     }
+    last = curve[-1]["base rate"].brier[0]
+    (name,) = [text for text in axes.texts if text.get_text().startswith("base")]
+    height = axes.transAxes.transform(name.xy)[1]  # type: ignore[attr-defined]
+    assert axes.transData.inverted().transform((0.0, height))[1] >= last - 1e-9
 
 
 @pytest.mark.parametrize("plot", [plots.temper, plots.learning])

@@ -27,6 +27,7 @@ from rocksteady.risk import (
 )
 from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.style.page import Page
+from rocksteady.show.style.tokens import inks_of
 from tests.every import every
 from tests.show.drawn_figures import texts_of
 
@@ -61,6 +62,11 @@ def entries(drawn: Axes) -> list[str]:
     legend = drawn.get_legend()
     assert legend is not None
     return [text.get_text().replace("\N{NO-BREAK SPACE}", " ") for text in legend.get_texts()]
+
+
+def named(drawn: Axes) -> list[str]:
+    """What stands beside a curve, a line or a band, without its line breaks."""
+    return [" ".join(text.get_text().split()) for text in drawn.texts]
 
 
 def test_points_are_the_shares_with_wilsons_interval_of_as_many_trials_as_records() -> None:
@@ -101,13 +107,56 @@ def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
 def test_the_plain_curve_stands_beside_and_medians_are_named() -> None:
     curve = two_stages()
     words = entries(plots.fragility(curve, axes()))
-    assert f"in two stages, median {curve.median:.3g} g" in words
-    assert rf"one curve, median {curve.plain.median:.3g} g, $\beta$ {curve.plain.beta:.2f}" in words
+    assert f"one curve, median {curve.plain.median:.3g} g, β {curve.plain.beta:.2f}" in words
+
+
+def test_curve_and_median_are_named_beside_them_where_there_is_room() -> None:
+    curve = two_stages()
+    drawn = plots.fragility(curve, axes())
+    assert f"half fall at {curve.median:.3g} g" in named(drawn)
+    assert "fitted curve in two stages" in named(drawn)
+    assert "in two stages" not in entries(drawn)
+    (half,) = [line for line in drawn.lines if len(np.asarray(line.get_xdata())) == 3]
+    assert half.get_xydata()[1] == pytest.approx((curve.median, 0.5))  # type: ignore[index]
+    assert half.get_color() == inks_of(drawn).limit
+    with Page(width_mm=84).figure(6.6, 4.4, "") as figure:
+        narrow = plots.fragility(curve, figure.add_subplot())
+    assert f"half fall at {curve.median:.3g} g" in named(narrow)
+    assert "in two stages" in entries(narrow)
+
+
+def test_a_name_hides_neither_its_curve_nor_a_share() -> None:
+    for found in (two_stages(), two_stages(None), two_stages(None, 1.6), two_stages(0.15, 0.25)):
+        drawn = plots.fragility(found, axes())
+        figure = drawn.get_figure(root=True)
+        assert figure is not None
+        figure.draw_without_rendering()
+        texts = [each for each in drawn.texts if each.get_text().startswith("fitted")]
+        for box in (text.get_window_extent() for text in texts):
+            places = [
+                drawn.transData.transform(np.column_stack(line.get_data()))
+                for line in drawn.lines
+                if line.get_color() == inks_of(drawn).risk or line.get_marker() == "o"
+            ]
+            assert not box.count_contains(np.concatenate(places))
+
+
+def test_probabilities_have_the_hue_of_risk_and_an_axis_from_0_to_100_per_cent() -> None:
+    drawn = plots.fragility(two_stages(), axes())
+    inks = inks_of(drawn)
+    assert {line.get_color() for line in drawn.lines if line.get_linewidth() > 1.5} == {inks.risk}
+    (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
+    assert points.get_color() == inks.observed
+    low, high = drawn.get_ylim()
+    assert low < 0.0
+    assert high > 1.0
+    ticks = [text.get_text() for text in drawn.get_yticklabels()]
+    assert (ticks[0], ticks[-1]) == ("0\N{NO-BREAK SPACE}%", "100\N{NO-BREAK SPACE}%")
 
 
 def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
     gated = plots.fragility(two_stages(), axes())
-    (limit,) = [word for word in entries(gated) if word.startswith("uplift")]
+    (limit,) = [word for word in named(gated) if word.startswith("uplift")]
     below, above = LEVELS[LEVELS <= 0.29][-1], LEVELS[LEVELS > 0.29][0]
     assert limit == f"uplift between {below:.3g} and {above:.3g} g"
     upright = [np.unique(line.get_xdata()) for line in gated.lines]
@@ -117,13 +166,13 @@ def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
         if len(x) == 1 and line.get_marker() == "None"
     ]
     assert below < at < above
-    assert "uplift" in entries(plots.fragility(two_stages(None), axes()))
+    assert "uplift" in named(plots.fragility(two_stages(None), axes()))
 
 
 def test_an_exact_gate_is_drawn_at_its_intensity() -> None:
     fell, labels = [0, 3, 33, 39], ("PGA", "g")
     curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.277, fell, [40] * 4, measure=labels)
-    assert "uplift at 0.277 g" in entries(plots.fragility(curve, axes()))
+    assert "uplift at 0.277 g" in named(plots.fragility(curve, axes()))
 
 
 def test_a_band_is_shaded_over_what_was_run() -> None:
@@ -155,7 +204,7 @@ def test_data_without_a_curve_have_their_points_and_say_so(failures: list[int], 
     drawn = plots.fragility(curve, axes())
     (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
     np.testing.assert_allclose(np.asarray(points.get_ydata()) * 10, failures)
-    shown = " ".join(entries(drawn))
+    shown = " ".join([*entries(drawn), *named(drawn)])
     assert word in shown
     assert "nan" not in shown
 
@@ -194,7 +243,9 @@ def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
     dots = [line for line in drawn.lines if line.get_linestyle() == "None"]
     assert len(dots) == 3
     assert len({line.get_marker() for line in dots}) == 3
-    assert len({str(line.get_color()) for line in dots}) == 3
+    assert {str(line.get_markerfacecolor()) for line in dots} == {inks_of(drawn).observed}
+    curves = [line for line in drawn.lines if line.get_linestyle() == "-"]
+    assert [line.get_color() for line in curves] == inks_of(drawn).series("risk", 3)[::-1]
 
 
 def test_a_fragility_and_its_curves_plot_themselves() -> None:
@@ -207,7 +258,7 @@ def test_a_fragility_and_its_curves_plot_themselves() -> None:
 def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
     found = several()
     assert plots.fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
-    assert plots.fragility(found, axes(), state="uplift").get_ylabel() == "probability of uplift"
+    assert plots.fragility(found, axes(), state="uplift").get_ylabel() == "probability of lifting"
     with pytest.raises(InputError, match="the damage states are uplift, theta/alpha"):
         plots.fragility(found, axes(), state="fallen")
 

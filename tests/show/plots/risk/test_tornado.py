@@ -138,3 +138,10 @@ def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
     ]  # fmt: skip
     with pytest.raises(InputError, match="no ranking"):
         plots.measure_efficiency(ranked(), axes())
+
+
+def test_a_probability_of_falling_has_its_whole_scale() -> None:
+    drawn = plots.tornado([("model", 0.3, 0.44)], 0.4, axes())
+    assert drawn.get_xlim() == pytest.approx((-0.04, 1.04))
+    other = plots.tornado([("model", 0.3, 0.44)], 0.4, axes(), label="largest tilt")
+    assert other.get_xlim()[1] < 0.6

@@ -12,10 +12,9 @@ from rocksteady.risk.facades.check_facade import DAMPINGS
 from rocksteady.risk.facades.facade_check import FacadeCheck, LimitStateCheck
 from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
-from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.tokens import DASHED, DOTTED, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,6 +23,8 @@ MM = 1000.0
 MOST = 1.6
 """Largest demand that is drawn in its place, over d0; a farther one stands at the edge."""
 PERIODS = 300
+STATES = ("SLV", "SLC", "SLD")
+"""Limit states in the order of their shades, the darkest first."""
 
 
 @checked
@@ -83,29 +84,27 @@ def plot_facade_capacity(
     highest = max([a0, *(min(a, 2.0 * a0) for _, a in at_zero)])
     axes.set(xlim=(0.0, 1.12 * widest), ylim=(0.0, 1.2 * highest))
     (curve,) = axes.plot(
-        MM * curved[:, 0], curved[:, 1], color=inks.ink, lw=2.0 * scale,
+        MM * curved[:, 0], curved[:, 1], color=inks.motion, lw=2.0 * scale,
         label=words["capacity_curve"], zorder=3.0,
     )  # fmt: skip
     handles: list[Any] = [curve]
     limits = {"SLV": MM * mechanism.d_slv_m, "SLC": MM * mechanism.d_slc_m}
     periods = {"SLV": mechanism.t_slv_s, "SLC": mechanism.t_slc_s}
     for k, (state, limit) in enumerate(limits.items()):
-        colour, dash = inks.lines[k], palette.DASHES[k + 1]
-        axes.axvline(limit, color=colour, lw=1.0 * scale, ls=dash, zorder=2.0)
-        axes.plot([limit], [mechanism.capacity_g(limit / MM)], "o", color=colour, ms=4.5 * scale,
-                  zorder=3.2)  # fmt: skip
-        handles += _draw_period(axes, words, (state, periods[state], colour), scale)
+        axes.axvline(limit, color=inks.limit, lw=1.0 * scale, ls=DASHED, zorder=2.0)
+        _draw_period(axes, words, (state, periods[state]), inks)
+        colour = inks.series("base", len(STATES))[k]
         handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
         axes.annotate(
             symbol(f"d_{state}"), (limit, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", ha="center", va="bottom", color=colour,
+            textcoords="offset points", ha="center", va="bottom", color=inks.limit,
             fontsize=text_size(axes, 8.0), annotation_clip=False,
         )  # fmt: skip
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
     if at_zero:
         handles += axes.plot(
-            [0.0], [mechanism.linear_g], "o", mfc=inks.paper, mec=inks.ink, ms=6.0 * scale,
+            [0.0], [mechanism.linear_g], "o", mfc=inks.paper, mec=inks.motion, ms=6.0 * scale,
             ls="none", zorder=4.0, clip_on=False, label=words["capacity_linear"],
         )  # fmt: skip
     axes.set(xlabel=words["axis_displacement"], ylabel=words["axis_acceleration"])
@@ -132,16 +131,17 @@ def _accelerations(check: FacadeCheck) -> list[tuple[LimitStateCheck, float]]:
     ]
 
 
-def _draw_period(
-    axes: "Axes", words: Language, state: tuple[str, float, str], scale: float
-) -> Sequence[Any]:
-    """Draw the line of a period through the origin."""
-    name, period, colour = state
+def _draw_period(axes: "Axes", words: Language, state: tuple[str, float], inks: Inks) -> None:
+    """Draw the line of a period through the origin, with its name near its end."""
+    name, period = state
     slope = (2.0 * math.pi / period) ** 2 / STANDARD_GRAVITY / MM
-    return axes.plot(
-        [0.0, axes.get_xlim()[1]], [0.0, slope * axes.get_xlim()[1]], color=colour,
-        lw=0.9 * scale, zorder=2.2,
-        label=words("period_of", symbol=symbol(f"T_{name}"), period=words.quantity(period, "s")),
+    (right, top), size = (axes.get_xlim()[1], axes.get_ylim()[1]), text_size(axes, 8.0)
+    axes.plot([0.0, right], [0.0, slope * right], color=inks.quiet, lw=0.8, ls=DOTTED, zorder=1.9)
+    end = min(right, top / slope)
+    text = words("period_of", symbol=symbol(f"T_{name}"), period=words.quantity(period, "s"))
+    axes.text(
+        0.88 * end, 0.88 * slope * end, text, ha="center", va="center", color=inks.quiet,
+        fontsize=size, zorder=2.1, bbox={"facecolor": inks.paper, "lw": 0.0, "pad": 1.0},
     )  # fmt: skip
 
 
@@ -161,7 +161,7 @@ def _draw_spectrum(
     acceleration = np.array([float(spectrum.sa_g(each, damping)) for each in period.tolist()])
     displacement = MM * STANDARD_GRAVITY * acceleration * (period / (2.0 * np.pi)) ** 2
     return axes.plot(
-        displacement, acceleration, color=colour, lw=1.2 * scale, alpha=0.55, ls=(0, (1, 1)),
+        displacement, acceleration, color=colour, lw=1.2 * scale,
         zorder=1.8, label=words("spectrum_of", state=name, damping=words.number(100.0 * damping)),
     )  # fmt: skip
 
@@ -178,7 +178,7 @@ def _draw_demands(
     handles = []
     for check, state, demand in demands:
         dynamic = check.method == "dynamic"
-        colour = inks.lines[list(periods).index(state)]
+        colour = inks.series("base", len(STATES))[STATES.index(state)]
         slope = (2.0 * math.pi / periods[state]) ** 2 / STANDARD_GRAVITY / MM
         beyond = demand > right
         at = (min(demand, 0.985 * right), 0.0 if dynamic else min(slope * demand, 0.97 * top))
@@ -201,7 +201,7 @@ def _draw_accelerations(
     top = axes.get_ylim()[1]
     handles = []
     for check, demand in demands:
-        colour = inks.lines[2] if check.limit_state == "SLD" else inks.lines[0]
+        colour = inks.series("base", len(STATES))[STATES.index(check.limit_state)]
         handles += axes.plot(
             [0.0], [min(demand, 0.985 * top)], "^" if demand > top else "_", color=colour,
             mew=2.4, ms=11.0 * line_scale(axes), ls="none", zorder=4.0, clip_on=False,

@@ -4,8 +4,8 @@ from rocksteady.risk.facades.facade_check import FacadeCheck
 from rocksteady.show.plots.facades.languages import Language
 
 LOOKS = {
-    True: ("satisfied", "agrees"),
-    False: ("not_satisfied", "differs"),
+    True: ("satisfied", "green"),
+    False: ("not_satisfied", "red"),
     None: ("no_verdict", "open"),
 }
 """Words and look of each outcome of a check."""
@@ -31,7 +31,7 @@ def verdict_of(check: FacadeCheck, words: Language) -> dict[str, str]:
         return {"word": words["no_verdict"], "look": "open"}
     for state in check.states:
         if check.decided(state, True) and check.decided(state, False):
-            return {"word": words["differ"], "look": "raised"}
+            return {"word": words["differ"], "look": "amber"}
     word, look = LOOKS[all(decided)]
     return {"word": words[word], "look": look}
 

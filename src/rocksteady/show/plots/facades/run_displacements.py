@@ -14,7 +14,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -66,6 +66,8 @@ def plot_facade_runs(
     >>> len(plot_facade_runs(runs, Figure().add_subplot()).get_yticks())
     7
     """
+    from matplotlib.patches import Patch
+
     words = language_of(language)
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
@@ -73,30 +75,35 @@ def plot_facade_runs(
     count = len(runs.directions)
     thick = 0.74 / count
     handles: list[Any] = []
+    falls: dict[str, Any] = {"facecolor": inks.falls, "hatch": HATCHES["falls"]}
     for k, sign in enumerate(runs.directions):
-        colour = (inks.lines[0], inks.sweeps[0])[k]
+        colour = inks.rocks_ramp[(3, 1)[k]]
         at = np.arange(len(names)) + (k - 0.5 * (count - 1)) * thick
-        handles.append(
-            axes.barh(
-                at, np.where(over[:, k], EDGE, shares[:, k]), height=0.9 * thick, color=colour,
-                lw=0.0, label=words[f"sign_{sign}"],
-            )
-        )  # fmt: skip
+        edge: dict[str, Any] = {"edgecolor": inks.edge, "lw": 0.4}
+        lengths = np.where(over[:, k], EDGE, shares[:, k])
+        bars = axes.barh(at, lengths, height=0.9 * thick, color=colour, **edge)
+        handles.append(Patch(facecolor=colour, label=words[f"sign_{sign}"], **edge))
+        for bar, fallen in zip(bars, over[:, k], strict=True):
+            if fallen:
+                bar.set(**falls)
         beyond = at[over[:, k]]
         axes.plot(
-            np.full(len(beyond), EDGE), beyond, ">", color=colour, ms=6.0, ls="none", clip_on=False
-        )
-    for k, (name, share) in enumerate(LIMITS):
-        axes.axvline(share, color=inks.ink, lw=1.0, ls=palette.DASHES[k + 1], zorder=3.0)
+            np.full(len(beyond), EDGE), beyond, ">", color=inks.falls, mec=inks.edge, ms=6.0,
+            ls="none", clip_on=False,
+        )  # fmt: skip
+    if over.any():
+        handles.append(Patch(label=words["beyond_all"], **edge, **falls))
+    for name, share in LIMITS:
+        axes.axvline(share, color=inks.limit, lw=1.0, ls=DASHED, zorder=3.0)
         axes.annotate(
             symbol(name), (share, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
             textcoords="offset points", ha="center", va="bottom", annotation_clip=False,
-            fontsize=text_size(axes, 8.0), color=inks.ink,
+            fontsize=text_size(axes, 8.0), color=inks.limit,
         )  # fmt: skip
     mean = math.inf if runs.mean_m is None else runs.mean_m / runs.facade.mechanism.d0_m
     if math.isfinite(mean):
         label = words("mean_largest", share=words.number(mean))
-        handles.append(axes.axvline(mean, color=inks.impact, lw=1.8, zorder=3.2, label=label))
+        handles.append(axes.axvline(mean, color=inks.motion, lw=1.8, zorder=3.2, label=label))
     axes.set_yticks(range(len(names)), [literal(palette.shortened(name, 24)) for name in names])
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")

@@ -12,7 +12,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import size_of, text_size
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.tokens import DASHED, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -87,11 +87,11 @@ def plot_facade_section(
     _write(axes, left, (-1.15 * reach, "right"), apart, inks)
     _write(axes, right, (thick + 1.15 * reach, "left"), apart, inks)
     inset = facade.hinge_inset_m
-    axes.plot([inset], [0.0], "^", ms=8.0, color=inks.impact, zorder=5.0, clip_on=False)
+    axes.plot([inset], [0.0], "^", ms=8.0, color=inks.ink, zorder=5.0, clip_on=False)
     axes.annotate(
         words["hinge"], (inset, 0.0), (-1.15 * reach, 0.03 * high), ha="right", va="center",
-        fontsize=text_size(axes, 8.0), color=inks.impact,
-        arrowprops={"arrowstyle": "-", "color": inks.impact, "lw": 0.6, "shrinkB": 4.0},
+        fontsize=text_size(axes, 8.0), color=inks.ink,
+        arrowprops={"arrowstyle": "-", "color": inks.edge, "lw": 0.6, "shrinkB": 4.0},
     )  # fmt: skip
     axes.set_aspect("equal", adjustable="box")
     axes.set(
@@ -114,15 +114,14 @@ def _draw_surroundings(axes: "Axes", facade: Facade, inks: Inks) -> None:
     ground = (-BESIDE * high, -GROUND * high)
     axes.add_patch(
         Rectangle(
-            ground, thick + 2.0 * BESIDE * high, GROUND * high, facecolor="none",
-            edgecolor=inks.faint, hatch="////", lw=0.0, zorder=0.6,
+            ground, thick + 2.0 * BESIDE * high, GROUND * high, facecolor=inks.soil,
+            lw=0.0, zorder=0.6,
         )
     )  # fmt: skip
     axes.axhline(0.0, color=inks.ink, lw=1.0, zorder=0.8)
     if facade.one_sided:
         axes.add_patch(
-            Rectangle((thick, 0.0), 0.07 * high, high, facecolor="none", edgecolor=inks.faint,
-                      hatch="....", lw=0.0, zorder=0.6)
+            Rectangle((thick, 0.0), 0.07 * high, high, facecolor=inks.hair, lw=0.0, zorder=0.6)
         )  # fmt: skip
 
 
@@ -133,7 +132,7 @@ def _draw_body(axes: "Axes", facade: Facade, inks: Inks) -> None:
     axes.add_patch(
         Rectangle(
             (0.0, 0.0), facade.thickness_m, facade.height_m,
-            facecolor=palette.tinted(palette.BLOCK, 0.6), edgecolor=inks.ink, lw=1.1, zorder=2.0,
+            facecolor=inks.rest, edgecolor=inks.ink, lw=1.1, zorder=2.0,
         )
     )  # fmt: skip
 
@@ -149,7 +148,7 @@ def _draw_leaning(axes: "Axes", facade: Facade, inks: Inks) -> None:
     turned = [
         (inset + (x - inset) * cos - z * sin, (x - inset) * sin + z * cos) for x, z in corners
     ]
-    axes.plot(*zip(*turned, strict=True), color=inks.faint, lw=0.9, ls=(0, (4, 3)), zorder=1.5)
+    axes.plot(*zip(*turned, strict=True), color=inks.quiet, lw=0.9, ls=DASHED, zorder=1.5)
 
 
 Label = tuple[str, float, tuple[float, float]]
@@ -165,8 +164,8 @@ def _labels_of(
     left: list[Label] = []
     right: list[Label] = []
 
-    def arrow(start: tuple[float, float], end: tuple[float, float], colour: str) -> None:
-        style = {"arrowstyle": "-|>", "color": colour, "lw": 1.4, "shrinkA": 0.0, "shrinkB": 0.0}
+    def arrow(start: tuple[float, float], end: tuple[float, float]) -> None:
+        style = {"arrowstyle": "-|>", "color": inks.ink, "lw": 1.4, "shrinkA": 0.0, "shrinkB": 0.0}
         axes.annotate("", end, start, arrowprops={**style, "mutation_scale": 9.0}, zorder=4.0)
 
     def name(text: str, force: float) -> str:
@@ -179,17 +178,17 @@ def _labels_of(
     left.append((f"{words[facade.kind]}\n{weight}", centre[1], centre))
     for load in facade.loads:
         tail = (load.x_m, load.z_m + reach)
-        arrow(tail, (load.x_m, load.z_m), inks.lines[0])
+        arrow(tail, (load.x_m, load.z_m))
         left.append((name(load.name, load.weight_kn), tail[1], tail))
     for mass in facade.masses:
-        arrow((0.0, mass.z_m), (-reach, mass.z_m), inks.lines[3])
-        axes.plot([0.5 * thick], [mass.z_m], "s", ms=6.0, mfc="none", mec=inks.lines[3], zorder=4.5)
+        arrow((0.0, mass.z_m), (-reach, mass.z_m))
+        axes.plot([0.5 * thick], [mass.z_m], "s", ms=6.0, mfc="none", mec=inks.ink, zorder=4.5)
         left.append((name(mass.name, mass.weight_kn), mass.z_m, (-reach, mass.z_m)))
     for tie in facade.ties:
-        arrow((thick, tie.z_m), (thick + reach, tie.z_m), inks.lines[2])
+        arrow((thick, tie.z_m), (thick + reach, tie.z_m))
         right.append((name(tie.name, tie.force_kn), tie.z_m, (thick + reach, tie.z_m)))
     for thrust in facade.thrusts:
-        arrow((thick + reach, thrust.z_m), (thick, thrust.z_m), inks.lines[1])
+        arrow((thick + reach, thrust.z_m), (thick, thrust.z_m))
         right.append((name(thrust.name, thrust.force_kn), thrust.z_m, (thick + reach, thrust.z_m)))
     return left, right
 
@@ -203,7 +202,7 @@ def _write(
     for text, wanted, point in sorted(labels, key=lambda label: label[1]):
         z = max(wanted, lowest)
         lowest = z + apart
-        style = {"arrowstyle": "-", "color": inks.faint, "lw": 0.6, "shrinkA": 1.0, "shrinkB": 3.0}
+        style = {"arrowstyle": "-", "color": inks.edge, "lw": 0.6, "shrinkA": 1.0, "shrinkB": 3.0}
         axes.annotate(
             text, point, (x, z), ha=side, va="center", fontsize=text_size(axes, 8.0),
             color=inks.ink, arrowprops=style, linespacing=1.15, zorder=5.0,

@@ -7,15 +7,16 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
-from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+INNER = 0.5
+"""Opacity of the darker part of the region."""
 PLAIN = 1e-3
 """Weight of a record below which its line is faint alone."""
 
@@ -71,7 +72,7 @@ def plot_back_analysis(
     up = first[:, np.newaxis] * analysis.ratios
     axes.set(xscale="log", yscale="log")
     lines = first[:, np.newaxis] * (analysis.values_at_one[:, 1] / analysis.values_at_one[:, 0])
-    axes.plot(first, lines, color=inks.faint, lw=0.5, alpha=0.55, zorder=1.0)
+    axes.plot(first, lines, color=inks.edge, lw=0.5, alpha=0.55, zorder=1.0)
     top = float(analysis.density.max())
     inner = analysis.inner_threshold
     edges = sorted({min(analysis.threshold, 0.999 * top), min(inner, 0.9995 * top)})
@@ -80,13 +81,10 @@ def plot_back_analysis(
         up,
         analysis.density,
         levels=[*edges, 1.001 * top],
-        colors=[palette.SYMMETRIC, palette.LINK][-len(edges) :],
-        alpha=0.55,
-        zorder=1.5,
+        colors=[(inks.base, DOUBT), (inks.base, INNER)][-len(edges) :],
+        zorder=0.9,
     )
-    axes.contour(
-        across, up, analysis.density, levels=edges[:1], colors=[inks.lines[0]], linewidths=1.2
-    )
+    axes.contour(across, up, analysis.density, levels=edges[:1], colors=[inks.base], linewidths=1.2)
     filled.set_linewidth(0.0)
     # Dots at the middles of the scales: all of one record weigh as much as the record.
     step = max(1, len(first) // 40)
@@ -97,7 +95,7 @@ def plot_back_analysis(
         first[::step][columns],
         lines[::step][columns, rows],
         s=14.0 * parts[shown] / parts.max(),
-        color=inks.number,
+        color=inks.quiet,
         lw=0.0,
         zorder=2.5,
     )
@@ -109,7 +107,7 @@ def plot_back_analysis(
         marker="D",
         ms=6.5,
         mfc=inks.paper,
-        mec=inks.lines[1],
+        mec=inks.ink,
         mew=1.8,
         zorder=3.0,
         label="medians",
@@ -130,18 +128,18 @@ def plot_back_analysis(
     percent = number(100.0 * analysis.confidence)
     handles = [
         Patch(
-            facecolor=palette.SYMMETRIC,
-            alpha=0.55,
+            facecolor=(inks.base, DOUBT),
+            lw=0.0,
             label=f"region of {percent} %" if certain else "chance above 0.1",
         ),
         Patch(
-            facecolor=palette.LINK,
-            alpha=0.55,
+            facecolor=(inks.base, INNER),
+            lw=0.0,
             label="half of the weight" if certain else "chance above 0.5",
         ),
         *([middle] if certain else []),
-        Line2D([], [], color=inks.faint, lw=0.8, label="a record at all scales"),
-        Line2D([], [], ls="none", marker="o", ms=4.0, color=inks.number, label="scales that agree"),
+        Line2D([], [], color=inks.edge, lw=0.8, label="a record at all scales"),
+        Line2D([], [], ls="none", marker="o", ms=4.0, color=inks.quiet, label="scales that agree"),
     ]
     draw_legend(axes, place, handles=handles, gap=44.0)
     return axes

@@ -17,7 +17,7 @@ from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.plots.observations._rows import CROWDED, name_rows
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.tokens import Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,6 +27,8 @@ MOST = 40
 """Rows of a picture."""
 TALL = 0.36
 """Half the height of a strip, in rows."""
+STEPS = 5
+"""Shades of the predicted probability."""
 APART = 1.12
 """Least factor by which a picture goes beyond the smallest and the largest gain."""
 
@@ -180,23 +182,15 @@ def _draw_strips(
         for left, right, p in zip(edges[:-1], edges[1:], mean.tolist(), strict=True):
             top, foot = row - TALL, row + TALL
             boxes.append([(left, top), (right, top), (right, foot), (left, foot)])
-            shades.append(_shade(p, inks))
-    strips = PolyCollection(boxes, facecolors=shades, edgecolors=inks.grid, lw=0.4, zorder=1.5)
+            shades.append(inks.risk_ramp[min(int(STEPS * p), STEPS - 1)])
+    strips = PolyCollection(boxes, facecolors=shades, edgecolors=inks.edge, lw=0.3, zorder=1.5)
     axes.add_collection(strips, autolim=False)
-
-
-def _shade(p: float, inks: Inks) -> str:
-    """Return the shade of a probability, from that of the paper to full."""
-    from matplotlib.colors import to_hex, to_rgb
-
-    full, paper = to_rgb(inks.sweeps[1]), to_rgb(inks.paper)
-    part = 0.9 * p
-    red, green, blue = (part * f + (1.0 - part) * w for f, w in zip(full, paper, strict=True))
-    return to_hex((red, green, blue))
 
 
 def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) -> list[Any]:
     """Draw outcomes, and rings about unexpected ones; return their entries."""
+    from matplotlib.patheffects import withStroke
+
     x, y, fell, missed = [], [], [], []
     for row, rung in enumerate(rungs):
         for level in np.unique(rung.at):
@@ -208,25 +202,35 @@ def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) ->
             fell += rung.fell[places].tolist()
             missed += ((rung.p[places] >= 0.5) != rung.fell[places]).tolist()
     across, up, down, wrong = np.array(x), np.array(y), np.array(fell), np.array(missed)
-    mark = (5.0 if len(rungs) <= CROWDED else 4.2) * size
+    mark = (5.5 if len(rungs) <= CROWDED else 4.6) * size
     entries = []
-    for which, face, words in ((down, inks.ink, "fell"), (~down, inks.paper, "stood")):
+    # A dot is seen on any shade: where it is dark its edge is not.
+    for which, face, edge, words in (
+        (down, inks.observed, inks.paper, "fell"),
+        (~down, inks.paper, inks.observed, "stood"),
+    ):
         entries += axes.plot(
-            across[which], up[which], "o", ms=mark, color=face, mec=inks.ink, mew=0.8, label=words,
+            across[which], up[which], "o", ms=mark, color=face, mec=edge, mew=0.9, label=words,
             zorder=3.0,
         )  # fmt: skip
     rings = axes.plot(
-        across[wrong], up[wrong], "o", ms=2.0 * mark, mfc="none", mec=inks.lines[0],
+        across[wrong], up[wrong], "o", ms=2.0 * mark, mfc="none", mec=inks.observed,
         mew=1.4 * size, label="not expected", zorder=3.2,
+        path_effects=[withStroke(linewidth=1.4 * size + 2.0, foreground=inks.paper)],
     )  # fmt: skip
     return [*entries, *(rings if wrong.any() else [])]
 
 
 def _shades(inks: Inks) -> list[Any]:
-    """Return entries of the legend for three shades."""
+    """Return entries of the legend for the steps of the predicted probability."""
     from matplotlib.patches import Patch
 
     return [
-        Patch(facecolor=_shade(p, inks), edgecolor=inks.grid, lw=0.4, label=f"p = {p:g}")
-        for p in (0.05, 0.5, 0.95)
+        Patch(
+            facecolor=colour,
+            edgecolor=inks.edge,
+            lw=0.4,
+            label=f"{'' if step else 'predicted '}{20 * step} to {20 * step + 20} %",
+        )
+        for step, colour in enumerate(inks.risk_ramp)
     ]

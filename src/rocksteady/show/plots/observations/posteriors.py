@@ -11,8 +11,8 @@ from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
+from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -110,38 +110,34 @@ def plot_posterior(
     after, _ = np.histogram(values, edges, weights=posterior.weights, density=True)
     before, _ = np.histogram(values, edges, weights=posterior.prior_weights, density=True)
     bars = axes.stairs(
-        after, edges, fill=True, color=inks.lines[0], alpha=0.35, lw=0.0, label="after the tests",
+        after, edges, fill=True, color=inks.motion, alpha=DOUBT, lw=0.0, label="after the tests",
         zorder=2.0,
     )  # fmt: skip
-    axes.stairs(after, edges, color=inks.lines[0], lw=1.0 * size, zorder=2.4)
+    axes.stairs(after, edges, color=inks.motion, lw=1.2 * size, zorder=2.4)
     line = axes.stairs(
-        before, edges, color=inks.number, lw=1.1 * size, ls=(0, (4.0, 2.0)), label="before them",
+        before, edges, color=inks.quiet, lw=1.1 * size, ls=DASHED, label="before them",
         zorder=2.6,
     )  # fmt: skip
     top = float(max(after.max(), before.max()))
     height = -0.06 * top
     ends = [row["low"], row["high"]] if known else []
     (interval,) = axes.plot(
-        ends, [height] * len(ends), color=inks.lines[0], lw=3.2 * size, solid_capstyle="butt",
+        ends, [height] * len(ends), color=inks.motion, lw=3.2 * size, solid_capstyle="butt",
         label="90\N{NO-BREAK SPACE}% interval and median" if known else NOT_IDENTIFIED, zorder=3.0,
     )  # fmt: skip
     axes.plot(
         [row["median"]] if known else [], [height] if known else [], "o", ms=5.0 * size,
-        color=inks.paper, mec=inks.lines[0], mew=1.4 * size, zorder=3.2,
+        color=inks.paper, mec=inks.motion, mew=1.4 * size, zorder=3.2,
     )  # fmt: skip
     handles = [bars, line, interval]
     outline = row.get("outline")
     if outline is not None and np.isfinite(outline):
-        handles.append(
-            axes.axvline(
-                outline,
-                color=inks.ink,
-                lw=1.2 * size,
-                ls=(0, (1.0, 1.5)),
-                label="the outline's",
-                zorder=2.8,
-            )
-        )
+        axes.axvline(outline, color=inks.limit, lw=1.0 * size, ls=DASHED, zorder=2.8)
+        axes.annotate(
+            "the outline's", (outline, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+            textcoords="offset points", ha="center", va="bottom", color=inks.limit,
+            fontsize=text_size(axes, 8.0), annotation_clip=False,
+        )  # fmt: skip
     axes.set(
         xlabel=AXIS.get(parameter, parameter.replace("_m", " [m]").replace("_", " ")),
         ylabel="density",

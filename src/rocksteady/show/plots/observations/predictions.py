@@ -8,9 +8,9 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.show.plots.observations._rows import name_rows
 from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.layout import axes_or_new, percent_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
+from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,25 +65,31 @@ def plot_predictions(
     few = len(order) <= NAMED
     at = np.arange(len(order))
     band = axes.hlines(
-        at, low[order], high[order], color=inks.lines[0], lw=(3.0 if few else 1.2) * size,
-        alpha=0.35, label="90\N{NO-BREAK SPACE}% of the draws", zorder=2.0,
+        at, low[order], high[order], color=inks.risk, lw=(5.0 if few else 1.6) * size,
+        alpha=DOUBT, label="90\N{NO-BREAK SPACE}% of the draws", zorder=2.0,
     )  # fmt: skip
     outcomes = [predictions.fell[place_] for place_ in order.tolist()]
     handles = []
     for outcome, face, shape, words in (
-        (True, inks.ink, "o", "fell"),
+        (True, inks.observed, "o", "fell"),
         (False, inks.paper, "o", "stood"),
-        (None, inks.lines[0], "D", "predicted"),
+        (None, inks.risk, "D", "predicted"),
     ):
         which = np.array([each is outcome for each in outcomes])
         if which.any():
             handles += axes.plot(
                 p[order][which], at[which], shape, ms=(5.0 if few else 3.0) * size, color=face,
-                mec=inks.paper if outcome is None else inks.ink, mew=0.7, label=words, ls="none",
-                zorder=3.0,
+                mec=inks.paper if outcome is None else inks.observed, mew=0.8, label=words,
+                ls="none", zorder=3.0,
             )  # fmt: skip
-    axes.axvline(0.5, color=inks.faint, lw=0.8, ls=(0, (4.0, 2.0)), zorder=1.5)
-    axes.set(xlim=(-0.02, 1.02), ylim=(len(order) - 0.4, -0.6), xlabel=palette.LABELS["falling"])
+    axes.axvline(0.5, color=inks.limit, lw=0.8, ls=DASHED, zorder=1.5)
+    axes.annotate(
+        "even chance", (0.5, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+        textcoords="offset points", ha="center", va="bottom", color=inks.limit,
+        fontsize=text_size(axes, 8.0), annotation_clip=False,
+    )  # fmt: skip
+    axes.set(ylim=(len(order) - 0.4, -0.6), xlabel=palette.LABELS["falling"])
+    percent_ticks(axes, "x")
     if few:
         name_rows(axes, [predictions.test[each] for each in order.tolist()])
     else:

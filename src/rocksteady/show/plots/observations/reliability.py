@@ -7,7 +7,7 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.plots.observations._validated import checked_validation
-from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.layout import axes_or_new, percent_ticks
 from rocksteady.show.style.legends import (
     LegendPlace,
     draw_legend,
@@ -15,7 +15,7 @@ from rocksteady.show.style.legends import (
     place_of,
     text_size,
 )
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -79,7 +79,7 @@ def plot_reliability(
         top,
         bottom=FOOT,
         width=0.92 * (last - first),
-        color=inks.faint,
+        color=inks.edge,
         alpha=0.35,
         lw=0.0,
         label="number of tests",
@@ -88,24 +88,25 @@ def plot_reliability(
     for x, height, words in zip(middle, FOOT + top, count.astype(int), strict=True):
         axes.annotate(
             str(words), (x, height), (0.0, 1.5), textcoords="offset points", ha="center",
-            va="bottom", fontsize=text_size(axes, 7.5), color=inks.number, zorder=3.5,
+            va="bottom", fontsize=text_size(axes, 7.5), color=inks.quiet, zorder=3.5,
         )  # fmt: skip
-    (even,) = axes.plot(
-        [0.0, 1.0], [0.0, 1.0], color=inks.faint, lw=1.0, ls=(0, (4.0, 2.0)), label="as predicted",
-        zorder=2.0,
-    )  # fmt: skip
-    axes.vlines(at, low, high, color=inks.lines[0], lw=1.4 * size, alpha=0.6, zorder=2.6)
+    axes.plot([0.0, 1.0], [0.0, 1.0], color=inks.limit, lw=1.0, ls=DASHED, zorder=2.0)
+    axes.vlines(at, low, high, color=inks.observed, lw=1.0 * size, zorder=2.6)
     (points,) = axes.plot(
-        at, share, "o", ms=5.5 * size, color=inks.lines[0], mec=inks.paper, mew=0.6,
+        at, share, "o", ms=5.5 * size, color=inks.observed, mec=inks.paper, mew=0.6,
         label="share that fell, 90\N{NO-BREAK SPACE}% interval",
         zorder=3.0,
     )  # fmt: skip
+    percent_ticks(axes, "x")
+    percent_ticks(axes, "y")
     axes.set(
-        xlim=(-0.02, 1.02),
         ylim=(FOOT, 1.04),
-        yticks=np.linspace(0.0, 1.0, 6),
         xlabel="predicted probability of falling, held out",
         ylabel="share that fell",
     )
-    draw_legend(axes, place, handles=[points, even, bars], corner="upper left")
+    axes.annotate(
+        "as predicted", (1.0, 1.0), (4.0, 0.0), textcoords="offset points", va="center",
+        color=inks.limit, fontsize=text_size(axes, 8.0), annotation_clip=False,
+    )  # fmt: skip
+    draw_legend(axes, place, handles=[points, bars], corner="upper left")
     return axes

@@ -12,7 +12,7 @@ from rocksteady.show.plots.observations._rows import name_rows
 from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -88,21 +88,21 @@ def plot_residuals(
     residual = np.array([each["fell"] - each["expected"] for each in rows], dtype=np.float64)
     half = 1.645 * np.array([each["deviation"] for each in rows])
     range_ = axes.barh(
-        at, 2.0 * half, left=-half, height=0.5, color=inks.faint, alpha=0.3, lw=0.0,
+        at, 2.0 * half, left=-half, height=0.5, color=inks.edge, alpha=DOUBT, lw=0.0,
         label="90\N{NO-BREAK SPACE}% by chance", zorder=1.6,
     )  # fmt: skip
     beyond = np.abs(residual) > half
     handles = []
-    for which, colour, words in (
-        (~beyond, inks.ink, LABEL),
-        (beyond, inks.lines[1], "beyond that"),
+    for which, face, words in (
+        (~beyond, inks.paper, LABEL),
+        (beyond, inks.observed, "beyond that"),
     ):
         if which.any():
             handles += axes.plot(
-                residual[which], at[which], "o", ms=5.0 * size, color=colour, mec=inks.paper,
-                mew=0.5, label=words, zorder=3.0,
+                residual[which], at[which], "o", ms=5.0 * size, color=face, mec=inks.observed,
+                mew=0.9, label=words, zorder=3.0,
             )  # fmt: skip
-    axes.axvline(0.0, color=inks.ink, lw=0.8, zorder=2.0)
+    axes.axvline(0.0, color=inks.edge, lw=0.8, zorder=2.0)
     reach = 1.1 * max(float(np.abs(residual).max()), float(half.max()), 1e-3)
     axes.set(xlabel=LABEL, xlim=(-reach, reach))
     name_rows(axes, [each["name"] for each in rows], [f" ({each['tests']})" for each in rows])

@@ -7,11 +7,11 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
-from rocksteady.show.style import palette
+from rocksteady.show.plots.observations._ends import name_ends
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.tokens import DASHED, DOUBT, MARKS, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,8 +85,8 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
         axes.plot(
             count,
             np.asarray(release.peaks_rad) / alpha,
-            palette.MARKS[series % len(palette.MARKS)],
-            color=inks.lines[series % len(inks.lines)],
+            MARKS[series % len(MARKS)],
+            color=inks.observed,
             ms=5.0,
             mec=inks.paper,
             mew=0.6,
@@ -96,24 +96,30 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
         )
     first = fit.releases[0]
     count = _impact_numbers(first.sides)
-    axes.plot(count, fit.peaks_of(first) / alpha, color=inks.ink, label="fit")
+    fitted = fit.peaks_of(first) / alpha
+    axes.plot(count, fitted, color=inks.motion)
+    named = [(float(fitted[-1]), "fit", inks.motion)]
     ends = [fit.peaks_of(first, tuple(min(e, 1.0) for e in pair)) for pair in (fit.low, fit.high)]
     axes.fill_between(
-        count, ends[0] / alpha, ends[1] / alpha, color=inks.ink, alpha=0.18, lw=0.0, label="90 %"
+        count,
+        ends[0] / alpha,
+        ends[1] / alpha,
+        color=inks.motion,
+        alpha=DOUBT,
+        lw=0.0,
+        label="90 % band",
     )
     if fit.housner is not None:
-        axes.plot(
-            count,
-            fit.peaks_of(first, fit.housner) / alpha,
-            color=inks.ink,
-            ls=palette.DASHES[1],
-            label="Housner",
-        )
+        predicted = fit.peaks_of(first, fit.housner) / alpha
+        axes.plot(count, predicted, color=inks.limit, lw=1.0, ls=DASHED)
+        named.append((float(predicted[-1]), "Housner", inks.limit))
     low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
     axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
     axes.set_xlim(left=-0.02 * max(count[-1], 1))
     axes.locator_params(axis="x", integer=True)
     plain_ticks(axes)
+    axes.set_xlim(right=count[-1] if len(fit.releases) == 1 else None)
+    name_ends(axes, named)
 
 
 def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
@@ -126,29 +132,33 @@ def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
             [each.peak_rad / alpha for each in mine],
             [each.restitution for each in mine],
             [each.measuring_error for each in mine],
-            fmt=palette.MARKS[series % len(palette.MARKS)],
-            color=inks.lines[series % len(inks.lines)],
-            ecolor=inks.faint,
-            elinewidth=0.9,
+            fmt=MARKS[series % len(MARKS)],
+            color=inks.observed,
+            ecolor=inks.observed,
+            elinewidth=0.8,
             ms=5.0,
             mec=inks.paper,
             mew=0.6,
             zorder=3.0,
             label=literal(name) if series < MOST_NAMED else None,
         )
+    named: list[tuple[float, str, str]] = []
     same = fit.restitution[0] == fit.restitution[1]
     for k in (0,) if same else (0, 1):
         e = fit.restitution[k]
         side = "" if same else (", from +", ", from \N{MINUS SIGN}")[k]
-        axes.axhline(e, color=inks.ink, ls=palette.DASHES[2 * k], label=f"fit {number(e)}{side}")
-        axes.axhspan(e - fit.scatter, e + fit.scatter, color=inks.ink, alpha=0.12, lw=0.0)
+        axes.axhline(e, color=inks.motion)
+        named.append((e, f"fit {number(e)}{side}", inks.motion))
+        axes.axhspan(
+            e - fit.scatter, e + fit.scatter, color=inks.motion, alpha=DOUBT, lw=0.0,
+            label=None if k else "scatter",
+        )  # fmt: skip
         if fit.housner is not None:
-            label = f"Housner {number(fit.housner[k])}{side}"
-            axes.axhline(
-                fit.housner[k], color=inks.faint, ls=palette.DASHES[1 + 2 * k], label=label
-            )
+            axes.axhline(fit.housner[k], color=inks.limit, lw=1.0, ls=DASHED)
+            named.append((fit.housner[k], f"Housner {number(fit.housner[k])}{side}", inks.limit))
     axes.set(xlabel=r"peak before, $\theta/\alpha$", ylabel="restitution e")
     axes.set_xlim(left=0.0)
+    name_ends(axes, named)
 
 
 def _impact_numbers(sides: object) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":

@@ -7,11 +7,11 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.plots.observations._ends import name_ends
 from rocksteady.show.plots.observations._validated import checked_validation
-from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ RULES = {
     "logistic": "logistic on intensity",
     "base rate": "base rate",
 }
-"""Entries of the legend by the rules of a learning curve."""
+"""Names of the rules of a learning curve."""
 
 
 @checked
@@ -83,9 +83,9 @@ def plot_temper(
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     at = np.array(sorted(tried))
     value, low, high = np.array([getattr(tried[each], score) for each in at.tolist()]).T
-    axes.fill_between(at, low, high, color=inks.lines[0], alpha=0.15, lw=0.0, zorder=1.6)
+    axes.fill_between(at, low, high, color=inks.motion, alpha=DOUBT, lw=0.0, zorder=1.6)
     (line,) = axes.plot(
-        at, value, "o-", ms=3.5 * size, color=inks.lines[0], lw=1.2 * size, zorder=2.4,
+        at, value, "o-", ms=3.5 * size, color=inks.motion, lw=1.2 * size, zorder=2.4,
         label="score, 90\N{NO-BREAK SPACE}% band",
     )  # fmt: skip
     handles = [line]
@@ -128,7 +128,8 @@ def plot_learning(
     score
         "accuracy" (default), "f1", "brier", "log_score" or "ece".
     legend
-        "inside" the axes, to their "right", "below" them (default) or "none".
+        "inside" the axes, to their "right" or "below" them; "none" by default, with the lines named
+        at their ends.
 
     Returns
     -------
@@ -162,19 +163,27 @@ def plot_learning(
             "calibration", Words("has no learning curve"), "it takes several groups", "add tests"
         )
     axes = axes_or_new(ax)
-    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "none"), line_scale(axes)
     at = np.array([each["groups"] for each in curve], dtype=np.float64)
-    handles = []
-    for row, (kind, words) in enumerate(RULES.items()):
-        handles += axes.plot(
-            at, [getattr(each[kind], score)[0] for each in curve], marker="os^"[row], ms=4.0 * size,
-            color=inks.lines[row], lw=1.4 * size, ls=palette.DASHES[row], label=words, zorder=2.6,
+    ends = []
+    for role, mark, (kind, words) in zip(
+        ("motion", "quiet", "edge"), "os^", RULES.items(), strict=True
+    ):
+        values, colour = [getattr(each[kind], score)[0] for each in curve], getattr(inks, role)
+        axes.plot(
+            at, values, marker=mark, ms=4.0 * size, color=colour, lw=1.4 * size, label=words,
+            zorder=2.6,
         )  # fmt: skip
+        ends.append((float(values[-1]), words.replace(" ", "\n", 1), colour))
     if at.max() > 4.0 * at.min():
         axes.set_xscale("log")
         plain_ticks(axes)
+    else:
+        axes.locator_params(axis="x", integer=True)
     axes.set(xlabel="groups learnt from", ylabel=AXIS[score])
-    draw_legend(axes, place, handles=handles)
+    if place == "none":
+        name_ends(axes, ends)
+    draw_legend(axes, place)
     return axes
 
 

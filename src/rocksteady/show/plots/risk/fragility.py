@@ -1,6 +1,7 @@
 """Plots of fragility: shares of runs and curves, of a damage state or of all."""
 
 import math
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -15,30 +16,44 @@ from rocksteady.results.doubts import marked
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.seismic.measures.scalar import GIVEN
 from rocksteady.show.plots.risk._words import greek
-from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.style.layout import (
+    axes_or_new,
+    percent_ticks,
+    plain_ticks,
+    spaced_by_ratio,
+)
 from rocksteady.show.style.legends import (
+    LETTER,
+    SMALL,
     LegendPlace,
     draw_legend,
+    figure_of,
     line_scale,
     place_of,
+    size_of,
+    text_size,
 )
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.tokens import DASHED, DOTTED, DOUBT, MARKS, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Curve = FragilityCurve | TwoStageCurve
 
-SAMPLES = 400
+SAMPLES = 120
 """Points of a curve."""
+NOT_RUN = 0.14
+"""Opacity of the shade over intensities that were not run."""
 BEYOND = 1.35
 """Factor by which a picture goes beyond the intensities that were run."""
-EVENTS = {"uplift": "uplift", "overturned": "overturning"}
-"""What damage states are called after "probability of"."""
+EVENTS = {"uplift": ("lifting", "lift"), "overturned": ("falling", "fall")}
+"""What damage states are called after "probability of" and after "half"."""
+HEIGHTS = (0.78, 0.7, 0.62, 0.54, 0.46, 0.38, 0.3, 0.22, 0.14)
+"""Probabilities beside which the name of a curve or a band may stand, in order of preference."""
 NO_CURVE = {
     "never": "never in any run",
     "always": "in every run",
@@ -125,22 +140,22 @@ def plot_fragility(
     inks, place = inks_of(axes), place_of(axes, legend, "below")
     limits = _prepare(axes, [shown])
     size = line_scale(axes)
-    band = _draw_band(axes, shown.best, limits, inks)
-    handles: list[Any] = []
-    if shown.plain is not shown.best:
-        thin = {"color": inks.lines[1], "lw": 1.0 * size, "zorder": 2.6}
-        handles += _draw_curve(axes, shown.plain, limits, _words(shown.plain, "one curve"), thin)
-    thick = {"color": inks.lines[0], "lw": 2.0 * size, "zorder": 2.8}
-    words = "in two stages" if isinstance(shown.best, TwoStageCurve) else shown.plain.family
-    handles[:0] = _draw_curve(axes, shown.best, limits, _words(shown.best, words), thick)
-    if band is not None:
-        handles.append(band)
-    handles += _draw_gate(axes, shown.best, limits, inks)
-    handles += _draw_beyond(axes, shown.best, limits, inks)
     points = _draw_points(axes, shown, inks, size)
-    handles = [points, *handles] if points is not None else handles
+    handles: list[Any] = [] if points is None else [points]
+    thick = {"color": inks.risk, "lw": 2.0 * size, "zorder": 2.8}
+    words = "in two stages" if isinstance(shown.best, TwoStageCurve) else shown.plain.family
+    named = _draw_half(axes, shown, limits, inks)
+    entries = _draw_curve(axes, shown.best, limits, _words(shown.best, words, named), thick)
+    entries += _draw_band(axes, shown.best, limits, inks)
+    if place == "none" or not _name_beside(axes, shown, limits, entries, inks):
+        handles += entries
+    if shown.plain is not shown.best:
+        thin = {"color": inks.series("risk", 3)[2], "lw": 1.0 * size, "zorder": 2.6}
+        handles += _draw_curve(axes, shown.plain, limits, _words(shown.plain, "one curve"), thin)
+    _draw_gate(axes, shown.best, limits, inks)
+    handles += _draw_beyond(axes, shown.best, limits, inks)
     draw_legend(axes, place, handles=handles, corner=_corner(shown, limits))
-    event = EVENTS.get(shown.name, shown.name)
+    event = EVENTS.get(shown.name, (shown.name, ""))[0]
     axes.set_ylabel(greek(f"probability of {event}" if event else "probability"))
     return axes
 
@@ -189,19 +204,25 @@ def plot_fragility_states(
     limits = _prepare(axes, drawn)
     size = line_scale(axes)
     handles: list[Any] = []
-    for number_, each in enumerate(drawn):
-        colour = inks.lines[number_ % len(inks.lines)]
-        mark = palette.MARKS[number_ % len(palette.MARKS)]
+    # The worst state is the darkest.
+    for place_, (each, colour) in enumerate(
+        zip(drawn, reversed(inks.series("risk", len(drawn))), strict=True)
+    ):
+        mark = MARKS[place_ % len(MARKS)]
         # Worse states are thinner: the curve of one that never differs from the next is seen.
-        width = max(1.0, 2.2 - 0.3 * number_) * size
+        width = max(1.0, 2.2 - 0.3 * place_) * size
         style = {"color": colour, "lw": width, "zorder": 2.8}
         at, shares, _ = _shares(each)
-        axes.plot(at, shares, mark, color=colour, ms=3.6 * size, mew=0.0, alpha=0.75, zorder=2.9)
-        name = greek(marked(each.name or "fragility", each.best.misfit))
+        dot: dict[str, Any] = {"mfc": inks.observed, "mec": inks.paper, "mew": 0.4}
+        axes.plot(at, shares, mark, ls="none", ms=4.2 * size, zorder=2.9, **dot)
+        falls = "falls" if each.name == OVERTURNED else each.name
+        name = greek(marked(falls or "fragility", each.best.misfit))
         lines = _draw_curve(axes, each.best, limits, name, style)
-        lines[0].set(marker=mark, markevery=[], markersize=4.0 * size)
+        lines[0].set(marker=mark, markevery=[], markersize=4.2 * size, **dot)
         handles += lines
     handles += _draw_beyond(axes, drawn[-1].best, limits, inks)
+    if figure_of(axes).get_layout_engine() is not None:
+        figure_of(axes).draw_without_rendering()  # a legend below needs the place of the axes
     draw_legend(axes, place, handles=handles)
     axes.set_ylabel("probability")
     return axes
@@ -246,23 +267,25 @@ def _prepare(axes: "Axes", drawn: Sequence[Drawn]) -> tuple[float, float]:
     else:
         limits = 0.0, high * BEYOND
         axes.set_xlim(*limits)
-    axes.set(ylim=(-0.03, 1.03), xlabel=greek(drawn[-1].label))
+    axes.set_xlabel(greek(drawn[-1].label))
+    percent_ticks(axes, "y")
     return limits
 
 
-def _words(curve: Curve, name: str) -> str:
-    """Return the legend entry of a curve: its median, and the beta of one that has one."""
+def _words(curve: Curve, name: str, named: bool = False) -> str:
+    """Return the legend entry of a curve: its median if none is named, and the beta if any."""
     unit = _unit(curve)
+    median = "" if named else f", median {number(curve.median)}{unit}"
     if isinstance(curve, FragilityCurve):
         if curve.step is not None:
             return f"step {_between_words(curve.step)}{unit}"
         if curve.status in NO_CURVE:
             return NO_CURVE[curve.status]
-        words = rf"{name}, median {number(curve.median)}{unit}, $\beta$ {curve.beta:.2f}"
+        words = f"{name}{median}, β {curve.beta:.2f}"
         return marked(words, curve.misfit)
     if not math.isfinite(curve.median):
         return f"{name}, no median"
-    return marked(f"{name}, median {number(curve.median)}{unit}", curve.misfit)
+    return marked(f"{name}{median}", curve.misfit)
 
 
 def _between_words(step: tuple[float, float]) -> str:
@@ -314,54 +337,166 @@ def _between(begin: float, end: float) -> Floats:
 def _draw_beyond(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> list[Any]:
     """Shade what was not run on both sides; return its entry."""
     spans = [(limits[0], curve.sampled[0]), (curve.sampled[1], limits[1])]
-    shades = [
-        axes.axvspan(*span, color=inks.faint, alpha=0.16, lw=0.0, zorder=0.5, label="not run")
+    return [
+        axes.axvspan(*span, color=inks.edge, alpha=NOT_RUN, lw=0.0, zorder=0.5, label="not run")
         for span in spans
         if span[1] > span[0]
-    ]
-    return shades[:1]
+    ][:1]
 
 
-def _draw_band(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> Any:
-    """Shade the confidence band over what was sampled; return its entry, None without one."""
+def _draw_band(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> list[Any]:
+    """Shade the confidence band over what was sampled; return its entry."""
     at = _between(max(curve.sampled[0], limits[0]), curve.sampled[1])
     band = curve.probability_band(at)
     if band is None:
-        return None
+        return []
     options = curve.plain.bands if isinstance(curve, TwoStageCurve) else curve.bands
     words = "band" if options is None else f"{100.0 * options.confidence:g} % band"
-    return axes.fill_between(
-        at, band[0], band[1], color=inks.lines[0], alpha=0.2, lw=0.0, label=words, zorder=2.2
-    )
+    style: dict[str, Any] = {"color": inks.risk, "alpha": DOUBT, "lw": 0.0, "zorder": 2.2}
+    return [axes.fill_between(at, band[0], band[1], label=words, **style)]
 
 
-def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> list[Any]:
-    """Draw the uplift limit, or where uplift is no step its curve; return its entry."""
-    if not isinstance(curve, TwoStageCurve):
-        return []
-    uplift = curve.uplift
-    style: dict[str, Any] = {"color": inks.base, "lw": 1.2, "zorder": 2.4}
-    if uplift.step is not None:
-        unit = _unit(curve)
-        words = f"uplift {_between_words(uplift.step)}{unit}"
-        return [axes.axvline(uplift.median, ls=(0, (1, 1.2)), label=words, **style)]
-    if uplift.status != "fitted":
-        return []
+def _draw_half(axes: "Axes", shown: Drawn, limits: tuple[float, float], inks: Inks) -> bool:
+    """Draw the median as a limit with its name; return whether there is one in the picture."""
+    curve, median = shown.best, shown.best.median
+    step = shown.plain.step if curve is shown.plain else None
+    if step is not None or not limits[0] < median < limits[1]:
+        return False
+    axes.plot(
+        [limits[0], median, median], [0.5, 0.5, -0.03],
+        color=inks.limit, lw=1.0, ls=DASHED, zorder=2.5,
+    )  # fmt: skip
+    verb = EVENTS.get(shown.name, ("", "reach it" if shown.name else "fall"))[1]
+    text = f"half {verb} at {number(median)}{_unit(curve)}"
+    style: dict[str, Any] = {"textcoords": "offset points", "fontsize": text_size(axes, 8.0)}
+    style |= {"color": inks.limit, "va": "bottom", "zorder": 3.6}
+    band = curve.probability_band(np.array([*_between(limits[0], median)]))
+    edge = median
+    if band is not None and (band[1] > 0.4).any():
+        edge = float(_between(limits[0], median)[np.argmax(band[1] > 0.4)])
+    if isinstance(curve, TwoStageCurve) and math.isfinite(curve.uplift.median):
+        edge = min(edge, curve.uplift.median)
+    room = _across(axes, edge) * size_of(axes)[0]
+    if LETTER * text_size(axes, 8.0) * len(text) + 10.0 < room:
+        axes.annotate(text, (limits[0], 0.5), (5.0, 2.0), **style)
+    else:  # below the curve
+        axes.annotate(text, (median, 0.0), (5.0, 2.0), **style)
+    return True
+
+
+def _across(axes: "Axes", x: float) -> float:
+    """Return the place of an abscissa in parts of the axes."""
+    return float(axes.transAxes.inverted().transform(axes.transData.transform((x, 0.0)))[0])
+
+
+def _name_beside(
+    axes: "Axes", shown: Drawn, limits: tuple[float, float], entries: list[Any], inks: Inks
+) -> bool:
+    """Name the fitted curve and its band beside them; return whether there is room."""
+    if not np.isfinite(shown.best.probability(np.array(limits))).all():
+        return False
+    if 72.0 * figure_of(axes).get_figwidth() < SMALL:
+        return False
+    (wide, high), size = size_of(axes), text_size(axes, 8.0)
+    first, *more = str(entries[0].get_label()).split(", ")
+    texts = ["\n".join(["fitted curve", first, *([", ".join(more)] if more else [])])]
+    texts += [str(entries[1].get_label())] if len(entries) > 1 else []
     at = _between(*limits)
-    return list(axes.plot(at, uplift.probability(at), ls=(0, (1, 1.2)), label="uplift", **style))
+    band = shown.best.probability_band(at)
+    lower, upper = band if band is not None else (shown.best.probability(at),) * 2
+    bars = _bars(shown)
+    if isinstance(shown.best, TwoStageCurve):
+        uplift = shown.best.uplift.probability(at)
+        bars += list(zip(at.tolist(), uplift.tolist(), uplift.tolist(), strict=True))
+    taken: list[tuple[float, float, float, float]] = []
+    for text in texts:
+        lines = text.split("\n")
+        across = LETTER * size * max(map(len, lines)) / wide
+        half = 0.5 * (1.25 * size * len(lines) + 4.0) / high * 1.06
+
+        def free(x: float, y: float, across: float = across, half: float = half) -> bool:
+            """Return whether a text hides no bar and no other text."""
+            inside = x > 0.01 and x + across < 0.99 and y - half > -0.02
+            crossed = any(
+                x - 0.01 < _across(axes, place) < x + across + 0.01
+                and low < y + half
+                and top > y - half
+                for place, low, top in bars
+            )
+            apart = all(
+                x > x1 or x + across < x0 or y - half > y1 or y + half < y0
+                for x0, x1, y0, y1 in taken
+            )
+            return inside and not crossed and apart
+
+        places = [
+            (x, y)
+            for y in HEIGHTS
+            for x in (
+                _across(axes, float(at[np.argmax(lower > y + half)])) + 10.0 / wide
+                if (lower > y + half).any()
+                else 1.0,
+                _across(axes, float(at[np.argmax(upper > y - half)])) - 10.0 / wide - across
+                if y - half > 0.6
+                else -1.0,
+            )
+            if free(x, y)
+        ]
+        if not places:
+            for each in axes.texts[len(axes.texts) - len(taken) :]:
+                each.remove()
+            return False
+        x, y = places[0]
+        taken.append((x, x + across, y - half, y + half))
+        left = float(axes.transData.inverted().transform(axes.transAxes.transform((x, 0.0)))[0])
+        axes.text(
+            left, y, text, color=inks.risk, fontsize=size, va="center", linespacing=1.25, zorder=3.6
+        )
+    return True
+
+
+def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: Inks) -> None:
+    """Draw the uplift limit, or where uplift is no step its curve, with its name."""
+    if not isinstance(curve, TwoStageCurve) or curve.uplift.status not in ("fitted", "separated"):
+        return
+    uplift = curve.uplift
+    style: dict[str, Any] = {"color": inks.limit, "lw": 1.0, "ls": DOTTED, "zorder": 2.4}
+    if uplift.step is not None:
+        axes.axvline(uplift.median, **style)
+        words, at = f"uplift {_between_words(uplift.step)}{_unit(curve)}", uplift.median
+    else:
+        across = _between(*limits)
+        values = uplift.probability(across)
+        axes.plot(across, values, **style)
+        words, at = "uplift", float(across[np.argmax(values > 0.9)])
+    # Nothing falls left of it.
+    size = text_size(axes, 8.0)
+    letters = (_across(axes, at) * size_of(axes)[0] - 6.0) / (LETTER * size)
+    axes.annotate(
+        textwrap.fill(words.replace(NO_BREAK, " "), max(7, int(letters))), (at, 0.97), (-4.0, 0.0),
+        textcoords="offset points", ha="right", va="top", fontsize=size, color=inks.limit,
+        zorder=3.6,
+    )  # fmt: skip
+
+
+def _bars(shown: Drawn) -> list[tuple[float, float, float]]:
+    """Return the place of each share, and the ends of its interval."""
+    at, shares, trials = _shares(shown)
+    low, high = share_interval(shares, np.minimum(trials, max(shown.records, 1)))
+    return list(zip(at.tolist(), low.tolist(), high.tolist(), strict=True))
 
 
 def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
     """Draw the shares of the stripes with their intervals; return their entry."""
-    at, shares, trials = _shares(shown)
+    at, shares, _ = _shares(shown)
     if not len(at):
         return None
-    low, high = share_interval(shares, np.minimum(trials, max(shown.records, 1)))
     words = f"share of runs, {100.0 * CONFIDENCE:g} % bar of "
     words += plural(shown.records, "record").replace(" ", NO_BREAK)
-    axes.vlines(at, low, high, color=inks.faint, lw=0.9 * size, zorder=2.3)
+    places, low, high = zip(*_bars(shown), strict=True)
+    axes.vlines(places, low, high, color=inks.observed, lw=0.8 * size, zorder=2.9)
     (points,) = axes.plot(
-        at, shares, "o", ms=4.2 * size, color=inks.ink, mec=inks.paper, mew=0.5, label=words,
+        at, shares, "o", ms=4.2 * size, color=inks.observed, mec=inks.paper, mew=0.5, label=words,
         zorder=3.0,
     )  # fmt: skip
     return points

@@ -1,17 +1,16 @@
 """Plots of risk: hazard, fragility and where the risk comes from."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.hazard.failure_risk import Risk
-from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
-from rocksteady.show.style.layout import axes_or_new, plain_ticks
+from rocksteady.show.style.layout import axes_or_new, percent_ticks, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,8 +25,8 @@ HIGHEST_FILL = 0.9
 def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | None = None) -> "Axes":
     """Draw a hazard curve, a fragility, and the share of intensities in the risk.
 
-    The hazard has the left axis, the probability of failure the right one.  Bars are the rate of
-    failure per unit of ln(intensity), scaled to a height of their own; darker are the intensities
+    The hazard has the left axis, the probability of falling the right one.  Bars are the rate of
+    falling per unit of ln(intensity), scaled to a height of their own; darker are the intensities
     between which the middle 90 % of the risk lie.
 
     Parameters
@@ -63,42 +62,44 @@ def plot_risk(risk: Risk, ax: "Axes | None" = None, *, legend: LegendPlace | Non
     at = np.clip(np.geomspace(low, high, BARS * POINTS), low, high)
     axes.set(xscale="log", yscale="log")
     (curve,) = axes.plot(
-        hazard.levels, hazard.rates, color=inks.lines[0], marker=".", ms=5.0, label="hazard"
+        hazard.levels, hazard.rates, color=inks.base, marker=".", ms=5.0, label="hazard"
     )
     beside = axes.twinx()
     (fragility,) = beside.plot(
         at,
         risk.failure_probability(at),
-        color=inks.lines[1],
-        ls=palette.DASHES[1],
-        label="probability of failure",
+        color=inks.risk,
+        lw=2.0,
+        label="probability of falling",
     )
     # The density itself jumps where the hazard bends.
     bars = risk.density(at).reshape(BARS, POINTS).mean(axis=1)
     fill = np.repeat(bars * (HIGHEST_FILL / max(float(bars.max()), 1e-300)), POINTS)
-    beside.fill_between(at, fill, color=palette.UNSYMMETRIC, alpha=0.3, lw=0)
+    style: dict[str, Any] = {"color": inks.risk, "lw": 0.0, "alpha": DOUBT}
+    everywhere = beside.fill_between(at, fill, label="rate of falling by intensity", **style)
     first, _, last = risk.contributing
     inside = (at >= first) & (at <= last)
-    beside.fill_between(at, fill, where=inside.tolist(), color=palette.UNSYMMETRIC, alpha=0.4, lw=0)
+    beside.fill_between(at, fill, where=inside.tolist(), **style)
     # Lines above the bars: the axes of the hazard stand in front, on the paper of the others.
     beside.set_facecolor(axes.get_facecolor())
     beside.patch.set_visible(True)
     axes.set_zorder(beside.get_zorder() + 1.0)
     axes.patch.set_visible(False)
-    handles = [curve, fragility]
-    shade = Patch(facecolor=palette.UNSYMMETRIC, alpha=0.6, label="middle 90 % of the risk")
+    twice = 1.0 - (1.0 - DOUBT) ** 2
+    shade = Patch(facecolor=inks.risk, alpha=twice, lw=0.0, label="middle 90 % of the risk")
     axes.set(
         xlim=(low, high),
         xlabel=literal(str(hazard.intensity)),
         ylabel="annual rate of exceedance",
         title=f"falls {number(risk.annual_rate)} times a year",
     )
-    beside.set(ylim=(0.0, 1.0), ylabel=str(fragility.get_label()))
+    percent_ticks(beside, "y")
+    beside.set(ylim=(0.0, 1.03), ylabel=str(fragility.get_label()))
     beside.grid(visible=False)
     beside.spines["right"].set_visible(True)
-    for each, ink in ((axes, inks.lines[0]), (beside, inks.lines[1])):
+    for each, ink in ((axes, inks.base), (beside, inks.risk)):
         each.tick_params(axis="y", which="both", colors=ink)
         each.yaxis.label.set_color(ink)
     plain_ticks(axes)
-    draw_legend(axes, place, handles=[*handles, shade], gap=44.0)
+    draw_legend(axes, place, handles=[curve, fragility, everywhere, shade], gap=44.0)
     return axes

@@ -15,10 +15,13 @@ from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+LEAST_SCALE = 0.1
+"""Largest probability above which a tornado has an axis from 0 to 1."""
 
 
 @checked
@@ -71,7 +74,7 @@ def plot_measure_efficiency(fragility: Fragility, ax: "Axes | None" = None) -> "
     inks, small = inks_of(axes), text_size(axes, 8.0)
     best = min(each.aic for each in rows)
     place = np.arange(len(rows))
-    axes.barh(place, betas, height=0.55, color=inks.lines[0], lw=0.0)
+    axes.barh(place, betas, height=0.55, color=inks.edge, lw=0.0)
     for at, (each, beta) in enumerate(zip(rows, betas, strict=True)):
         behind = each.aic - best
         words = "best" if behind == 0.0 else f"AIC +{behind:.0f}"
@@ -97,7 +100,7 @@ def plot_tornado(
     base: float,
     ax: "Axes | None" = None,
     *,
-    label: str = "probability of overturning",
+    label: str = "probability of falling",
     legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the range of a probability under each assumption, the widest on top.
@@ -111,7 +114,7 @@ def plot_tornado(
     ax
         Axes to draw on; default: axes of a new figure.
     label
-        What the answer is, with its unit; default that of a probability of overturning.
+        What the answer is, with its unit; default that of a probability of falling.
     legend
         "inside" the axes, to their "right", "below" them, the default, or "none".
 
@@ -160,8 +163,8 @@ def plot_tornado(
             ends[:, column],
             left=middle,
             height=np.where(before[:, column], 0.28, 0.56),
-            color=(inks.lines[0], inks.sweeps[0])[column],
-            edgecolor=inks.paper,
+            color=(inks.risk_ramp[1], inks.risk_ramp[3])[column],
+            edgecolor=inks.edge,
             lw=0.5,
             label=f"assumption at its {word} end",
             zorder=2.5,
@@ -185,13 +188,19 @@ def plot_tornado(
                     va="center", fontsize=small, color=inks.ink,
                 )  # fmt: skip
     span = float(np.ptp([*ends.ravel(), 0.0])) or 0.1 * abs(middle) or 1.0
+    names = [greek(palette.shortened(bar[0], 40)) for bar in bars]
     room = span * _share_of_text(axes, float(longest), sides=2)
-    axes.set_yticks(rows_at.tolist(), [greek(palette.shortened(bar[0], 40)) for bar in bars])
+    limits = (middle + min(0.0, ends.min()) - room, middle + max(0.0, ends.max()) + room)
+    whole = 100.0 if "%" in label else 1.0
+    if label.startswith("probability") and limits[1] > LEAST_SCALE * whole:
+        # The whole scale: a small change is to look small.
+        limits = (min(limits[0], -0.04 * whole), max(limits[1], 1.04 * whole))
+    axes.set_yticks(rows_at.tolist(), names)
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
     axes.set(
         xlabel=greek(text_value("label", label)),
-        xlim=(middle + min(0.0, ends.min()) - room, middle + max(0.0, ends.max()) + room),
+        xlim=limits,
         ylim=(len(bars) - 0.4, -0.6),
     )
     draw_legend(axes, place, handles=handles)
