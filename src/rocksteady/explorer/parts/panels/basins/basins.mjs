@@ -101,7 +101,7 @@ export function makeBasinsPanel(app) {
     if (!followed) return '';
     const { kind, orbit } = followed.attractor, { factor, unit } = unitsOf(app.state).angle;
     const from = start.kind === 'rest' ? 'From rest' : `From ${placeText(angle, velocity)}`;
-    if (!orbit) return `${from}: ${kind === 'rest' ? 'at rest' : kind}.`;
+    if (!orbit) return `${from}: ${app.theme.words[kind]}.`;
     const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * factor, 3));
     return `${from}: ${kind}, period ${orbit.period}, `
       + `peaks ${high} and ${low}${unit === '°' ? '' : ' '}${unit}.`;
@@ -123,7 +123,7 @@ export function makeBasinsPanel(app) {
     const parts = attractors.map(({ name, states }) => `${name} ${basinShare(states / computed)}`);
     return `Attractors reached from ${computed} initial states at phase 0, `
       + `A = ${numeral(state.A)}, Ω = ${numeral(state.W)}: ${parts.join(', ')}. `
-      + `${basinShare(safeStates(known) / computed)} never overturn. ${stateText()}`;
+      + `${basinShare(safeStates(known) / computed)} never fall. ${stateText()}`;
   }
 
   function table() {
@@ -140,7 +140,7 @@ export function makeBasinsPanel(app) {
   function placed() {
     for (const [safe, text, title] of [
       ['0', 'attractors', 'One fill for each attractor'],
-      ['1', 'safe basin', 'The states that never overturn'],
+      ['1', 'safe basin', 'The states that never fall'],
     ]) choices.set(safe, buttonEntry(text, title, () => app.set({ safe })));
     panel.bar?.append(...choices.values(), ...plane.buttons());
     plane.listen();
