@@ -11,7 +11,7 @@ from typing import Any
 
 from rocksteady import __version__
 from rocksteady.explorer._bundle import PARTS
-from rocksteady.explorer._palette import style_variables, page_theme
+from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.explorer._program import program
 from rocksteady.explorer._still import still_picture
 

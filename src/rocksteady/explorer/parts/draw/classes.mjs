@@ -56,7 +56,7 @@ export function classLook(theme, name) {
  */
 export function fallLook({ falls, edge, quiet, dark, onFalls }, side, impacts) {
   const pale = Math.min(impacts, 2);
-  const fill = pale ? mixed(falls, onFalls, dark ? 0.18 * pale : 0.12 + 0.16 * pale) : falls;
+  const fill = pale ? mixed(falls, onFalls, dark ? 0.24 * pale : 0.12 + 0.16 * pale) : falls;
   const mark = mixed(dark ? edge : quiet, onFalls, 0.25 * pale);
   return { fill, mark, kind: side < 0 ? 'falling' : 'rising', every: 6 };
 }
@@ -189,16 +189,7 @@ function dotBox(pen, colour, every, size, box) {
 const TILE = 24; // [px] a multiple of all periods
 
 /**
- * Return the pixels of all classes: red, green, blue and alpha in the order of an ImageData.
- * @param {Theme} theme
- * @param {number} [ratio]  device pixels in a pixel
- */
-export function classTiles(theme, ratio = 1) {
-  return lookTiles(MOTION_CLASSES.map((name) => classLook(theme, name)), ratio);
-}
-
-/**
- * Return the pixels of looks.
+ * Return the pixels of looks: red, green, blue and alpha in the order of an ImageData.
  * @param {Look[]} looks
  * @param {number} [ratio]  device pixels in a pixel
  * @returns {ClassTiles}
@@ -216,30 +207,6 @@ export function lookTiles(looks, ratio = 1) {
     return tile;
   });
   return { size, pixels };
-}
-
-/**
- * Paint cells over a whole image; row 0 is the lowest, a number out of range is not computed.
- * @param {{ data: Uint8ClampedArray, width: number, height: number }} image
- * @param {ArrayLike<number>} classes  numbers in MOTION_CLASSES, row after row
- * @param {number} columns
- * @param {number} rows
- * @param {ClassTiles} tiles
- */
-export function paintCells(image, classes, columns, rows, { size, pixels }) {
-  const { data, width, height } = image;
-  const words = new Uint32Array(data.buffer, data.byteOffset, width * height);
-  const column = new Uint32Array(width);
-  for (let x = 0; x < width; x++) column[x] = Math.floor(((x + 0.5) * columns) / width);
-  const blank = pixels[pixels.length - 1];
-  for (let y = 0; y < height; y++) {
-    const row = rows - 1 - Math.floor(((y + 0.5) * rows) / height);
-    const line = (y % size) * size;
-    for (let x = 0; x < width; x++) {
-      const tile = pixels[classes[row * columns + column[x]]] ?? blank;
-      words[y * width + x] = tile[line + (x % size)];
-    }
-  }
 }
 
 /**

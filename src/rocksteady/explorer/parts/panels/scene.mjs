@@ -106,14 +106,18 @@ export function drawBlockScene(pen, size, theme, shape, pose, camera) {
   // A flight begins and ends at 0 only to rounding; its side decides about the pivot.
   const { side } = pose, theta = side * drawnRotation(shape, side * pose.angle, camera.enlarged);
   const corners = blockCorners(shape, theta);
-  line(corners.map(([px, py]) => [x(px), y(py)]));
-  pen.closePath();
+  const outline = () => {
+    line(corners.map(([px, py]) => [x(px), y(py)]));
+    pen.closePath();
+  };
+  outline();
   // The block wears its state.
   pen.save();
   pen.clip();
   const state = pose.fallen ? 'overturned' : side === 0 ? 'rest' : 'rocking';
   fillClass(pen, theme, state, { left: 0, top: 0, ...size });
   pen.restore();
+  outline(); // a hatch has left another path
   pen.lineWidth = 1.4;
   pen.strokeStyle = pose.fallen ? theme.edge : theme.ink;
   pen.stroke();

@@ -25,7 +25,7 @@ export function makeBasinsPanel(app) {
       const { angle, velocity } = unitsOf(state);
       return {
         x: axisOf(state, BASIN_KEYS.x,
-          { unit: angle.factor, label: `initial angle ${angle.label}` }),
+          { unit: angle.factor, label: `initial ${angle.label}` }),
         y: axisOf(state, BASIN_KEYS.y,
           { unit: velocity.factor, label: `initial ${velocity.label}` }),
       };
@@ -127,9 +127,9 @@ export function makeBasinsPanel(app) {
   }
 
   function table() {
-    const { angle } = unitsOf(app.state), known = labels().labels;
+    const { angle, si } = unitsOf(app.state), known = labels().labels, shown = si ? 'θ [°]' : 'θ/α';
     const columns = ['attractor', 'share [%]', 'states', 'period [forcing periods]',
-      `highest ${angle.label}`, `lowest ${angle.label}`];
+      `highest ${shown}`, `lowest ${shown}`];
     const rows = (known?.attractors ?? []).map(({ name, states, orbit }) => [
       name, (100 * states) / (known?.computed ?? 1), states, orbit?.period ?? '',
       orbit ? orbit.highest * angle.factor : '', orbit ? orbit.lowest * angle.factor : '',

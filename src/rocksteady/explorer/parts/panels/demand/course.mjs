@@ -30,10 +30,10 @@ export function drawCourse(pen, size, theme, run, units) {
   const small = largest > 0 && largest < COURSE_SMALL * units.angle;
   const widest = small ? 1.6 * largest : Math.max(1.15 * units.angle, 1.06 * largest);
   const above = Math.round(size.height * COURSE_BASE), left = 44;
-  const x = { from: 0, to, label: units.si ? 'time t [s]' : 'pivot time pt' };
+  const x = { from: 0, to, label: units.si ? 'time [s]' : 'pivot time pt' };
   const top = frame(pen, { width: size.width, height: above }, {
     theme, x: { ...x, label: '', bare: true }, margin: { left, right: 12 },
-    y: { from: -strongest, to: strongest, label: units.si ? 'base acceleration a [g]' : 'base acceleration a/(αg)' },
+    y: { from: -strongest, to: strongest, label: units.si ? 'acceleration of the base [g]' : 'acceleration of the base a/(αg)' },
   });
   rule(pen, top, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) {
@@ -45,7 +45,7 @@ export function drawCourse(pen, size, theme, run, units) {
   pen.translate(0, above);
   const low = frame(pen, { width: size.width, height: size.height - above }, {
     theme, x, margin: { left, right: 12 },
-    y: { from: -widest, to: widest, label: units.si ? 'tilt θ [°]' : 'tilt θ/α' },
+    y: { from: -widest, to: widest, label: units.si ? 'tilt θ [°]' : 'angle θ/α' },
   });
   rule(pen, low, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.limit, dash: [6, 4], width: 1.2 });

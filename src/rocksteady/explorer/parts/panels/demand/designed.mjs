@@ -178,8 +178,8 @@ function drawToScale(pen, size, app, { block, fate, run }) {
   pen.fillRect(0, 0, size.width, size.height);
   pen.fillStyle = theme.soil;
   pen.fillRect(0, ground, size.width, 8);
-  /** @param {number} angle  [rad] @param {boolean} filled */
-  const outlined = (angle, filled) => {
+  /** @param {number} angle  [rad] */
+  const trace = (angle) => {
     const pivot = angle < 0 ? b / 2 : -b / 2, [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     pen.beginPath();
     [[-b / 2, 0], [b / 2, 0], [b / 2, h], [-b / 2, h]].forEach(([x, y], k) => {
@@ -188,11 +188,16 @@ function drawToScale(pen, size, app, { block, fate, run }) {
       if (k) pen.lineTo(px, py); else pen.moveTo(px, py);
     });
     pen.closePath();
+  };
+  /** @param {number} angle  [rad] @param {boolean} filled */
+  const outlined = (angle, filled) => {
+    trace(angle);
     if (filled) {
       pen.save();
       pen.clip();
       fillClass(pen, theme, STATES[fate] ?? (turned ? 'rocking' : 'rest'), { left: 0, top: 0, ...size });
       pen.restore();
+      trace(angle); // a hatch has left another path
     }
     pen.setLineDash(filled ? [] : [4, 3]);
     pen.strokeStyle = filled && isFallen(fate) ? theme.edge : theme.ink;

@@ -102,9 +102,9 @@ export function makePulsePanel(app) {
       const units = unitsOf(app, state), log = state.plog === 1;
       return {
         x: axisOf(state, PULSE_KEYS.x, { log, unit: units.frequency, label: units.si
-          ? 'frequency of the pulse f [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
+          ? 'frequency of the pulse [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
         y: axisOf(state, PULSE_KEYS.y, { log, unit: units.amplitude, label: units.si
-          ? 'largest base acceleration a [g]' : 'amplitude A = a/(αg)' }),
+          ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
       };
     },
     point: ({ pW, pA }) => ({ x: pW, y: pA }),

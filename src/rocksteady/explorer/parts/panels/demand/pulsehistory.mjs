@@ -29,7 +29,7 @@ export function pulseVerdict(run, units) {
   if (run.peak === 0) return 'Stands: the pulse does not lift the block.';
   const peak = `${numeral(run.peak * units.angle, 4)}${units.u}`;
   const share = units.si ? ` (${numeral(run.peak, 4)} α)` : '';
-  const rest = run.rests === null ? '' : `, at rest from ${timeText(run.rests, units)}`;
+  const rest = run.rests === null ? '' : `, rests from ${timeText(run.rests, units)}`;
   return `Stands: peak |θ| = ${peak}${share}${rest}.`;
 }
 

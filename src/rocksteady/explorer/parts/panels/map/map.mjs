@@ -80,9 +80,9 @@ export function makeMapPanel(app) {
       const log = state.log === 1;
       return {
         x: axisOf(state, MAP_KEYS.x, { log, unit: by.w,
-          label: si() ? 'frequency f [Hz]' : 'frequency ratio Ω = ω/p' }),
+          label: si() ? 'frequency [Hz]' : 'frequency ratio Ω = ω/p' }),
         y: axisOf(state, MAP_KEYS.y, { log, unit: by.a,
-          label: si() ? 'peak acceleration [g]' : 'amplitude A = a_max/(αg)' }),
+          label: si() ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
       };
     },
     point: ({ W, A }) => ({ x: W, y: A }),

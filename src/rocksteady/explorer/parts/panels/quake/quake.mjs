@@ -133,7 +133,7 @@ export function makeQuakePanel(app) {
     const seconds = (/** @type {number} */ pt) => `${few(pt / block.p)} s`;
     if (overturned !== null) return `${what}. The block falls at ${seconds(overturned)} after ${met}.`;
     if (peak === 0) return `${what}. The block does not lift: that takes ${few(upliftOf(block))} g.`;
-    const end = rested !== null ? `, at rest from ${seconds(rested)}`
+    const end = rested !== null ? `, rests from ${seconds(rested)}`
       : status === 'undecided' ? ', undecided: too many flights' : '';
     return `${what}. The block stands: peak ${few(peak * degrees)}° = ${few(peak)} α, ${met}${end}.`;
   }
