@@ -14,6 +14,7 @@ from contextlib import suppress
 from types import FrameType
 from typing import TYPE_CHECKING, Any, TextIO
 
+from rocksteady.cli.console.styles import styled
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -163,4 +164,5 @@ def console(*, wrap: bool = False) -> "Console":
         emoji=False,
         soft_wrap=not wrap,
         width=min(max(TABLE, columns), WIDEST),
+        **styled(),
     )
