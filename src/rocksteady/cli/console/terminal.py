@@ -31,6 +31,9 @@ ENDING = ("SIGINT", "SIGTERM", "SIGHUP")
 received: list[int] = []
 """Numbers of the signals that have arrived, the last one at the end."""
 
+arguments: list[str] = []
+"""What the program runs on, as it was typed."""
+
 _notes: list[str] = []
 
 
