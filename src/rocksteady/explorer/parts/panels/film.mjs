@@ -286,7 +286,7 @@ export function makeFilmPanel(app) {
       ? `${signedText(pose.push * alpha, 3)} g`
       : `${signedText(pose.push, 2)} αg`;
     put(`base a = ${pushed}`, 1, theme.base, true);
-    if (enlarged > 1) put(`rotation × ${enlarged}`, 0, theme.quiet, true);
+    if (enlarged > 1) put(`tilt × ${enlarged}`, 0, theme.quiet, true);
   }
   return panel;
 }
@@ -306,7 +306,7 @@ function makeFilmControls(bar, does) {
     make('option', { value: String(speed) }, speed === 1 ? 'real time' : `${speed} ×`));
   const pace = /** @type {HTMLSelectElement} */ (
     make('select', { 'aria-label': 'speed of the film' }, ...options));
-  const scale = make('button', { type: 'button', 'aria-pressed': 'false' }, 'true rotation');
+  const scale = make('button', { type: 'button', 'aria-pressed': 'false' }, 'true tilt');
   pace.value = '1';
   play.addEventListener('click', does.turn);
   scrub.addEventListener('input', () => does.seek(Number(scrub.value) / 1000));

@@ -305,7 +305,7 @@ function makeDesignEntries(app, plane) {
   const level = number('dg', 'a [g]', 0.05), rate = number('df', 'f [Hz]', 0.1);
   const cycles = number('dn', 'cycles', 1), limit = number('limit', 'safe: peak ≤ [α]', 0.05);
   const axes = choiceEntry(app, 'plane', 'axes', [['size', 'width, height'], ['alpha', 'slenderness, R']]);
-  const peaks = buttonEntry('peaks', 'colour by the peak rotation', () => app.set({ dpeak: 1 - app.state.dpeak }));
+  const peaks = buttonEntry('peaks', 'colour by the largest tilt', () => app.set({ dpeak: 1 - app.state.dpeak }));
   const numbers = [level, rate, cycles, limit];
   const all = [
     kind.root, shape.root, level.root, rate.root, cycles.root, limit.root, axes.root, peaks,

@@ -159,7 +159,7 @@ function fateWord(fate) {
 }
 
 /**
- * Draw the block to scale, upright and at its largest rotation.
+ * Draw the block to scale, upright and at its largest tilt.
  * @param {any} pen
  * @param {{ width: number, height: number }} size
  * @param {App} app

@@ -1,4 +1,4 @@
-// The rocking spectrum: peak rotation of blocks of all sizes and one slenderness on the motion.
+// The rocking spectrum: largest tilt of blocks of all sizes and one slenderness on the motion.
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { Frame } from '../../draw/frame.mjs' */
