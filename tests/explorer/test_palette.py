@@ -1,68 +1,81 @@
-"""The colours of the page: those of plots, legible on the papers of the page."""
+"""The colours and words of the page: the roles of all pictures."""
 
 import re
+from dataclasses import fields
 
 import pytest
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
-from rocksteady.explorer._palette import style_variables, theme_colours
-from rocksteady.show.plots.map_classes import LOOKS
-from rocksteady.show.style.line_colours import DARK, LIGHT, Inks
+from rocksteady.explorer._bundle import PARTS
+from rocksteady.explorer._palette import page_theme, style_variables
+from rocksteady.outcomes import Status
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks, contrast
 
-TEXTS = ("ink", "number", "link", "impact")
-LINES = ("lines", "subharmonicLines", "impact", "base", "faint", "link")
-FILLS = ("rest", "symmetric", "unsymmetric", "subharmonic", "aperiodic", "rocking", "overturned")
-
-
-def luminance(colour: str) -> float:
-    """Return the relative luminance, as WCAG 2.2 defines it."""
-    parts = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
-    linear = [p / 12.92 if p <= 0.04045 else ((p + 0.055) / 1.055) ** 2.4 for p in parts]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+BOTH = pytest.mark.parametrize(("look", "inks"), [("light", LIGHT), ("dark", DARK)])
+OF_THE_PEN = {"draw/svg.mjs"}
+"""Modules whose colours are what a canvas begins with."""
 
 
-def contrast(one: str, other: str) -> float:
-    low, high = sorted((luminance(one), luminance(other)))
-    return (high + 0.05) / (low + 0.05)
+@BOTH
+def test_roles_are_those_of_pictures(look: str, inks: Inks) -> None:
+    found = page_theme()[look]
+    assert len(found) == len(fields(Inks))
+    assert found["falls"] == inks.falls
+    assert found["riskRamp"] == inks.risk_ramp
+    assert found["aperiodicLine"] == inks.aperiodic_line
+    assert found["dark"] == inks.dark
 
 
-def test_contrast_is_that_of_its_definition() -> None:
-    assert contrast("#ffffff", "#000000") == pytest.approx(21.0)
-    assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.005)
-
-
-@pytest.mark.parametrize("look", ["light", "dark"])
-def test_texts_and_lines_stand_out_from_their_paper(look: str) -> None:
-    colours = theme_colours()[look]
-    for name in TEXTS:
-        assert contrast(colours[name], colours["paper"]) >= 4.5, name
-    for name in LINES:
-        found = colours[name]
-        for colour in [found] if isinstance(found, str) else found:
-            assert contrast(colour, colours["paper"]) >= 3.0, (name, colour)
-
-
-@pytest.mark.parametrize("look", ["light", "dark"])
-def test_texts_and_edges_of_the_page_stand_out_from_what_lies_beneath(look: str) -> None:
+@BOTH
+def test_variables_of_the_style_are_roles(look: str, inks: Inks) -> None:
     (rule,) = re.findall(rf':root\[data-look="{look}"\] {{ (.*) }}', style_variables())
-    colours = dict(re.findall(r"--(\w+): (#[0-9a-f]{6});", rule))
-    for beneath in ("page", "paper"):
-        for name in ("ink", "number", "link", "impact"):
-            assert contrast(colours[name], colours[beneath]) >= 4.5, (name, beneath)
-        assert contrast(colours["edge"], colours[beneath]) >= 3.0, beneath
+    declared = dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6});", rule))
+    assert declared == {
+        each.name.replace("_", "-"): getattr(inks, each.name)
+        for each in fields(Inks)
+        if isinstance(getattr(inks, each.name), str)
+    }
+    used = set(re.findall(r"var\(--([\w-]+)\)", (PARTS / "style.css").read_text("utf-8")))
+    assert used
+    assert used <= set(declared)
     assert f"color-scheme: {look};" in rule
 
 
-def test_marks_of_patterns_stand_out_from_their_fills() -> None:
-    found = theme_colours()
-    for name, mark in [("subharmonic", "light"), ("aperiodic", "light"), ("undecided", "dark")]:
-        assert contrast(found["fills"][name], found["marks"][mark]) > 2.0, name
+@BOTH
+def test_texts_and_edges_stand_out_from_what_lies_beneath(look: str, inks: Inks) -> None:
+    colours = page_theme()[look]
+    for beneath in ("page", "paper"):
+        for name in ("ink", "quiet", "motion", "base", "impact"):
+            least = 3.0 if name == "impact" else 4.5
+            assert contrast(colours[name], colours[beneath]) >= least, (name, beneath)
+        assert contrast(inks.edge, colours[beneath]) >= 3.0, beneath
 
 
-@pytest.mark.parametrize(("look", "inks"), [("light", LIGHT), ("dark", DARK)])
-def test_colours_are_those_of_plots(look: str, inks: Inks) -> None:
-    found = theme_colours()
-    assert found[look]["lines"] == inks.lines
-    assert found[look]["paper"] == inks.paper
-    for name in FILLS:
-        assert found["fills"][name] == LOOKS[CellClass[name.upper()]].fill
+def test_what_may_be_touched_has_no_hue() -> None:
+    rules = re.findall(r"([^{}]+)\{([^{}]+)\}", (PARTS / "style.css").read_text("utf-8"))
+    hues = {"rocks", "motion", "base", "impact", "risk", "symmetric"}
+    for selector, declarations in rules:
+        if re.search(r"button|tab|:focus|input|select|summary", selector):
+            assert not hues & set(re.findall(r"var\(--([\w-]+)\)", declarations)), selector
+
+
+def test_no_part_of_the_page_holds_a_colour() -> None:
+    checked = 0
+    for path in PARTS.rglob("*.*"):
+        if path.suffix not in {".mjs", ".css", ".html"}:
+            continue
+        if path.relative_to(PARTS).as_posix() in OF_THE_PEN:
+            continue
+        checked += 1
+        assert not re.findall(r"#[0-9a-fA-F]{6}\b", path.read_text("utf-8")), path.name
+    assert checked > 50
+
+
+def test_words_of_classes_are_the_plain_ones_of_outcomes() -> None:
+    words = page_theme()["words"]
+    assert list(words) == [one.name.lower().replace("_", "-") for one in CellClass]
+    assert words["rest"] == Status.AT_REST.plain == "rests"
+    assert words["overturned"] == Status.OVERTURNED.plain == "falls"
+    assert words["rocking"] == Status.ROCKING.plain == "rocks"
+    assert words["undecided"] == Status.UNDECIDED.plain
+    assert words["not-computed"] == "not computed"

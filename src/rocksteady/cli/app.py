@@ -131,6 +131,7 @@ def run(arguments: list[str]) -> int:
     """Run the program on a list of arguments and return its exit code."""
     terminal.tidy_environment()
     terminal.drop_notes()
+    terminal.arguments[:] = arguments
     try:
         code = _program(arguments[0] if arguments else None).main(
             arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments

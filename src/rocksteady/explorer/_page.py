@@ -11,7 +11,7 @@ from typing import Any
 
 from rocksteady import __version__
 from rocksteady.explorer._bundle import PARTS
-from rocksteady.explorer._palette import style_variables, theme_colours
+from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.explorer._program import program
 from rocksteady.explorer._still import still_picture
 
@@ -55,7 +55,7 @@ def document(
         "style": style,
         "still": still_picture(),
         "version": html.escape(__version__),
-        "palette": _block(theme_colours()),
+        "palette": _block(page_theme()),
         "view": _block(dict(state)),
         "motions": _block([dict(motion) for motion in motions]),
         "kernels": base64.b64encode(gzip.compress(module, 9, mtime=0)).decode("ascii"),

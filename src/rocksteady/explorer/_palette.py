@@ -1,43 +1,52 @@
-"""Colours of the page: those of plots and reports, as JSON and CSS variables."""
+"""Colours and words of the page: the roles of all pictures, as JSON and CSS variables."""
 
+import re
 from dataclasses import asdict
 from typing import Any
 
-from rocksteady.show.style import palette
-from rocksteady.show.style.line_colours import DARK, LIGHT, Inks
+from rocksteady.dynamics.maps.cell_classes import CellClass
+from rocksteady.outcomes import Status
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+
+FATES = {
+    CellClass.REST: Status.AT_REST,
+    CellClass.ROCKING: Status.ROCKING,
+    CellClass.OVERTURNED: Status.OVERTURNED,
+    CellClass.UNDECIDED: Status.UNDECIDED,
+}
+"""Classes of motion that are the status of a run."""
 
 
-def theme_colours() -> dict[str, Any]:
-    """Return the colours of the page on light and dark paper, for `draw/theme.mjs`.
+def page_theme() -> dict[str, Any]:
+    """Return colours on light and dark paper, and words of classes, for `draw/theme.mjs`.
 
     Examples
     --------
-    >>> colours = theme_colours()
-    >>> colours["dark"]["subharmonicLines"][0], colours["fills"]["rest"]
-    ('#58a088', '#fcfaf3')
+    >>> theme = page_theme()
+    >>> theme["dark"]["falls"], theme["light"]["riskRamp"][0], theme["words"]["overturned"]
+    ('#000000', '#fbf3f4', 'falls')
     """
+    return {"light": _roles(LIGHT), "dark": _roles(DARK), "words": class_words()}
+
+
+def class_words() -> dict[str, str]:
+    """Return the word of each class of motion, by its name in the page.
+
+    Examples
+    --------
+    >>> list(class_words().items())[:2]
+    [('rest', 'rests'), ('symmetric', 'symmetric')]
+    """
+    names = {each: each.name.lower() for each in CellClass}
     return {
-        "light": _colours(LIGHT, palette.LINK, palette.GROUND),
-        "dark": _colours(DARK, DARK.lines[0], DARK.grid),
-        "fills": {
-            "rest": palette.REST,
-            "symmetric": palette.SYMMETRIC,
-            "unsymmetric": palette.UNSYMMETRIC,
-            "subharmonic": palette.SUBHARMONIC,
-            "aperiodic": palette.APERIODIC,
-            "rocking": palette.ROCKING,
-            "overturned": palette.OVERTURNED,
-            "undecided": palette.UNDECIDED,
-        },
-        # Of the patterns on the fills.
-        "marks": {"light": palette.REST, "dark": palette.NUMBER},
+        name.replace("_", "-"): FATES[each].plain if each in FATES else name.replace("_", " ")
+        for each, name in names.items()
     }
 
 
 def style_variables() -> str:
     """Return the CSS variables of the light and the dark theme."""
-    light = _variables(LIGHT, palette.REST, palette.LINK, "light")
-    dark = _variables(DARK, palette.tinted(DARK.grid, -0.6), DARK.lines[0], "dark")
+    light, dark = _variables(LIGHT, "light"), _variables(DARK, "dark")
     return (
         f":root {{ {light} }}\n"
         f"@media (prefers-color-scheme: dark) {{ :root {{ {dark} }} }}\n"
@@ -46,25 +55,16 @@ def style_variables() -> str:
     )
 
 
-def _variables(inks: Inks, page: str, link: str, scheme: str) -> str:
-    """Return the declarations of one theme; `page` lies beneath the papers of the panels."""
-    colours = {
-        "page": page,
-        "paper": inks.paper,
-        "ink": inks.ink,
-        "number": inks.number,
-        "line": inks.grid,
-        "edge": inks.faint,
-        "link": link,
-        "impact": inks.impact,
-    }
-    declared = [f"--{name}: {colour};" for name, colour in colours.items()]
+def _variables(inks: Inks, scheme: str) -> str:
+    """Return the declarations of one theme."""
+    colours = {name: colour for name, colour in asdict(inks).items() if isinstance(colour, str)}
+    declared = [f"--{name.replace('_', '-')}: {colour};" for name, colour in colours.items()]
     return " ".join([f"color-scheme: {scheme};", *declared])
 
 
-def _colours(inks: Inks, link: str, ground: str) -> dict[str, Any]:
-    """Return the colours of what stands on one paper."""
-    colours = asdict(inks)
-    del colours["dark"]
-    colours["subharmonicLines"] = colours.pop("subharmonic_lines")
-    return {**colours, "link": link, "block": palette.BLOCK, "ground": ground}
+def _roles(inks: Inks) -> dict[str, Any]:
+    """Return the roles of one theme, named as in JavaScript."""
+    return {
+        re.sub(r"_(\w)", lambda letter: letter[1].upper(), name): colour
+        for name, colour in asdict(inks).items()
+    }

@@ -15,7 +15,7 @@ POINTS = 120
 LEFT, TOP, WIDTH, HEIGHT = 46, 26, 500, 300
 """The axes, inside a picture of 560 x 372."""
 CURVES = (
-    ("existence", "steady rocking exists above", ""),
+    ("existence", "steady rocking exists above", "12 3"),
     ("kind", "the other solution is out of phase above", "7 3"),
     ("sign", "the in-phase solution ends above", "2 3"),
     ("symmetry_breaking", "symmetric rocking is stable below", "9 3 2 3"),

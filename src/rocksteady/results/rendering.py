@@ -12,9 +12,23 @@ from rocksteady.results.description import Description, Table
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table as RichTable
+    from rich.text import Text
 
 WIDTH = 80
 """Columns of a summary."""
+
+ROLES = {
+    "falls": r"^falls\b",
+    "rest": r"^rests\b",
+    "undecided": r"^undecided\b",
+    "green": r"^green\b|(?<!not )\bsatisfied$",
+    "amber": r"^amber\b",
+    "red": r"^red\b|\bnot satisfied$",
+}
+"""Words that a console shows in the style of a role: outcomes, and verdicts against a target.
+
+A console that has no styles of these names, as one of a notebook, leaves the words as they are.
+"""
 
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
@@ -52,8 +66,10 @@ def print_answer(answer: Answer, console: "Console") -> None:
 
     Below 60 columns a label stands on a line of its own.
     """
+    from rich.text import Text
+
     width = min(console.width, WIDTH)
-    console.print(_filled(printable(answer.sentence), width), style="bold")
+    _say(console, answer.sentence, "sentence", width)
     pairs = answer.lines
     labels = [printable(label) for label, _ in pairs]
     indent = max([15, *map(len, labels)]) + 4
@@ -61,10 +77,32 @@ def print_answer(answer: Answer, console: "Console") -> None:
     for label, (_, words) in zip(labels, pairs, strict=True):
         start = 4 if narrow else indent
         lines = _filled(printable(words), width - start, whole=True).split("\n")
-        gap = f"  {label}\n    " if narrow else f"{f'  {label}':<{indent}}"
-        console.print(gap + f"\n{'':{start}}".join(lines))
+        gap = "\n    " if narrow else " " * (indent - len(label) - 2)
+        console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
     if answer.follow_up:
-        console.print("next: " + _continued(printable(answer.follow_up), width - len("next: ")))
+        command = _continued(printable(answer.follow_up), width - len("next: "))
+        console.print(Text.assemble(("next:", "next"), f" {command}"))
+
+
+def _row(begins: str, label: str, gap: str, words: str) -> "Text":
+    """Return a label with what it says, in the styles of their roles."""
+    from rich.text import Text
+
+    parts = Text(label), Text(words)
+    for part in parts:
+        for role, pattern in ROLES.items():
+            part.highlight_regex(pattern, role)
+    if not parts[0].spans:
+        parts[0].stylize("label")
+    return Text.assemble(begins, parts[0], gap, parts[1])
+
+
+def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "") -> None:
+    """Print a text in lines, in the style of a role."""
+    from rich.text import Text
+
+    lines = [_filled(line, width) for line in printable(words, keep=keep).split("\n")]
+    console.print(Text("\n".join(lines), style=role))
 
 
 def _continued(command: str, width: int) -> str:
@@ -89,14 +127,17 @@ def print_description(description: Description, console: "Console") -> None:
     console
         Console of rich: of a terminal, or of a text in memory.
     """
+    from rich.text import Text
+
     width = min(console.width, WIDTH)
-    console.print(_filled(printable(description.headline), width), style="bold")
+    _say(console, description.headline, "sentence", width)
     facts = [(printable(fact.label), fact) for fact in description.facts if fact.label]
     indent = max((len(label) for label, _ in facts), default=0) + 2
     for label, fact in facts:
         # A path is one word, and stays whole to be copied.
         lines = _filled(printable(fact.words), width - indent, whole=True).split("\n")
-        console.print(f"{label:<{indent}}" + f"\n{'':{indent}}".join(lines))
+        gap = " " * (indent - len(label))
+        console.print(_row("", label, gap, f"\n{'':{indent}}".join(lines)))
     for table in description.tables:
         if not (table.columns and table.rows):
             continue
@@ -104,10 +145,9 @@ def print_description(description: Description, console: "Console") -> None:
             console.print(printable(table.title))
         console.print(_rich(table))
         if table.remark:
-            console.print(table.remark, style="dim")
+            console.print(Text(printable(table.remark, keep="\n"), style="note"))
     for note in description.notes:
-        lines = [_filled(line, width) for line in printable(note, keep="\n").split("\n")]
-        console.print("\n".join(lines), style="dim")
+        _say(console, note, "note", width, keep="\n")
 
 
 def _filled(text: str, width: int, *, whole: bool = False) -> str:

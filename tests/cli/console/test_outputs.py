@@ -8,11 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import durable
+from rocksteady import __version__, durable
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import command_line
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 from tests.every import every
+from tests.origins import origin_of
 
 SIMULATE = "simulate -A 2 -W 4 -r 0.8 --cycles 3 --csv"
 FLAGS = {
@@ -202,3 +205,29 @@ def test_no_output_lies_in_the_folder_of_another(tmp_path: Path) -> None:
         line = refused(command, flag, path, "--out", out, "--force")
         assert "it lies in --out" in line or "writes the same file" in line, (command, flag)
         assert list(out.iterdir()) == []
+
+
+# ---------------------------------------------------------------------------------- of a picture
+
+
+def test_a_picture_keeps_the_command_without_folders_of_what_is_written() -> None:
+    terminal.arguments[:] = [
+        *["simulate", "--record", "my records/a b.AT2", "--plot", "/home/me/a.png"],
+        *["--csv=/tmp/x.csv", "--force", "--json"],
+    ]
+    assert command_line() == (
+        "rocksteady simulate --record 'my records/a b.AT2' --plot a.png --csv=x.csv"
+    )
+
+
+@every("kind", ["png", "svg", "pdf"])
+def test_a_picture_of_the_program_has_its_command(kind: str, tmp_path: Path) -> None:
+    command = "simulate -A 2 -W 4 -r 0.8 --cycles 3"
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        assert rocksteady(f"{command} --plot", tmp_path / folder / f"a.{kind}").code == 0
+    one, two = ((tmp_path / folder / f"a.{kind}").read_bytes() for folder in ("one", "two"))
+    assert one == two
+    made_by = (f"rocksteady {__version__}", f"rocksteady {command} --plot a.{kind}")
+    assert origin_of(one, kind) == made_by
+    assert str(tmp_path).encode() not in one

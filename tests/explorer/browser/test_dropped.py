@@ -47,7 +47,7 @@ def told(page: Page) -> str:
 def stands(page: Page) -> str:
     """Return what the page says of the block on the motion, once it is computed."""
     note = "[data-panel='quake'] .note"
-    until(page, f"() => /the block (stands|overturns)/i.test({text_of(note)})")
+    until(page, f"() => /the block (stands|falls)/i.test({text_of(note)})")
     return page.locator(note).inner_text()
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, find_attractor
 from rocksteady.outcomes import AttractorKind
-from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 from tests.explorer.browser.test_touch import MAP, at
 from tests.explorer.browser.watched import Explorer, drawn, turn_to, until
 
@@ -22,13 +22,13 @@ CELLS = """(canvas, places) => {
     Math.round((y * canvas.clientHeight - 4) * ratio), 9 * ratio, 9 * ratio).data]);
 }"""
 FILLS = {
-    "rest": palette.REST,
-    "symmetric": palette.SYMMETRIC,
-    "unsymmetric": palette.UNSYMMETRIC,
-    "subharmonic": palette.SUBHARMONIC,
-    "aperiodic": palette.APERIODIC,
-    "overturned": palette.OVERTURNED,
-    "undecided": palette.UNDECIDED,
+    "rest": LIGHT.rest,
+    "symmetric": LIGHT.symmetric,
+    "unsymmetric": LIGHT.unsymmetric,
+    "subharmonic": LIGHT.subharmonic,
+    "aperiodic": LIGHT.aperiodic,
+    "overturned": LIGHT.falls,
+    "undecided": LIGHT.undecided,
 }
 
 

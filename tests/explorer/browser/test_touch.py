@@ -7,6 +7,7 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Page
 
+from rocksteady.show.style.tokens import LIGHT
 from tests.explorer.browser.watched import Explorer, drawn, link, until, values
 
 MAP = "[data-panel='map'] canvas"
@@ -218,6 +219,11 @@ def test_the_film_is_played_stepped_and_scrubbed_by_keys(explorer: Explorer) -> 
     assert page.evaluate(picture) == first
 
 
+def channels(colour: str) -> list[int]:
+    """Return red, green and blue."""
+    return [int(colour[k : k + 2], 16) for k in (1, 3, 5)]
+
+
 @pytest.mark.slow
 def test_the_block_lies_where_it_overturns(explorer: Explorer) -> None:
     page = explorer.open({"A": 6, "W": 2})
@@ -226,16 +232,18 @@ def test_the_block_lies_where_it_overturns(explorer: Explorer) -> None:
     scrub.fill("1000")
     drawn(page)
     lying = page.locator(FILM).evaluate(
-        """canvas => {
+        """(canvas, [falls, rocks]) => {
           const { width, height } = canvas;
           const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+          const is = (k, colour) => colour.every((value, j) => data[k + j] === value);
           let dark = 0, blue = 0;
           for (let k = 0; k < data.length; k += 4) {
-            if (data[k] === 39 && data[k + 1] === 39) dark += 1;
-            if (data[k] === 118 && data[k + 1] === 198) blue += 1;
+            if (is(k, falls)) dark += 1;
+            if (is(k, rocks)) blue += 1;
           }
           return [dark, blue];
-        }"""
+        }""",
+        [channels(LIGHT.falls), channels(LIGHT.rocks)],
     )
     assert lying[0] > 2000
     assert lying[1] == 0

@@ -4,6 +4,7 @@ import csv
 import errno
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 
+from rocksteady import __version__
 from rocksteady.errors import OutputError
 from rocksteady.show.export.files import (
     figure_bytes,
@@ -27,6 +29,7 @@ from rocksteady.show.export.files import (
     save_whole,
 )
 from tests.every import every
+from tests.origins import origin_of
 
 MAGIC = {"png": b"\x89PNG\r\n", "svg": b"<?xml", "pdf": b"%PDF"}
 
@@ -123,10 +126,26 @@ def test_a_figure_is_the_same_bytes_each_time(kind: str) -> None:
     assert figure_bytes(picture(), kind) == first
 
 
-def test_an_svg_names_neither_date_nor_maker() -> None:
-    text = figure_bytes(picture(), "svg").decode()
-    assert "<dc:date>" not in text
-    assert "Matplotlib v" not in text
+@every("kind", MAGIC)
+def test_a_picture_says_what_made_it(kind: str) -> None:
+    own = f"rocksteady {__version__}"
+    assert origin_of(figure_bytes(picture(), kind), kind) == (own, None)
+    command = "rocksteady simulate --record 'a & b <c>.AT2' --plot θ.png"
+    made = figure_bytes(picture(), kind, command=command)
+    assert origin_of(made, kind) == (own, command)
+    assert figure_bytes(picture(), kind, command=command) == made
+
+
+@every("kind", MAGIC)
+def test_a_command_with_a_name_that_is_no_text_is_kept(kind: str) -> None:
+    made = figure_bytes(picture(), kind, command="rocksteady --record G\udcff\n.AT2")
+    assert origin_of(made, kind)[1] == r"rocksteady --record G\udcff\n.AT2"
+
+
+@every("kind", MAGIC)
+def test_a_picture_has_no_date(kind: str) -> None:
+    data = figure_bytes(picture(), kind)
+    assert not re.search(rb"dc:date|CreationDate|tIME", data)
 
 
 def test_the_ending_says_the_format(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Final
 
 from typer.core import TyperCommand, TyperGroup
 
+from rocksteady.cli.console.styles import style_help
 from rocksteady.cli.console.terminal import console
 
 EVERYTHING: Final = "--help-all"
@@ -49,6 +50,7 @@ class HelpfulCommand(_Named, TyperCommand):
     def format_help(self, ctx: Any, formatter: Any) -> None:
         """Print the purpose, ten flags and an example; with --help-all every flag."""
         if not self.shown or EVERYTHING in (ctx.obj or ()):
+            style_help()
             super().format_help(ctx, formatter)
             return
         params = {param.name: param for param in self.params}
@@ -76,6 +78,7 @@ class Program(HelpfulGroup):
         """Print the commands by group; of the program alone the questions that it answers."""
         given = ctx.obj or []
         if EVERYTHING in given:
+            style_help()
             super().format_help(ctx, formatter)
         elif not given:
             console().print(QUESTIONS)

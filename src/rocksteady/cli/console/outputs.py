@@ -6,6 +6,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.progress import progress
 from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import json_text, save_whole
@@ -19,6 +20,26 @@ NEGATIVE = 1
 """Exit code with --check where the verdict is negative."""
 INCOMPLETE = 3
 """Exit code of a command that could not decide the question."""
+
+
+WRITTEN = ("--plot", "--csv", "--netcdf", "--animate", "--out")
+"""Flags of files that are written, of which a picture keeps the name alone."""
+NO_PART = ("--force", "--resume", "--more", "--quiet", "--json")
+"""Flags that change no picture."""
+
+
+def command_line() -> str:
+    """Return the command as it was typed, as a picture keeps it."""
+    kept = ["rocksteady"]
+    for word in terminal.arguments:
+        flag, equals, value = word.partition("=")
+        if kept[-1] in WRITTEN:
+            kept.append(Path(word).name)
+        elif equals and flag in WRITTEN:
+            kept.append(f"{flag}={Path(value).name}")
+        elif word not in NO_PART:
+            kept.append(word)
+    return shlex.join(kept)
 
 
 def announce_compilation(kernel: str) -> None:

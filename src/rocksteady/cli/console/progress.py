@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import Protocol
 
 from rocksteady.cli.console import terminal
+from rocksteady.cli.console.styles import styled
 
 LINE_EVERY = 0.1
 """Part of the work after which a line is due where there is no terminal."""
@@ -68,9 +69,9 @@ def _bar(task: str, steps: int) -> Iterator[Done]:
         TimeElapsedColumn(),
         TextColumn("left"),
         TimeRemainingColumn(),
-        TextColumn("{task.fields[step]}", style="dim"),
+        TextColumn("{task.fields[step]}", style="note"),
     )
-    with Progress(*columns, console=Console(stderr=True)) as bar:
+    with Progress(*columns, console=Console(stderr=True, **styled())) as bar:
         row = bar.add_task(task, total=steps, step="")
 
         def done(step: str = "", count: int = 1) -> None:
@@ -223,9 +224,9 @@ def _cells_bar(task: str, cells: int) -> Iterator[Callable[[Meter], None]]:
         TextColumn("{task.description}"),
         BarColumn(bar_width=None),
         TextColumn("{task.completed:,} of {task.total:,}"),
-        TextColumn("{task.fields[rate]}", style="dim"),
+        TextColumn("{task.fields[rate]}", style="note"),
     )
-    with Progress(*columns, console=Console(stderr=True)) as bar:
+    with Progress(*columns, console=Console(stderr=True, **styled())) as bar:
         row = bar.add_task(task, total=cells, rate="")
         yield lambda meter: bar.update(row, completed=meter.passed, rate=meter.text)
 

@@ -14,6 +14,7 @@ from contextlib import suppress
 from types import FrameType
 from typing import TYPE_CHECKING, Any, TextIO
 
+from rocksteady.cli.console.styles import styled
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
@@ -29,6 +30,9 @@ ENDING = ("SIGINT", "SIGTERM", "SIGHUP")
 
 received: list[int] = []
 """Numbers of the signals that have arrived, the last one at the end."""
+
+arguments: list[str] = []
+"""What the program runs on, as it was typed."""
 
 _notes: list[str] = []
 
@@ -163,4 +167,5 @@ def console(*, wrap: bool = False) -> "Console":
         emoji=False,
         soft_wrap=not wrap,
         width=min(max(TABLE, columns), WIDEST),
+        **styled(),
     )

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 import typer
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import INCOMPLETE, announce_file, print_json
+from rocksteady.cli.console.outputs import INCOMPLETE, announce_file, command_line, print_json
 from rocksteady.cli.console.refusals import needs
 from rocksteady.cli.flags import options
 from rocksteady.errors import OutputError
@@ -130,7 +130,7 @@ class OutputFlags:
     def write_plot(self, figure: "Callable[[Page], Figure]") -> None:
         """Save the picture of --plot, drawn for its page where the flag is given."""
         if self.plot is not None:
-            save_figure("--plot", self.plot, figure(self.page))
+            save_figure("--plot", self.plot, figure(self.page), command=command_line())
             announce_file(self.plot)
 
     def leave(

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.results.cells import written_cell
+from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -137,8 +138,12 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
         ) from error
 
 
-def figure_bytes(figure: "Figure", kind: str, *, transparent: bool = False) -> bytes:
+def figure_bytes(
+    figure: "Figure", kind: str, *, command: str = "", transparent: bool = False
+) -> bytes:
     """Return a figure as a file of a kind, "png", "svg" or "pdf", with its paper or without.
+
+    The file says what made it: this version of the package, and a command line where there is one.
 
     A figure that has not been drawn before gives the same bytes each time; drawing it settles its
     layout, which may move by a pixel when it is drawn again.
@@ -148,15 +153,29 @@ def figure_bytes(figure: "Figure", kind: str, *, transparent: bool = False) -> b
     from rocksteady.show.style import palette
 
     stream = BytesIO()
-    metadata = {"svg": {"Date": None, "Creator": None}, "pdf": {"CreationDate": None}}.get(kind)
     with palette.style():
-        figure.savefig(stream, format=kind, metadata=metadata, transparent=transparent)
+        figure.savefig(
+            stream, format=kind, metadata=_origin(kind, command), transparent=transparent
+        )
     return stream.getvalue()
 
 
-def save_figure(name: str, file: Path, figure: "Figure") -> None:
-    """Save a figure in the format of the file's ending."""
-    data = figure_bytes(figure, file.suffix.lower()[1:])
+def _origin(kind: str, command: str) -> dict[str, str | None]:
+    """Return what a picture says of its origin, by the names of its format; it has no date."""
+    from rocksteady import __version__
+
+    maker, source, dates = {
+        "png": ("Software", "Source", {}),
+        "svg": ("Creator", "Source", {"Date": None}),
+        "pdf": ("Creator", "Subject", {"CreationDate": None}),
+    }[kind]
+    made_by = {source: printable(command)} if command else {}
+    return {maker: f"rocksteady {__version__}", **made_by, **dates}
+
+
+def save_figure(name: str, file: Path, figure: "Figure", *, command: str = "") -> None:
+    """Save a figure in the format of the file's ending, with the command that made it."""
+    data = figure_bytes(figure, file.suffix.lower()[1:], command=command)
     save_whole(name, file, lambda target: target.write_bytes(data))
 
 

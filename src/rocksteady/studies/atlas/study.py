@@ -29,7 +29,7 @@ from rocksteady.studies.atlas.pages.findings import (
     window_values,
 )
 from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_families, draw_from_rest
-from rocksteady.studies.atlas.pages.report import report_html
+from rocksteady.studies.atlas.pages.report import command, report_html
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
 
@@ -162,7 +162,7 @@ class Atlas:
             ("from-rest", tables.rest_table(self.rest)),
         ):
             save_csv("out", stage / f"{name}.csv", *table)
-        pictures = {}
+        pictures, made_by = {}, command(self.plane)
         drawings: tuple[Callable[[], Figure], ...] = (
             lambda: draw_families(self.families, self.lines, self.strips),
             lambda: draw_coexistence(self.found, self.families, self.lines),
@@ -170,10 +170,10 @@ class Atlas:
         )
         for name, draw in zip(PICTURES, drawings, strict=True):
             figure = draw()
-            svg = figure_bytes(figure, "svg")
+            svg = figure_bytes(figure, "svg", command=made_by)
             (stage / f"{name}.svg").write_bytes(svg)
             for kind in ("png", "pdf"):
-                (stage / f"{name}.{kind}").write_bytes(figure_bytes(figure, kind))
+                (stage / f"{name}.{kind}").write_bytes(figure_bytes(figure, kind, command=made_by))
             pictures[name] = svg_data_uri(svg)
             done(name)
         save_text("out", stage / "atlas.json", json_text(SCHEMA, self.values(), indent=1) + "\n")

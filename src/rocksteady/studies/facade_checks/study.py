@@ -163,11 +163,12 @@ class FacadeChecks:
         began = time.perf_counter()
         save_csv("out", stage / "walls.csv", *_tables.walls_table(self.walls))
         save_csv("out", stage / "variants.csv", *_tables.variants_table(self.walls))
-        pictures = {}
+        pictures, command = {}, _command(self.walls.plane)
         for name in self.pictures:
             figure = self.figure(name)
             for kind in ("png", "svg", "pdf"):
-                (stage / f"{name}.{kind}").write_bytes(figure_bytes(figure, kind))
+                data = figure_bytes(figure, kind, command=command)
+                (stage / f"{name}.{kind}").write_bytes(data)
             pictures[name] = {
                 "source": picture_address(figure),
                 "narrow": picture_address(self.figure(name, page=PHONE)),

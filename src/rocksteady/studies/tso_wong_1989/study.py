@@ -2,7 +2,7 @@
 
 import re
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -27,7 +27,7 @@ from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    pass
 
 SCHEMA = "rocksteady/paper/1"
 REFERENCE = (
@@ -155,7 +155,7 @@ class Study:
             for each in names
         ]
         missing = [
-            partial(_drawn, timed.panel.draw)
+            partial(_drawn, timed.panel)
             for timed, kept in zip(self.panels, pictures, strict=True)
             if kept is None
         ]
@@ -188,11 +188,11 @@ class Study:
         done("report")
 
 
-def _drawn(draw: "Callable[[], Figure]") -> tuple[list[bytes], float]:
-    """Return a figure in each format of a picture, and how long that took [s]."""
+def _drawn(panel: Panel) -> tuple[list[bytes], float]:
+    """Return the figure of a panel in each format of a picture, and how long that took [s]."""
     start = time.perf_counter()
-    figure = draw()
-    pictures = [figure_bytes(figure, kind) for kind in PICTURES]
+    figure = panel.draw()
+    pictures = [figure_bytes(figure, kind, command=panel.command) for kind in PICTURES]
     return pictures, time.perf_counter() - start
 
 

@@ -201,11 +201,11 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     monkeypatch.setattr("rocksteady.sweep.cases.queue.usable_cores", lambda: 1)
     drawn: list[str] = []
 
-    def drawing(figure: object, kind: str) -> bytes:
+    def drawing(figure: object, kind: str, *, command: str) -> bytes:
         if len(drawn) == 3:
             raise KeyboardInterrupt
         drawn.append(kind)
-        return figure_bytes(figure, kind)  # type: ignore[arg-type]
+        return figure_bytes(figure, kind, command=command)  # type: ignore[arg-type]
 
     with monkeypatch.context() as patched:
         patched.setattr(study_module, "figure_bytes", drawing)

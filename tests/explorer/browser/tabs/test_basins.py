@@ -124,4 +124,4 @@ def test_the_safe_basin_and_arrow_keys(explorer: Explorer) -> None:
     angle, velocity = (float(part) for part in link(page)["start"].split(","))
     assert (angle, velocity) == (2.4 / 200, 3.0 / 20)
     sentence = str(page.locator(CANVAS).get_attribute("aria-label"))
-    assert re.search(r"% never overturn", sentence)
+    assert re.search(r"% never fall", sentence)

@@ -2,6 +2,7 @@
 
 import json
 import re
+from itertools import pairwise
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -10,7 +11,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
-from rocksteady.explorer._palette import theme_colours
+from rocksteady.explorer._palette import page_theme
+from rocksteady.show.style.tokens import DARK, LIGHT, luminance
 from tests.explorer.in_node import InNode
 
 ONCE = settings(
@@ -24,9 +26,9 @@ const {{ SvgPen, escapedXml }} = await import(parts('draw/svg.mjs'));
 const {{ frame, shortenedTo, wrapped }} = await import(parts('draw/frame.mjs'));
 const {{ area, curve, edge, legend, lineLabel, note, points }} =
     await import(parts('draw/marks.mjs'));
-const {{ MOTION_CLASSES, classFill, classTiles, fillClass, paintCells }} =
+const {{ MOTION_CLASSES, classLook, fallLook, fillClass, lookTiles }} =
     await import(parts('draw/classes.mjs'));
-const light = theme(false, {json.dumps(theme_colours())});
+const light = theme(false, {json.dumps(page_theme())});
 """
 
 # ----------------------------------------------------------------------------------- scales
@@ -192,7 +194,7 @@ def test_a_curve_has_a_gap_where_a_value_is_not_finite(in_node: InNode) -> None:
     assert re.sub(r"[^ML]", "", path.partition('d="')[2].partition('"')[0]) == "MLMM"
 
 
-def test_edges_are_black_on_white_and_told_apart_by_their_dashes(in_node: InNode) -> None:
+def test_edges_are_limits_on_paper_and_told_apart_by_their_dashes(in_node: InNode) -> None:
     lines = """
     answer(['fold', 'flip', 'grazing'].map((kind) => {
         const pen = new SvgPen(400, 300);
@@ -205,14 +207,13 @@ def test_edges_are_black_on_white_and_told_apart_by_their_dashes(in_node: InNode
     """
     dashes = []
     for casing, line in in_node(IMPORTS + lines):
-        assert 'stroke="#ffffff"' in casing
+        assert f'stroke="{LIGHT.paper}"' in casing
         assert "dasharray" not in casing
-        assert 'stroke="#000000"' in line
+        assert f'stroke="{LIGHT.limit}"' in line
         widths = [float(re.findall(r'stroke-width="(.*?)"', each)[0]) for each in (casing, line)]
         assert widths[0] > widths[1] + 2.0
-        dashes.append(re.findall(r'dasharray="(.*?)"', line))
-    assert dashes[0] == []
-    assert dashes[1] != dashes[2]
+        dashes += re.findall(r'dasharray="(.*?)"', line)
+    assert len(set(dashes)) == 3
 
 
 # --------------------------------------------------------------------------------------- SVG
@@ -340,9 +341,10 @@ def test_classes_are_numbered_as_in_plots(in_node: InNode) -> None:
 @pytest.mark.parametrize("ratio", [1, 2, 3])
 def test_tiles_have_the_fills_of_plots_beneath_their_patterns(ratio: int, in_node: InNode) -> None:
     lines = """
-    const { size, pixels } = classTiles(light, asked);
+    const looks = MOTION_CLASSES.map((name) => classLook(light, name));
+    const { size, pixels } = lookTiles(looks, asked);
     answer(pixels.map((tile, k) => {
-        const fill = parseInt(classFill(light, MOTION_CLASSES[k]).slice(1), 16);
+        const fill = parseInt(looks[k].fill.slice(1), 16);
         const plain = [...tile].filter((pixel) => (((pixel & 255) << 16) | (pixel & 0xff00)
             | ((pixel >> 16) & 255)) === fill);
         const opaque = tile.every((pixel) => pixel >>> 24 === 255);
@@ -351,26 +353,25 @@ def test_tiles_have_the_fills_of_plots_beneath_their_patterns(ratio: int, in_nod
     """
     for name, share, opaque in in_node(IMPORTS + lines, ratio):
         assert opaque
-        if name in {"rest", "symmetric", "unsymmetric", "rocking"}:
+        if name in {"rest", "symmetric", "rocking"}:
             assert share == 1.0, name
         else:
             assert 0.3 < share < 0.99, name  # a pattern, and the fill is seen
 
 
-def test_cells_are_painted_from_below_and_what_is_unknown_as_not_computed(in_node: InNode) -> None:
-    lines = """
-    const image = { width: 6, height: 4, data: new Uint8ClampedArray(96) };
-    const tiles = classTiles(light);
-    paintCells(image, [0, 1, 2, -1, 1, 99], 3, 2, tiles);
-    const words = new Uint32Array(image.data.buffer);
-    const blank = tiles.pixels[tiles.pixels.length - 1];
-    answer([...words].map((word, k) => {
-        const [x, y] = [k % 6, Math.floor(k / 6)];
-        const known = [0, 1, 2].filter((one) => tiles.pixels[one][0] === word);
-        return known.length ? known[0] : word === blank[y * tiles.size + x] ? 'blank' : 'other';
-    }));
+@pytest.mark.parametrize("look", ["light", "dark"])
+def test_ways_to_fall_are_told_apart_by_hatch_and_lightness(look: str, in_node: InNode) -> None:
+    lines = f"""
+    const inks = theme({json.dumps(look == "dark")}, {json.dumps(page_theme())});
+    answer([0, 1, 2].map((impacts) => [1, -1].map((side) => fallLook(inks, side, impacts))));
     """
     found = in_node(IMPORTS + lines)
-    upper = ["blank", "blank", 1, 1, "blank", "blank"]
-    lower = [0, 0, 1, 1, 2, 2]
-    assert [found[k : k + 6] for k in range(0, 24, 6)] == [upper, upper, lower, lower]
+    inks = DARK if look == "dark" else LIGHT
+    assert found[0][0]["fill"] == inks.falls
+    for left, right in found:
+        assert (left["kind"], right["kind"]) == ("rising", "falling")
+        assert left["fill"] == right["fill"]
+        assert left["mark"] != left["fill"]
+    shades = [luminance(left["fill"]) for left, _ in found]
+    assert shades == sorted(shades)
+    assert all(high > low + 0.03 for low, high in pairwise(shades))

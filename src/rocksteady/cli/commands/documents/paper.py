@@ -81,7 +81,7 @@ def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
         table.add_column()
         for claim in corrected(study.claims):
             table.add_row(claim.id, claim.statement)
-        console.print("not as the paper says:", style="bold")
+        console.print("not as the paper says:", style="sentence")
         terminal.console(wrap=True).print(table)
     console.print(f"{len(files)} files in {out}")
     for file in files:

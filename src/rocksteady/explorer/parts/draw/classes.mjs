@@ -3,6 +3,7 @@
 /** @typedef {import('./svg.mjs').Pen} Pen */
 /** @typedef {import('./theme.mjs').Theme} Theme */
 /** @typedef {{ left: number, top: number, width: number, height: number }} Box */
+import { mixed, rgbOf } from './theme.mjs';
 
 /**
  * The class of a cell, numbered as in the package's plots (`CellClass`).
@@ -14,52 +15,50 @@
 export const MOTION_CLASSES = ['rest', 'symmetric', 'unsymmetric', 'subharmonic', 'aperiodic',
   'rocking', 'overturned', 'undecided', 'no-start', 'not-computed'];
 
-/** @type {Readonly<Record<MotionClass, string>>} */
-export const CLASS_WORDS = { rest: 'at rest', symmetric: 'symmetric', unsymmetric: 'unsymmetric',
-  subharmonic: 'subharmonic', aperiodic: 'aperiodic', rocking: 'still rocking',
-  overturned: 'overturned', undecided: 'undecided', 'no-start': 'no such start',
-  'not-computed': 'not computed' };
+/** @typedef {'rising' | 'falling' | 'crossed' | 'level' | 'upright' | 'dots'} PatternKind */
 
 /**
- * Lines at 45 degrees (`rising`, `falling`) or dots on a square lattice, period `every` [px].
- * @typedef {{ kind: 'plain' | 'rising' | 'falling' | 'crossed' | 'dots', every: number,
- *   size: number, mark: 'light' | 'dark' | 'faint' }} ClassPattern
+ * A fill and its pattern: lines `every` so many pixels, or dots on a square lattice.
+ * @typedef {{ fill: string, mark?: string, kind?: PatternKind, every?: number, size?: number }}
+ *   Look
  */
 
-/** @type {ClassPattern} */
-const PLAIN = { kind: 'plain', every: 1, size: 0, mark: 'dark' };
-
-/** @type {Readonly<Record<MotionClass, ClassPattern>>} */
-const PATTERNS = {
-  rest: PLAIN,
-  symmetric: PLAIN,
-  unsymmetric: PLAIN,
-  subharmonic: { kind: 'dots', every: 8, size: 1.1, mark: 'light' },
-  aperiodic: { kind: 'dots', every: 4, size: 0.55, mark: 'light' },
-  rocking: PLAIN,
-  overturned: { kind: 'rising', every: 6, size: 1, mark: 'dark' },
-  undecided: { kind: 'crossed', every: 8, size: 1, mark: 'dark' },
-  'no-start': { kind: 'falling', every: 8, size: 0.8, mark: 'faint' },
-  'not-computed': { kind: 'rising', every: 8, size: 0.8, mark: 'faint' },
-};
-
 /**
- * Return the fill of a class; what is not a motion has that of the paper.
+ * Return how a class looks, patterns as in the package's plots (`HATCHES`).
  * @param {Theme} theme
  * @param {MotionClass} name
- * @returns {string}
+ * @returns {Look}
  */
-export function classFill(theme, name) {
-  return name === 'no-start' || name === 'not-computed' ? theme.paper : theme.fills[name];
+export function classLook(theme, name) {
+  const { paper, edge, onRocks, onFalls } = theme;
+  const half = (/** @type {string} */ fill, /** @type {string} */ mark) =>
+    ({ fill, mark: mixed(fill, mark, 0.5) });
+  switch (name) {
+    case 'unsymmetric': return { ...half(theme.unsymmetric, onRocks), kind: 'level', every: 4 };
+    case 'subharmonic': return { ...half(theme.subharmonic, onRocks), kind: 'upright', every: 4 };
+    case 'aperiodic':
+      return { ...half(theme.aperiodic, onFalls), kind: 'dots', every: 4, size: 0.55 };
+    case 'overturned': return fallLook(theme, 1, 0);
+    case 'undecided': return { ...half(theme.undecided, onRocks), kind: 'crossed', every: 8 };
+    case 'no-start': return { fill: paper, mark: edge, kind: 'falling', every: 8, size: 0.8 };
+    case 'not-computed': return { fill: paper, mark: edge, kind: 'dots', every: 6, size: 0.6 };
+    case 'rocking': return { fill: theme.rocks };
+    default: return { fill: theme[name] };
+  }
 }
 
 /**
+ * Return how a fall looks: hatched to its side, paler with each impact before it.
  * @param {Theme} theme
- * @param {MotionClass} name
+ * @param {number} side  1 to the left, -1 to the right
+ * @param {number} impacts
+ * @returns {Look}
  */
-function classMark(theme, name) {
-  const { mark } = PATTERNS[name];
-  return mark === 'faint' ? theme.faint : theme.marks[mark];
+export function fallLook({ falls, edge, quiet, dark, onFalls }, side, impacts) {
+  const pale = Math.min(impacts, 2);
+  const fill = pale ? mixed(falls, onFalls, dark ? 0.24 * pale : 0.12 + 0.16 * pale) : falls;
+  const mark = mixed(dark ? edge : quiet, onFalls, 0.25 * pale);
+  return { fill, mark, kind: side < 0 ? 'falling' : 'rising', every: 6 };
 }
 
 /**
@@ -70,17 +69,21 @@ function classMark(theme, name) {
  * @param {Box} box
  */
 export function fillClass(pen, theme, name, box) {
-  const pattern = PATTERNS[name];
+  fillLook(pen, classLook(theme, name), box);
+}
+
+/**
+ * Fill a box with a colour and its pattern.
+ * @param {Pen} pen
+ * @param {Look} look
+ * @param {Box} box
+ */
+export function fillLook(pen, { fill, mark = fill, kind, every = 6, size = 1 }, box) {
   pen.save();
-  pen.fillStyle = classFill(theme, name);
+  pen.fillStyle = fill;
   pen.fillRect(box.left, box.top, box.width, box.height);
-  if (pattern.kind === 'dots') dotBox(pen, classMark(theme, name), pattern, box);
-  else if (pattern.kind !== 'plain') {
-    const { every, size } = pattern;
-    const style = { colour: classMark(theme, name), every, width: size };
-    if (pattern.kind !== 'falling') hatchBox(pen, box, style);
-    if (pattern.kind !== 'rising') hatchBox(pen, box, { ...style, falling: true });
-  }
+  if (kind === 'dots') dotBox(pen, mark, every, size, box);
+  else if (kind) hatchBox(pen, box, { colour: mark, every, width: size, kind });
   pen.restore();
 }
 
@@ -92,36 +95,57 @@ export function fillClass(pen, theme, name, box) {
  * @param {Box} box
  */
 export function classSwatch(pen, theme, name, box) {
-  fillClass(pen, theme, name, box);
+  lookSwatch(pen, theme, classLook(theme, name), box);
+}
+
+/**
+ * Draw a swatch of a look with an outline.
+ * @param {Pen} pen
+ * @param {Theme} theme
+ * @param {Look} look
+ * @param {Box} box
+ */
+export function lookSwatch(pen, theme, look, box) {
+  fillLook(pen, look, box);
   pen.save();
-  pen.strokeStyle = theme.faint;
+  pen.setLineDash([]);
+  pen.strokeStyle = theme.edge;
   pen.lineWidth = 1;
   pen.strokeRect(box.left + 0.5, box.top + 0.5, box.width - 1, box.height - 1);
   pen.restore();
 }
 
 /**
- * Hatch a box with lines at 45 degrees, inside the clip path that is set; phases agree everywhere.
+ * Hatch a box with lines, inside the clip path that is set; phases agree everywhere.
  * @param {Pen} pen
  * @param {Box} box
- * @param {{ colour: string, every?: number, width?: number, falling?: boolean }} style
+ * @param {{ colour: string, every?: number, width?: number, kind?: PatternKind }} style
  */
-export function hatchBox(pen, box, { colour, every = 7, width = 1, falling = false }) {
-  const { left, top, height } = box;
-  const [right, bottom] = [left + box.width, top + height];
+export function hatchBox(pen, box, { colour, every = 7, width = 1, kind = 'rising' }) {
+  const { left, top } = box;
+  const [right, bottom] = [left + box.width, top + box.height];
   pen.save();
   pen.beginPath();
-  pen.rect(left, top, box.width, height);
+  pen.rect(left, top, box.width, box.height);
   pen.clip();
   pen.beginPath();
+  /** @type {(first: number, last: number, line: (at: number) => number[]) => void} */
+  const lines = (first, last, line) => {
+    for (let k = Math.floor(first / every); k <= Math.ceil(last / every); k++) {
+      const [x0, y0, x1, y1] = line(k * every);
+      pen.moveTo(x0, y0);
+      pen.lineTo(x1, y1);
+    }
+  };
   // Rising lines have x + y = k * every, falling ones x - y.
-  const first = falling ? left - bottom : left + top;
-  const last = falling ? right - top : right + bottom;
-  for (let k = Math.floor(first / every); k <= Math.ceil(last / every); k++) {
-    const at = k * every;
-    pen.moveTo(falling ? at + top : at - top, top);
-    pen.lineTo(falling ? at + bottom : at - bottom, bottom);
+  if (kind === 'rising' || kind === 'crossed') {
+    lines(left + top, right + bottom, (at) => [at - top, top, at - bottom, bottom]);
   }
+  if (kind === 'falling' || kind === 'crossed') {
+    lines(left - bottom, right - top, (at) => [at + top, top, at + bottom, bottom]);
+  }
+  if (kind === 'level') lines(top, bottom, (at) => [left, at + 0.5, right, at + 0.5]);
+  if (kind === 'upright') lines(left, right, (at) => [at + 0.5, top, at + 0.5, bottom]);
   pen.setLineDash([]);
   pen.strokeStyle = colour;
   pen.lineWidth = width;
@@ -132,10 +156,11 @@ export function hatchBox(pen, box, { colour, every = 7, width = 1, falling = fal
 /**
  * @param {Pen} pen
  * @param {string} colour
- * @param {ClassPattern} pattern
+ * @param {number} every
+ * @param {number} size
  * @param {Box} box
  */
-function dotBox(pen, colour, { every, size }, box) {
+function dotBox(pen, colour, every, size, box) {
   const [right, bottom] = [box.left + box.width, box.top + box.height];
   pen.save();
   pen.beginPath();
@@ -157,29 +182,27 @@ function dotBox(pen, colour, { every, size }, box) {
 // ------------------------------------------------------------------------------------ raster
 
 /**
- * Tiles of pixels, one for each class by its number, all of one size.
+ * Tiles of pixels, one for each look by its number, all of one size.
  * @typedef {{ size: number, pixels: Uint32Array[] }} ClassTiles
  */
 
 const TILE = 24; // [px] a multiple of all periods
 
 /**
- * Return the pixels of all classes: red, green, blue and alpha in the order of an ImageData.
- * @param {Theme} theme
+ * Return the pixels of looks: red, green, blue and alpha in the order of an ImageData.
+ * @param {Look[]} looks
  * @param {number} [ratio]  device pixels in a pixel
  * @returns {ClassTiles}
  */
-export function classTiles(theme, ratio = 1) {
+export function lookTiles(looks, ratio = 1) {
   const whole = Math.max(1, Math.round(ratio));
   const size = TILE * whole;
-  const pixels = MOTION_CLASSES.map((name) => {
-    const [fill, mark] = [rgbOf(classFill(theme, name)), rgbOf(classMark(theme, name))];
-    const tile = new Uint32Array(size * size);
-    for (let y = 0; y < size; y++) {
-      for (let x = 0; x < size; x++) {
-        const share = markShare(PATTERNS[name], (x + 0.5) / whole, (y + 0.5) / whole, 1 / whole);
-        tile[y * size + x] = mixedPixel(fill, mark, share);
-      }
+  const pixels = looks.map((look) => {
+    const [fill, mark] = [rgbOf(look.fill), rgbOf(look.mark ?? look.fill)];
+    const tile = new Uint32Array(size * size).fill(wordOf(fill));
+    for (let at = 0; look.kind && at < tile.length; at++) {
+      const [x, y] = [at % size, Math.floor(at / size)].map((place) => (place + 0.5) / whole);
+      tile[at] = mixedPixel(fill, mark, markShare(look, x, y, 1 / whole));
     }
     return tile;
   });
@@ -187,38 +210,13 @@ export function classTiles(theme, ratio = 1) {
 }
 
 /**
- * Paint cells over a whole image; row 0 is the lowest, a number out of range is not computed.
- * @param {{ data: Uint8ClampedArray, width: number, height: number }} image
- * @param {ArrayLike<number>} classes  numbers in MOTION_CLASSES, row after row
- * @param {number} columns
- * @param {number} rows
- * @param {ClassTiles} tiles
- */
-export function paintCells(image, classes, columns, rows, { size, pixels }) {
-  const { data, width, height } = image;
-  const words = new Uint32Array(data.buffer, data.byteOffset, width * height);
-  const column = new Uint32Array(width);
-  for (let x = 0; x < width; x++) column[x] = Math.floor(((x + 0.5) * columns) / width);
-  const blank = pixels[pixels.length - 1];
-  for (let y = 0; y < height; y++) {
-    const row = rows - 1 - Math.floor(((y + 0.5) * rows) / height);
-    const line = (y % size) * size;
-    for (let x = 0; x < width; x++) {
-      const tile = pixels[classes[row * columns + column[x]]] ?? blank;
-      words[y * width + x] = tile[line + (x % size)];
-    }
-  }
-}
-
-/**
  * Return the part of a pixel that a pattern covers.
- * @param {ClassPattern} pattern
+ * @param {Look} look
  * @param {number} x  centre of the pixel [px]
  * @param {number} y
  * @param {number} pixel  its size [px]
  */
-function markShare({ kind, every, size }, x, y, pixel) {
-  if (kind === 'plain') return 0;
+function markShare({ kind, every = 6, size = 1 }, x, y, pixel) {
   /** @type {(far: number) => number} */
   const covered = (far) => Math.min(1, Math.max(0, 0.5 - far / pixel));
   /** @type {(along: number) => number} */
@@ -226,14 +224,11 @@ function markShare({ kind, every, size }, x, y, pixel) {
   if (kind === 'dots') {
     return covered(Math.hypot(offset(x - every / 2), offset(y - every / 2)) - size);
   }
-  const rising = covered(Math.abs(offset(x + y)) * Math.SQRT1_2 - size / 2);
-  const falling = covered(Math.abs(offset(x - y)) * Math.SQRT1_2 - size / 2);
+  const line = (/** @type {number} */ far) => covered(Math.abs(far) - size / 2);
+  if (kind === 'level') return line(offset(y - 0.5));
+  if (kind === 'upright') return line(offset(x - 0.5));
+  const rising = line(offset(x + y) * Math.SQRT1_2), falling = line(offset(x - y) * Math.SQRT1_2);
   return kind === 'rising' ? rising : kind === 'falling' ? falling : Math.max(rising, falling);
-}
-
-/** Return red, green and blue. @param {string} colour  as #rrggbb */
-export function rgbOf(colour) {
-  return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
 }
 
 /**
@@ -246,6 +241,6 @@ function mixedPixel(fill, mark, share) {
 }
 
 /** Return a pixel of an ImageData. @param {number[]} rgb */
-export function wordOf([r, g, b]) {
+function wordOf([r, g, b]) {
   return (0xff000000 | (b << 16) | (g << 8) | r) >>> 0;
 }

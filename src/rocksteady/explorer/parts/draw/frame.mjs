@@ -84,10 +84,10 @@ export function frame(pen, size, options) {
   above.forEach((text, k) => {
     const headed = k === 0 && title !== '';
     pen.font = headed ? theme.strong : width < NARROW ? theme.small : theme.font;
-    pen.fillStyle = headed ? theme.ink : theme.number;
+    pen.fillStyle = headed ? theme.ink : theme.quiet;
     pen.fillText(text, 4, (k + 0.5) * LINE + 1);
   });
-  pen.fillStyle = theme.number;
+  pen.fillStyle = theme.quiet;
   below.forEach((text, k) => {
     const half = pen.measureText(text).width / 2;
     const middle = Math.min(width - 4 - half, Math.max(4 + half, left + box.width / 2));
@@ -229,7 +229,7 @@ function drawGrid(pen, { x, y, box, theme }, { columns, rows }) {
     pen.moveTo(box.left, crisp(y.at(value)));
     pen.lineTo(box.left + box.width, crisp(y.at(value)));
   }
-  pen.strokeStyle = theme.grid;
+  pen.strokeStyle = theme.hair;
   pen.lineWidth = 1;
   pen.stroke();
 }

@@ -6,6 +6,7 @@ import { classSwatch, hatchBox } from './classes.mjs';
 /** @typedef {import('./classes.mjs').MotionClass} MotionClass */
 /** @typedef {import('./frame.mjs').Frame} Frame */
 /** @typedef {import('./svg.mjs').Pen} Pen */
+/** @typedef {import('./theme.mjs').Theme} Theme */
 
 /**
  * @typedef {object} LineStyle
@@ -34,8 +35,8 @@ import { classSwatch, hatchBox } from './classes.mjs';
  * @typedef {object} NoteStyle
  * @property {string} [colour]
  * @property {'left' | 'center' | 'right'} [align]
- * @property {string} [halo]  colour around the letters: paper, or what stands out from them
  * @property {string} [font]
+ * @property {boolean} [boxed]  on a box of paper, over fills
  */
 
 /** @typedef {'dot' | 'ring' | 'square' | 'diamond' | 'triangle' | 'cross' | 'plus'} MarkKind */
@@ -50,14 +51,13 @@ import { classSwatch, hatchBox } from './classes.mjs';
  */
 
 /**
- * Edges of regions: a fold is solid, a flip dashed, a grazing dotted.
+ * Edges of regions: a fold has long dashes, a flip short ones, a grazing dots.
  * @typedef {'fold' | 'flip' | 'grazing'} EdgeKind
  */
 
 /** @type {Readonly<Record<EdgeKind, number[]>>} */
-export const EDGE_DASHES = { fold: [], flip: [7, 4], grazing: [1.5, 3.5] };
+export const EDGE_DASHES = { fold: [12, 3], flip: [7, 4], grazing: [1.5, 3.5] };
 
-const EDGE = { colour: '#000000', casing: '#ffffff', width: 1.6 };
 const CASING = 2.4; // [px] more than the line
 const FAR = 1e5; // [px] no coordinate lies farther out
 
@@ -88,12 +88,12 @@ export function curve(pen, onto, xs, ys, { step = false, ...style } = {}) {
   clipped(pen, onto, () => {
     pen.beginPath();
     traceCurve(pen, onto, xs, ys, step);
-    strokePath(pen, { colour: onto.theme.lines[0], ...style });
+    strokePath(pen, { colour: onto.theme.motion, ...style });
   });
 }
 
 /**
- * Draw an edge of a region, black with white casing, in the dash of its kind.
+ * Draw an edge of a region over fills, in the dash of its kind.
  * @param {Pen} pen
  * @param {Frame} onto
  * @param {ArrayLike<number>} xs
@@ -101,7 +101,8 @@ export function curve(pen, onto, xs, ys, { step = false, ...style } = {}) {
  * @param {EdgeKind} [kind]
  */
 export function edge(pen, onto, xs, ys, kind = 'fold') {
-  curve(pen, onto, xs, ys, { ...EDGE, dash: EDGE_DASHES[kind] });
+  const { limit, paper } = onto.theme;
+  curve(pen, onto, xs, ys, { colour: limit, casing: paper, width: 1.6, dash: EDGE_DASHES[kind] });
 }
 
 /**
@@ -113,7 +114,7 @@ export function edge(pen, onto, xs, ys, kind = 'fold') {
  * @param {PointStyle} [style]
  */
 export function points(pen, onto, xs, ys, style = {}) {
-  const { colour = onto.theme.lines[0], radius = 3, mark = 'dot', casing, alpha = 1 } = style;
+  const { colour = onto.theme.motion, radius = 3, mark = 'dot', casing, alpha = 1 } = style;
   clipped(pen, onto, () => {
     pen.globalAlpha = alpha;
     pen.fillStyle = colour;
@@ -175,16 +176,28 @@ export function drawMark(pen, mark, x, y, { colour, radius = 4, casing }) {
 }
 
 /**
+ * Draw what may be dragged: a disc of paper with a ring of ink.
+ * @param {Pen} pen
+ * @param {Theme} theme
+ * @param {number} x  [px]
+ * @param {number} y  [px]
+ */
+export function drawHandle(pen, { ink, paper }, x, y) {
+  drawMark(pen, 'dot', x, y, { colour: ink, radius: 8.5, casing: paper });
+  drawMark(pen, 'dot', x, y, { colour: paper, radius: 5.5 });
+}
+
+/**
  * Fill the area between two curves over the same xs, or hatch it.
  * @param {Pen} pen
  * @param {Frame} onto
  * @param {ArrayLike<number>} xs
  * @param {ArrayLike<number>} lows
  * @param {ArrayLike<number>} highs
- * @param {{ fill?: string, hatch?: string, every?: number, falling?: boolean,
- *   alpha?: number }} style  `hatch` is the colour of the lines
+ * @param {{ fill?: string, hatch?: string, every?: number, alpha?: number }} style  `hatch` is the
+ *   colour of the lines
  */
-export function area(pen, onto, xs, lows, highs, { fill, hatch, every, falling, alpha = 1 }) {
+export function area(pen, onto, xs, lows, highs, { fill, hatch, every, alpha = 1 }) {
   clipped(pen, onto, () => {
     pen.beginPath();
     // One closed part for each run of finite values.
@@ -202,7 +215,7 @@ export function area(pen, onto, xs, lows, highs, { fill, hatch, every, falling, 
     }
     if (hatch) {
       pen.clip();
-      hatchBox(pen, onto.box, { colour: hatch, every, falling });
+      hatchBox(pen, onto.box, { colour: hatch, every });
     }
   });
 }
@@ -226,7 +239,7 @@ export function rule(pen, onto, { x, y }, style = {}) {
       pen.moveTo(box.left, onto.y.at(y));
       pen.lineTo(box.left + box.width, onto.y.at(y));
     }
-    strokePath(pen, { colour: theme.faint, width: 1, ...style });
+    strokePath(pen, { colour: theme.edge, width: 1, ...style });
   });
 }
 
@@ -242,7 +255,6 @@ export function rule(pen, onto, { x, y }, style = {}) {
 export function note(pen, onto, text, x, y, style = {}) {
   const { box, theme } = onto;
   const { colour = theme.ink, align = 'center', font = theme.small } = style;
-  const halo = style.halo ?? haloOf(colour, theme.paper);
   pen.save();
   pen.font = font;
   const { width } = pen.measureText(text);
@@ -251,10 +263,14 @@ export function note(pen, onto, text, x, y, style = {}) {
   const middle = Math.max(box.top + 8, Math.min(box.top + box.height - 8, y));
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
+  if (style.boxed) {
+    pen.fillStyle = theme.paper;
+    pen.fillRect(left - 4, middle - 9, width + 8, 18);
+  }
   pen.lineJoin = 'round';
   pen.setLineDash([]);
   pen.lineWidth = 3.5;
-  pen.strokeStyle = halo;
+  pen.strokeStyle = theme.paper;
   pen.strokeText(text, left, middle);
   pen.fillStyle = colour;
   pen.fillText(text, left, middle);
@@ -322,21 +338,6 @@ export function legend(pen, onto, entries, { corner = 'top-right' } = {}) {
     pen.fillText(label, x + swatch + gap, y);
   });
   pen.restore();
-}
-
-/**
- * Return the colour of a halo in which letters are legible: that of the paper, if they are on it.
- * @param {string} colour  of the letters, as #rrggbb
- * @param {string} paper
- */
-function haloOf(colour, paper) {
-  const [letters, beneath] = [colour, paper].map((one) => {
-    const [r, g, b] = [1, 3, 5].map((k) => (parseInt(one.slice(k, k + 2), 16) / 255) ** 2.2);
-    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  });
-  const [low, high] = [Math.min(letters, beneath), Math.max(letters, beneath)];
-  if (!(high + 0.05 < 2.5 * (low + 0.05))) return paper; // or a colour that is not read here
-  return letters < 0.18 ? '#ffffff' : '#000000';
 }
 
 /**

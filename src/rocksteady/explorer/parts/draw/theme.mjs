@@ -1,38 +1,51 @@
-// Colours and fonts of the page on light or dark paper, from the palette of plots and reports.
+// Colours, fonts and words of the page on light or dark paper: those of all pictures.
 
 /**
- * Colours of what stands on the paper.
+ * Colours by role, as `show/style/tokens.py` has them; a fill has a pattern in `classes.mjs`.
  * @typedef {object} Inks
- * @property {string} paper
- * @property {string} ink  text and outlines
- * @property {string} number  numbers and labels
- * @property {string} faint  thin lines, never text
- * @property {string} grid
- * @property {string[]} lines  six line colours, in the order of their use
- * @property {string[]} subharmonicLines  line colours of subharmonic orbits, by their periods
- * @property {string[]} sweeps  dots of an upward and a downward sweep
+ * @property {boolean} dark
+ * @property {string} page  ground of the page
+ * @property {string} paper  ground of a panel
+ * @property {string} ink  text, and what may be touched
+ * @property {string} quiet  numbers and labels
+ * @property {string} edge  outlines, never text
+ * @property {string} hair  grid
+ * @property {string} soil  the ground under a block
+ * @property {string} rest
+ * @property {string} rocks
+ * @property {string} falls
+ * @property {string} onFalls
+ * @property {string} onRocks
+ * @property {string} undecided
+ * @property {string} symmetric
+ * @property {string} unsymmetric
+ * @property {string} subharmonic
+ * @property {string} aperiodic
+ * @property {string} unsymmetricLine
+ * @property {string} subharmonicLine
+ * @property {string} aperiodicLine
+ * @property {string} motion  the block's own history and orbit
+ * @property {string} base  what the base does
  * @property {string} impact
- * @property {string} base  motion of the base
- * @property {string} link
- * @property {string} block
- * @property {string} ground
+ * @property {string} limit  criteria and boundaries, dashed
+ * @property {string} observed
+ * @property {string} risk
+ * @property {string[]} riskRamp  probability of falling, five steps
+ * @property {string[]} rocksRamp  how far it rocks, five steps
  */
 
 /**
- * Fills of the classes of motion, the same on any paper.
- * @typedef {{ rest: string, symmetric: string, unsymmetric: string, subharmonic: string,
- *   aperiodic: string, rocking: string, overturned: string, undecided: string }} Fills
+ * Words of the classes of motion, by their names.
+ * @typedef {Record<import('./classes.mjs').MotionClass, string>} ClassWords
  */
 
 /**
- * What Python writes into the page (`explorer/palette.py`).
- * @typedef {{ light: Inks, dark: Inks, fills: Fills,
- *   marks: { light: string, dark: string } }} Palette
+ * What Python writes into the page (`explorer/_palette.py`).
+ * @typedef {{ light: Inks, dark: Inks, words: ClassWords }} Palette
  */
 
 /**
- * @typedef {Inks & { dark: boolean, fills: Fills, marks: { light: string, dark: string },
- *   font: string, small: string, strong: string }} Theme
+ * @typedef {Inks & { words: ClassWords, font: string, small: string, strong: string }} Theme
  * `font`, `small` and `strong` are values of `pen.font`: 12 px, 11 px and 12 px bold.
  */
 
@@ -40,15 +53,31 @@ export const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica 
   + '"DejaVu Sans", sans-serif';
 
 /**
- * Return the colours and fonts on light or dark paper.
+ * Return colours, fonts and words on light or dark paper.
  * @param {boolean} dark
  * @param {Palette} [palette]  the page's own where it is left out
  * @returns {Theme}
  */
 export function theme(dark, palette = pagePalette()) {
-  const { fills, marks } = palette;
   const fonts = { font: `12px ${FAMILY}`, small: `11px ${FAMILY}`, strong: `600 12px ${FAMILY}` };
-  return { ...(dark ? palette.dark : palette.light), dark, fills, marks, ...fonts };
+  return { ...(dark ? palette.dark : palette.light), words: palette.words, ...fonts };
+}
+
+/**
+ * Return a colour between two.
+ * @param {string} one  as #rrggbb
+ * @param {string} other
+ * @param {number} part  of the other, from 0 to 1
+ */
+export function mixed(one, other, part) {
+  const [from, to] = [rgbOf(one), rgbOf(other)];
+  const channels = from.map((value, k) => Math.round(value + part * (to[k] - value)));
+  return `#${channels.map((value) => value.toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** Return red, green and blue. @param {string} colour  as #rrggbb */
+export function rgbOf(colour) {
+  return [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16));
 }
 
 /** @returns {Palette} */

@@ -8,14 +8,14 @@ import { motionAt } from '../physics/history.mjs';
 import { FLIGHT_COLUMNS, FLIGHT_SIDE } from '../physics/run.mjs';
 import { make } from '../shell/layout.mjs';
 import { blockNumbers, caseOf } from '../shell/state.mjs';
-import { drawBlockScene, shapeOf } from './scene.mjs';
+import { LYING, drawBlockScene, shapeOf } from './scene.mjs';
 
 const FILM_SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4]; // of real time
 const FILM_FACTORS = [1, 3, 10, 30, 100]; // of the rotation
 const SEEN_LEAST = 0.035; // rotation [rad] below which it is enlarged
 const FLASH_SECONDS = 0.35;
-const FALL_SECONDS = 2; // shown after the last state of a block that falls
 const HOLD_SECONDS = 1; // for which the last picture stays
+const LAID_SECONDS = 0.5; // for which a block that has fallen is seen to lie
 const FILM_HEAD = 8; // above the block [px]; texts stand beside it
 const FILM_STEP = 1 / 32; // [periods]
 
@@ -70,6 +70,26 @@ export function filmedState(kernels, given, history, time) {
 }
 
 /**
+ * Return how long a block that falls takes from its last state to lie on the ground.
+ * @param {Kernels} kernels
+ * @param {Case} given
+ * @param {History} history
+ */
+export function fallTime(kernels, given, history) {
+  const lying = (/** @type {number} */ time) => {
+    const { angle, side } = filmedState(kernels, given, history, history.endTime + time);
+    return side * angle * given.alpha >= LYING;
+  };
+  let low = 0, high = 20;
+  while (high - low > 1e-3) {
+    const middle = 0.5 * (low + high);
+    if (lying(middle)) high = middle;
+    else low = middle;
+  }
+  return high;
+}
+
+/**
  * Return the factor by which the rotation is drawn enlarged: 1 where it can be seen.
  * @param {number} largest  rotation [rad]
  */
@@ -114,7 +134,19 @@ export function makeFilmPanel(app) {
   const period = () => (2 * Math.PI) / app.state.W; // [pivot time]
   const pace = () => blockNumbers(app.kernels, app.state).p; // pivot time of a second
   const falls = () => filmed()?.status === 'overturned';
-  const end = () => (filmed()?.endTime ?? 0) + (falls() ? FALL_SECONDS * pace() : 0);
+  /** @type {WeakMap<History, number>} */
+  const ends = new WeakMap();
+  const end = () => {
+    const history = filmed();
+    if (!history || !falls()) return history?.endTime ?? 0;
+    let lies = ends.get(history);
+    if (lies === undefined) {
+      const { kernels, state } = app;
+      lies = history.endTime + fallTime(kernels, caseOf(kernels, state), history);
+      ends.set(history, lies);
+    }
+    return lies + LAID_SECONDS * pace();
+  };
   const now = () => Math.min((app.shared.cursor ?? 0) * period(), end());
   const fallen = () => falls() && now() >= (filmed()?.overturnTime ?? Infinity);
   const show = (/** @type {number} */ time) => {
@@ -200,7 +232,7 @@ export function makeFilmPanel(app) {
       if (!history) return 'The block on its base.';
       const { kernels, state } = app, given = caseOf(kernels, state);
       const { angle } = filmedState(kernels, given, history, now());
-      const how = fallen() ? 'overturned' : `θ = ${angleText(angle)}`;
+      const how = fallen() ? 'it falls' : `θ = ${angleText(angle)}`;
       const block = `A block of ${state.b} m by ${state.h} m`;
       return `${block} on its moving base: ${how} at ${timeText(now())}.`;
     },
@@ -247,13 +279,14 @@ export function makeFilmPanel(app) {
       pen.fillText(text, right ? size.width - 4 : 4, 14 + 18 * line);
     };
     put(timeText(time), 0, theme.ink);
-    const tilt = pose.side === 0 ? 'at rest' : `θ = ${angleText(pose.angle)}`;
-    put(pose.fallen ? 'overturned' : tilt, 1, pose.fallen ? theme.ink : theme.lines[0]);
+    const { rest, overturned } = theme.words;
+    const tilt = pose.side === 0 ? rest : `θ = ${angleText(pose.angle)}`;
+    put(pose.fallen ? overturned : tilt, 1, pose.fallen || pose.side === 0 ? theme.ink : theme.motion);
     const pushed = state.units === 'si'
       ? `${signedText(pose.push * alpha, 3)} g`
       : `${signedText(pose.push, 2)} αg`;
     put(`base a = ${pushed}`, 1, theme.base, true);
-    if (enlarged > 1) put(`rotation × ${enlarged}`, 0, theme.impact, true);
+    if (enlarged > 1) put(`tilt × ${enlarged}`, 0, theme.quiet, true);
   }
   return panel;
 }
@@ -273,7 +306,7 @@ function makeFilmControls(bar, does) {
     make('option', { value: String(speed) }, speed === 1 ? 'real time' : `${speed} ×`));
   const pace = /** @type {HTMLSelectElement} */ (
     make('select', { 'aria-label': 'speed of the film' }, ...options));
-  const scale = make('button', { type: 'button', 'aria-pressed': 'false' }, 'true rotation');
+  const scale = make('button', { type: 'button', 'aria-pressed': 'false' }, 'true tilt');
   pace.value = '1';
   play.addEventListener('click', does.turn);
   scrub.addEventListener('input', () => does.seek(Number(scrub.value) / 1000));

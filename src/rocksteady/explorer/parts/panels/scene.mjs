@@ -1,6 +1,7 @@
 // The block on its moving ground, in true geometry: the formulas of rocksteady.show.film.
 
 /** @import { Theme } from '../draw/theme.mjs' */
+import { fillClass } from '../draw/classes.mjs';
 
 /**
  * What is drawn of a homogeneous rectangle, lengths in metres.
@@ -31,7 +32,7 @@
  * @property {number} head  room above the block [px]
  */
 
-const LYING = 0.5 * Math.PI; // |theta| at which a block lies on its side
+export const LYING = 0.5 * Math.PI; // |theta| at which a block lies on its side
 const GROUND_DEPTH = 0.36; // in half-diagonals; the arrow has to fit in
 const GROUND_FAR = 0.5; // half-diagonals that the base may move until the camera goes with it
 const STROKE_GAP = 0.11; // between the strokes below the surface, in half-diagonals
@@ -100,39 +101,41 @@ export function drawBlockScene(pen, size, theme, shape, pose, camera) {
   pen.fillRect(0, 0, size.width, size.height);
   drawPosts(pen, size, theme, { unit, middle, level, radius: r, moved: follows ? moved : 0 });
 
-  // Between the verticals through the corners the mass centre pulls the block back.
-  pen.globalAlpha = 0.18;
-  pen.fillStyle = theme.block;
-  pen.fillRect(x(-b), 0, 2 * b * unit, level);
-  pen.globalAlpha = 1;
   drawGround(pen, size, theme, { unit, level, radius: r, start: x(0) });
 
   // A flight begins and ends at 0 only to rounding; its side decides about the pivot.
   const { side } = pose, theta = side * drawnRotation(shape, side * pose.angle, camera.enlarged);
   const corners = blockCorners(shape, theta);
-  line(corners.map(([px, py]) => [x(px), y(py)]));
-  pen.closePath();
-  pen.fillStyle = pose.fallen ? theme.fills.overturned : theme.block;
-  pen.fill();
+  const outline = () => {
+    line(corners.map(([px, py]) => [x(px), y(py)]));
+    pen.closePath();
+  };
+  outline();
+  // The block wears its state.
+  pen.save();
+  pen.clip();
+  const state = pose.fallen ? 'overturned' : side === 0 ? 'rest' : 'rocking';
+  fillClass(pen, theme, state, { left: 0, top: 0, ...size });
+  pen.restore();
+  outline(); // a hatch has left another path
   pen.lineWidth = 1.4;
-  pen.strokeStyle = pose.fallen && theme.dark ? theme.number : theme.ink;
+  pen.strokeStyle = pose.fallen ? theme.edge : theme.ink;
   pen.stroke();
 
   const centre = [(corners[0][0] + corners[2][0]) / 2, (corners[0][1] + corners[2][1]) / 2];
   const pivots = side === 0 ? [-b, b] : [-side * b];
-  const detail = pose.fallen ? theme.fills.rest : theme.fills.overturned;
   if (side !== 0) {
     line([[x(pivots[0]), y(0)], [x(centre[0]), y(centre[1])]]);
     pen.lineWidth = 0.9;
-    pen.strokeStyle = detail;
+    pen.strokeStyle = pose.fallen ? theme.onFalls : theme.ink;
     pen.stroke();
   }
   pen.beginPath();
   pen.arc(x(centre[0]), y(centre[1]), 3.6, 0, 2 * Math.PI);
-  pen.fillStyle = theme.fills.rest;
+  pen.fillStyle = theme.paper;
   pen.fill();
   pen.lineWidth = 1.4;
-  pen.strokeStyle = theme.fills.overturned;
+  pen.strokeStyle = theme.ink;
   pen.stroke();
   for (const pivot of pivots) {
     line([[x(pivot), y(0)], [x(pivot) - 5, y(0) + 9], [x(pivot) + 5, y(0) + 9]]);
@@ -164,7 +167,7 @@ function drawPosts(pen, size, theme, { unit, middle, level, radius, moved }) {
   const decade = 10 ** Math.floor(Math.log10(radius)), step = [1, 2, 5, 10].map((k) => k * decade)
     .find((length) => length >= 0.6 * radius) ?? decade;
   const half = size.width / 2 / unit;
-  pen.strokeStyle = theme.grid;
+  pen.strokeStyle = theme.hair;
   pen.lineWidth = 1;
   pen.beginPath();
   for (let k = Math.ceil((moved - half) / step); k * step <= moved + half; k += 1) {
@@ -173,7 +176,7 @@ function drawPosts(pen, size, theme, { unit, middle, level, radius, moved }) {
     pen.lineTo(px, level);
   }
   pen.stroke();
-  pen.fillStyle = theme.number;
+  pen.fillStyle = theme.quiet;
   pen.font = theme.small;
   pen.textAlign = 'right';
   pen.textBaseline = 'alphabetic';
@@ -187,10 +190,10 @@ function drawPosts(pen, size, theme, { unit, middle, level, radius, moved }) {
  * @param {{ unit: number, level: number, radius: number, start: number }} at
  */
 function drawGround(pen, size, theme, { unit, level, radius, start }) {
-  pen.fillStyle = theme.dark ? theme.grid : theme.ground;
+  pen.fillStyle = theme.soil;
   pen.fillRect(0, level, size.width, size.height - level);
   const gap = STROKE_GAP * radius * unit, deep = 0.07 * radius * unit;
-  pen.strokeStyle = theme.faint;
+  pen.strokeStyle = theme.edge;
   pen.lineWidth = 0.8;
   pen.beginPath();
   for (let px = start - Math.ceil(start / gap) * gap; px < size.width + deep; px += gap) {
@@ -219,7 +222,7 @@ function drawPush(pen, theme, { x, y, unit, radius, reach }, pose, camera) {
   if (!(camera.pushed > 0)) return;
   const level = y(-0.22 * radius), most = Math.max(1, camera.pushed);
   const end = (/** @type {number} */ push) => x(0) + ((push / most) * reach) * unit;
-  pen.strokeStyle = theme.number;
+  pen.strokeStyle = theme.quiet;
   pen.lineWidth = 1;
   pen.beginPath();
   for (const [mark, half] of [[0, 0.09], [-1, 0.055], [1, 0.055]]) {

@@ -186,7 +186,7 @@ export function makeStripPanel(app) {
   function differenceText() {
     const places = differingPlaces();
     if (!run || !places.length) {
-      return `Both sweeps meet the same motions wherever neither overturns.${subharmonicText()}`;
+      return `Both sweeps meet the same motions wherever neither falls.${subharmonicText()}`;
     }
     const [first, last] = [places[0], places[places.length - 1]].map((place) => valueText(place));
     const where = first === last ? `at ${first}` : `between ${first} and ${last}`;
@@ -212,9 +212,9 @@ export function makeStripPanel(app) {
   function stepText({ kinds, periods, peaks, reasons }, step) {
     const kind = kinds[step];
     if (!kind) return 'not computed';
-    if (kind === 'rest') return 'at rest';
+    if (kind === 'rest') return app.theme.words.rest;
     if (kind === 'undecided') return `undecided, ${reasons[step]}`;
-    if (kind === 'overturned') return kind;
+    if (kind === 'overturned') return app.theme.words[kind];
     const { y, angleUnit } = stripUnits(app, app.state);
     const high = numeral(peaks[step].reduce((most, u) => Math.max(most, Math.abs(u)), 0) * y, 3);
     const peak = `peak ${high}${angleUnit}`;

@@ -5,9 +5,10 @@
 /** @import { Frame } from '../draw/frame.mjs' */
 /** @import { MotionClass } from '../draw/classes.mjs' */
 /** @import { StripRun, StripView, Sweep } from './stripline.mjs' */
-import { CLASS_WORDS, classSwatch, fillClass } from '../draw/classes.mjs';
+import { classSwatch, fillClass } from '../draw/classes.mjs';
 import { frame } from '../draw/frame.mjs';
 import { clipped, curve, drawMark, lineLabel, rule } from '../draw/marks.mjs';
+import { mixed } from '../draw/theme.mjs';
 
 const STRIP_LANE = 9; // [px]
 const STRIP_DOTS = [2.6, 1.7]; // radius [px]: the larger of the upward sweep shows around the other
@@ -83,9 +84,14 @@ function highestDrawn({ run, closed, by }) {
   return 1.04 * highest;
 }
 
+/** Return the colour of the dots of a sweep: pale beneath, strong above. @param {Theme} theme @param {number} number */
+function sweepColour({ motion, paper }, number) {
+  return number === 0 ? mixed(motion, paper, 0.5) : motion;
+}
+
 /** @param {Theme} theme @param {number} order */
 function orderColour(theme, order) {
-  return order === 1 ? theme.lines[0] : theme.subharmonicLines[0];
+  return order === 1 ? theme.motion : theme.subharmonicLine;
 }
 
 /** @param {Pen} pen @param {Frame} onto @param {StripView} view */
@@ -129,7 +135,7 @@ function labelClosed(pen, onto, { closed, units }) {
  */
 function drawDots(pen, onto, { units }, run, sweep, number) {
   const last = run.values.length - 1, radius = STRIP_DOTS[number];
-  pen.fillStyle = onto.theme.sweeps[number];
+  pen.fillStyle = sweepColour(onto.theme, number);
   pen.beginPath();
   sweep.kinds.forEach((kind, step) => {
     const place = sweep.way === 'up' ? step : last - step;
@@ -148,7 +154,7 @@ function drawDots(pen, onto, { units }, run, sweep, number) {
 }
 
 /**
- * Draw a lane a sweep along the upper edge: where it overturned, came to rest, is undecided, or is
+ * Draw a lane a sweep along the upper edge: where it falls, comes to rest, is undecided, or is
  * not computed yet.
  * @param {Pen} pen
  * @param {Frame} onto
@@ -161,7 +167,7 @@ function drawLanes(pen, onto, { run, stale, units, by }) {
     pen.font = theme.small;
     pen.textAlign = 'left';
     pen.textBaseline = 'middle';
-    pen.fillStyle = theme.number;
+    pen.fillStyle = theme.quiet;
     pen.fillText(name, box.left + box.width + 4, top + STRIP_LANE / 2);
     const sweep = run?.by === by ? run.sweeps[number] : undefined;
     const fates = Array.from(run && sweep ? run.values : [0], (_, place) => {
@@ -180,7 +186,7 @@ function drawLanes(pen, onto, { run, stale, units, by }) {
         const [left, right] = [edge(first), edge(end)];
         const area = { left, top, width: Math.max(1, right - left), height: STRIP_LANE };
         fillClass(pen, theme, fate, area);
-        pen.strokeStyle = theme.faint;
+        pen.strokeStyle = theme.edge;
         pen.lineWidth = 0.7;
         pen.strokeRect(area.left, area.top, area.width, area.height);
       }
@@ -192,7 +198,7 @@ function drawLanes(pen, onto, { run, stale, units, by }) {
 function drawPoint(pen, onto, { state, by, units, hovered, run, present }) {
   const { theme } = onto, here = by === 'w' ? state.W : state.A;
   if (hovered !== null && run) {
-    rule(pen, onto, { x: run.values[hovered] * units.x }, { colour: theme.faint, dash: [2, 3] });
+    rule(pen, onto, { x: run.values[hovered] * units.x }, { colour: theme.edge, dash: [2, 3] });
   }
   rule(pen, onto, { x: here * units.x }, { colour: theme.ink, width: 1.4, casing: theme.paper });
   const left = onto.x.at(here * units.x), { box } = onto;
@@ -215,23 +221,23 @@ function drawPoint(pen, onto, { state, by, units, hovered, run, present }) {
 function stripEntries(theme, { run, closed }) {
   /** @type {FlowEntry[]} */
   const entries = [
-    { label: 'upward, from rest', colour: theme.sweeps[0], radius: STRIP_DOTS[0] + 0.6 },
+    { label: 'upward, from rest', colour: sweepColour(theme, 0), radius: STRIP_DOTS[0] + 0.6 },
     {
       label: 'downward, from the steady state',
-      colour: theme.sweeps[1],
+      colour: sweepColour(theme, 1),
       radius: STRIP_DOTS[1] + 0.9,
     },
   ];
   const met = new Set((run?.sweeps ?? []).flatMap(({ kinds }) => kinds));
   for (const fate of STRIP_FATES) {
-    if (met.has(fate)) entries.push({ label: CLASS_WORDS[fate], fill: fate });
+    if (met.has(fate)) entries.push({ label: theme.words[fate], fill: fate });
   }
   if ((run?.sweeps ?? []).some(({ kinds }) => kinds.length < (run?.values.length ?? 0))) {
-    entries.push({ label: CLASS_WORDS['not-computed'], fill: 'not-computed' });
+    entries.push({ label: theme.words['not-computed'], fill: 'not-computed' });
   }
   if (closed) {
-    entries.push({ label: 'closed form, stable', colour: theme.lines[0], dash: [] },
-      { label: 'unstable', colour: theme.lines[0], dash: [5, 4] });
+    entries.push({ label: 'closed form, stable', colour: theme.motion, dash: [] },
+      { label: 'unstable', colour: theme.motion, dash: [5, 4] });
   }
   return entries;
 }

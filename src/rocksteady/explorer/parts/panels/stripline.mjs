@@ -109,14 +109,14 @@ export function stripUnits(app, state) {
     return {
       x: over ? hertz : g, y: (alpha * 180) / Math.PI,
       symbol: over ? 'f' : 'a', unit: over ? 'Hz' : 'g',
-      angleUnit: '°', label: over ? 'frequency [Hz]' : 'peak acceleration [g]',
+      angleUnit: '°', label: over ? 'frequency [Hz]' : 'acceleration a_max [g]',
       angleLabel: 'peak of each flight |θ| [°]',
       fixed: over ? `a = ${numeral(state.A * g)} g` : `f = ${numeral(state.W * hertz)} Hz`,
     };
   }
   return {
     x: 1, y: 1, symbol: over ? 'Ω' : 'A', unit: '', angleUnit: '',
-    label: over ? 'frequency ratio Ω = ω/p' : 'amplitude A = a/(αg)',
+    label: over ? 'frequency ratio Ω = ω/p' : 'amplitude A = a_max/(αg)',
     angleLabel: 'peak of each flight |θ|/α',
     fixed: over ? `A = ${numeral(state.A)}` : `Ω = ${numeral(state.W)}`,
   };

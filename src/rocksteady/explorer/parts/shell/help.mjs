@@ -10,7 +10,7 @@ import { defaultState } from './state.mjs';
 const PANEL_WORDS = {
   readout: 'the motion at the point in numbers, and the motions beside it from other starts',
   map: 'what the block settles to at each frequency and amplitude; edges of regions are lines, and '
-    + 'cells that are not computed are hatched',
+    + 'cells that are not computed are dotted',
   film: 'the block on its moving base; play it, or drag along it',
   history: 'the angle over the time, with the impacts; ±1 is the slenderness α',
   phase: 'velocity against angle; an impact is a step at angle 0',
@@ -19,11 +19,11 @@ const PANEL_WORDS = {
   strip: 'what the block settles to along the row or the column of the point, in an upward and a '
     + 'downward sweep; where they differ, two motions coexist',
   basins: 'where the block goes from each initial state; drag a state to see its motion',
-  pulse: 'whether a single pulse overturns the block, and after how many impacts',
+  pulse: 'whether a single pulse fells the block, and after how many impacts',
   pulsehistory: 'base motion and angle under the pulse at the point',
   quake: 'the ground motion and the angle of the block; drop a file to read another',
   spectrum: 'the largest angle of blocks of other sizes under this motion',
-  verdict: 'whether the block overturns, at this scale of the motion and at others',
+  verdict: 'whether the block falls, at this scale of the motion and at others',
   design: 'sizes of blocks that stand the demand, and sizes that fall',
   designed: 'the chosen block in numbers',
 };
@@ -47,7 +47,7 @@ const EXAMPLES = [
   ['Aperiodic rocking', { A: 2.13, W: 1.95, r: 0.3 }],
   ['Nonlinear equations, a stocky block', { model: 'nonlinear', b: 0.8, h: 1.6, units: 'si' }],
   ['Basins of rest and rocking', { tab: 'basins', A: 0.8, W: 2, start: '0.4,0' }],
-  ['One pulse: two ways to overturn', { tab: 'pulse' }],
+  ['One pulse: two ways to fall', { tab: 'pulse' }],
   ['A tall rack in an earthquake', { tab: 'quake', b: 0.8, h: 5, model: 'nonlinear' }],
   ['The size of a cabinet', { tab: 'design', b: 0.6, h: 1.8, model: 'nonlinear' }],
 ];

@@ -25,7 +25,7 @@ export function makeBasinsPanel(app) {
       const { angle, velocity } = unitsOf(state);
       return {
         x: axisOf(state, BASIN_KEYS.x,
-          { unit: angle.factor, label: `initial angle ${angle.label}` }),
+          { unit: angle.factor, label: `initial ${angle.label}` }),
         y: axisOf(state, BASIN_KEYS.y,
           { unit: velocity.factor, label: `initial ${velocity.label}` }),
       };
@@ -101,7 +101,7 @@ export function makeBasinsPanel(app) {
     if (!followed) return '';
     const { kind, orbit } = followed.attractor, { factor, unit } = unitsOf(app.state).angle;
     const from = start.kind === 'rest' ? 'From rest' : `From ${placeText(angle, velocity)}`;
-    if (!orbit) return `${from}: ${kind === 'rest' ? 'at rest' : kind}.`;
+    if (!orbit) return `${from}: ${app.theme.words[kind]}.`;
     const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * factor, 3));
     return `${from}: ${kind}, period ${orbit.period}, `
       + `peaks ${high} and ${low}${unit === '°' ? '' : ' '}${unit}.`;
@@ -123,13 +123,13 @@ export function makeBasinsPanel(app) {
     const parts = attractors.map(({ name, states }) => `${name} ${basinShare(states / computed)}`);
     return `Attractors reached from ${computed} initial states at phase 0, `
       + `A = ${numeral(state.A)}, Ω = ${numeral(state.W)}: ${parts.join(', ')}. `
-      + `${basinShare(safeStates(known) / computed)} never overturn. ${stateText()}`;
+      + `${basinShare(safeStates(known) / computed)} never fall. ${stateText()}`;
   }
 
   function table() {
-    const { angle } = unitsOf(app.state), known = labels().labels;
+    const { angle, si } = unitsOf(app.state), known = labels().labels, shown = si ? 'θ [°]' : 'θ/α';
     const columns = ['attractor', 'share [%]', 'states', 'period [forcing periods]',
-      `highest ${angle.label}`, `lowest ${angle.label}`];
+      `highest ${shown}`, `lowest ${shown}`];
     const rows = (known?.attractors ?? []).map(({ name, states, orbit }) => [
       name, (100 * states) / (known?.computed ?? 1), states, orbit?.period ?? '',
       orbit ? orbit.highest * angle.factor : '', orbit ? orbit.lowest * angle.factor : '',
@@ -140,7 +140,7 @@ export function makeBasinsPanel(app) {
   function placed() {
     for (const [safe, text, title] of [
       ['0', 'attractors', 'One fill for each attractor'],
-      ['1', 'safe basin', 'The states that never overturn'],
+      ['1', 'safe basin', 'The states that never fall'],
     ]) choices.set(safe, buttonEntry(text, title, () => app.set({ safe })));
     panel.bar?.append(...choices.values(), ...plane.buttons());
     plane.listen();

@@ -5,11 +5,12 @@
 /** @import { BasinAttractor, Cells } from '../../physics/basins.mjs' */
 /** @import { PlanePart } from '../plane/plane.mjs' */
 /** @import { RasterOptions } from '../plane/raster.mjs' */
+import { lookTiles } from '../../draw/classes.mjs';
 import { ATTRACTOR_KINDS } from '../../physics/attractor.mjs';
 import { BASIN_SIDE, cellMiddles, emptyCells } from '../../physics/basins.mjs';
 import { caseOf } from '../../shell/state.mjs';
 import { makePlane } from '../plane/plane.mjs';
-import { basinTiles } from './looks.mjs';
+import { attractorLooks } from './looks.mjs';
 
 /**
  * @typedef {object} BasinLabels
@@ -47,7 +48,8 @@ export function makeBasinPlane(app, panelOf, part) {
     empty: (count) => ({ ...emptyCells(count) }),
     values: ({ from, to }, count) => cellMiddles(from, to, count),
     look: (k) => labels?.label[k] ?? -1,
-    tiles: (theme, ratio) => basinTiles(theme, drawn?.attractors ?? [], app.state.safe === 1, ratio),
+    tiles: (theme, ratio) => lookTiles(attractorLooks(theme, drawn?.attractors ?? [],
+      app.state.safe === 1).map(({ look }) => look), ratio),
     undecided: (k) => cells().kind[k] === UNDECIDED,
     ready: () => labels !== null,
     begun() {

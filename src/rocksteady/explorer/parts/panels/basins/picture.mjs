@@ -5,16 +5,16 @@
 /** @import { Frame } from '../../draw/frame.mjs' */
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { MarkKind } from '../../draw/marks.mjs' */
-/** @import { MotionClass } from '../../draw/classes.mjs' */
+/** @import { Look } from '../../draw/classes.mjs' */
 /** @import { Case, Start } from '../../physics/case.mjs' */
 /** @import { BasinAttractor } from '../../physics/basins.mjs' */
 /** @import { BasinLabels, makeBasinPlane } from './cells.mjs' */
 /** @import { PlaneAxes } from '../plane/axis.mjs' */
 /** @import { Followed } from '../point/followed.mjs' */
 /** @import { panelUnits } from '../point/units.mjs' */
-import { fillClass } from '../../draw/classes.mjs';
+import { classLook, fillClass, lookSwatch } from '../../draw/classes.mjs';
 import { frame, outline } from '../../draw/frame.mjs';
-import { clipped, curve, drawMark, points } from '../../draw/marks.mjs';
+import { clipped, curve, drawHandle, drawMark, points } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { historyOf, motionAt } from '../../physics/history.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
@@ -89,14 +89,14 @@ export function makeBasinPicture(app) {
   /** @param {Pen} pen @param {Frame} onto @param {BasinView} view @param {BasinLabels} drawn */
   function drawAttractors(pen, onto, { units }, { attractors, given }) {
     const { theme } = app;
-    attractorLooks(theme, attractors, false).forEach(({ fill, mark }, k) => {
+    attractorLooks(theme, attractors, false).forEach(({ look, mark }, k) => {
       if (!mark) return;
       const { angle, velocity } = stroboscopic(given, attractors[k]);
       const xs = angle.map((u) => u * units.angle.factor);
       const ys = velocity.map((v) => v * units.velocity.factor);
-      // A white rim around a dark one is seen on every fill.
-      points(pen, onto, xs, ys, { mark, colour: '#272728', radius: 5.5, casing: '#ffffff' });
-      points(pen, onto, xs, ys, { mark, colour: fill, radius: 4 });
+      // A rim of paper around one of ink is seen on every fill.
+      points(pen, onto, xs, ys, { mark, colour: theme.ink, radius: 5.5, casing: theme.paper });
+      points(pen, onto, xs, ys, { mark, colour: look.fill, radius: 4 });
     });
   }
 
@@ -136,30 +136,26 @@ export function makeBasinPicture(app) {
         values.map((value) => value * factor);
       curve(pen, onto, scaled(course.angle.subarray(0, end), angle.factor),
         scaled(course.velocity.subarray(0, end), velocity.factor),
-        { colour: theme.impact, width: 1.1 });
+        { colour: theme.motion, width: 1.4, casing: theme.paper });
       if (orbit) {
         curve(pen, onto, scaled(orbit.angle, angle.factor), scaled(orbit.velocity, velocity.factor),
-          { colour: theme.ink, width: 1.4, casing: theme.paper });
+          { colour: theme.motion, width: 2.4, casing: theme.paper });
       }
       points(pen, onto, scaled(strobe.angle, angle.factor),
         scaled(strobe.velocity, velocity.factor),
-        { colour: theme.impact, radius: 2.6, casing: theme.paper });
+        { colour: theme.motion, radius: 2.6, casing: theme.paper });
     }
     const at = start.kind === 'state' ? start : { angle: 0, velocity: 0 };
     const [x, y] = [onto.x.at(at.angle * angle.factor), onto.y.at(at.velocity * velocity.factor)];
-    clipped(pen, onto, () => {
-      drawMark(pen, 'ring', x, y, { colour: theme.impact, radius: 8, casing: theme.paper });
-    });
+    clipped(pen, onto, () => drawHandle(pen, theme, x, y));
   }
 }
 
 /**
  * @typedef {object} BasinEntry
- * @property {MotionClass} name
- * @property {string} fill
+ * @property {Look} [look]  of an area; without one a line, the orbit
  * @property {MarkKind | null} mark
  * @property {string[]} lines  name, peaks, share
- * @property {string} [colour]  of an orbit, in place of the fill
  */
 
 /**
@@ -177,21 +173,19 @@ function keyEntries(theme, { safe, units, start, followed }, drawn) {
   const fallen = attractors.find(({ kind }) => kind === 'overturned')?.states ?? 0;
   const unknown = attractors.find(({ kind }) => kind === 'undecided')?.states ?? 0;
   if (safe) {
-    const lines = ['safe: never overturn', share(computed - fallen)];
+    const lines = ['stands', share(computed - fallen)];
     if (unknown) lines.push(`${unknown} of them undecided`);
     return [
-      { name: 'rocking', fill: theme.fills.rocking, mark: null, lines },
+      { look: classLook(theme, 'rocking'), mark: null, lines },
       {
-        name: 'overturned',
-        fill: theme.fills.overturned,
-        mark: null,
-        lines: ['overturned', share(fallen)],
+        look: classLook(theme, 'overturned'), mark: null,
+        lines: [theme.words.overturned, share(fallen)],
       },
-      ...(start.kind === 'state' && followed ? [orbitEntry(theme)] : []),
+      ...(start.kind === 'state' && followed ? [orbitEntry()] : []),
     ];
   }
-  const entries = attractors.map(({ name, states, orbit }, k) => {
-    const lines = [name === 'rest' ? 'at rest' : name];
+  const entries = attractors.map(({ name, kind, states, orbit }, k) => {
+    const lines = [orbit ? name : theme.words[kind]];
     if (orbit) {
       const [high, low] = [orbit.highest, orbit.lowest].map((u) => numeral(u * angle.factor, 3));
       const unit = angle.unit === '°' ? '°' : ` ${angle.unit}`;
@@ -199,13 +193,12 @@ function keyEntries(theme, { safe, units, start, followed }, drawn) {
     }
     return { ...looks[k], lines: [...lines, share(states)] };
   });
-  return start.kind === 'state' && followed ? [...entries, orbitEntry(theme)] : entries;
+  return start.kind === 'state' && followed ? [...entries, orbitEntry()] : entries;
 }
 
-/** @param {Theme} theme @returns {BasinEntry} */
-function orbitEntry(theme) {
-  return { name: 'not-computed', fill: '', mark: null, colour: theme.impact,
-    lines: ['orbit of the state;', 'dots: once a period,', 'at phase 0'] };
+/** @returns {BasinEntry} */
+function orbitEntry() {
+  return { mark: null, lines: ['orbit of the state;', 'dots: once a period,', 'at phase 0'] };
 }
 
 /** @param {Pen} pen @param {Theme} theme @param {BasinEntry[]} entries
@@ -214,29 +207,27 @@ function drawBasinKey(pen, theme, entries, { left, top, columns }) {
   pen.save();
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
-  entries.forEach(({ name, fill, mark, lines, colour }, k) => {
+  entries.forEach(({ look, mark, lines }, k) => {
     const x = left + (k % columns) * BASIN_KEY_NARROW;
     const y = top + Math.floor(k / columns) * BASIN_KEY_LINE;
     const box = { left: x, top: y + 3, width: 22, height: 24 };
-    pen.lineWidth = 1;
-    pen.strokeStyle = colour ?? theme.faint;
-    if (colour) {
+    if (!look) {
+      const colour = theme.motion;
+      pen.strokeStyle = colour;
+      pen.lineWidth = 1.4;
       pen.beginPath();
       pen.moveTo(x, y + 15);
       pen.lineTo(x + 22, y + 15);
       pen.stroke();
       drawMark(pen, 'dot', x + 11, y + 15, { colour, radius: 2.6, casing: theme.paper });
-    } else {
-      fillClass(pen, { ...theme, fills: { ...theme.fills, [name]: fill } }, name, box);
-      pen.strokeRect(box.left + 0.5, box.top + 0.5, box.width - 1, box.height - 1);
-    }
-    if (mark) {
-      drawMark(pen, mark, x + 11, y + 15, { colour: '#272728', radius: 5.5, casing: '#ffffff' });
-      drawMark(pen, mark, x + 11, y + 15, { colour: fill, radius: 4 });
+    } else lookSwatch(pen, theme, look, box);
+    if (mark && look) {
+      drawMark(pen, mark, x + 11, y + 15, { colour: theme.ink, radius: 5.5, casing: theme.paper });
+      drawMark(pen, mark, x + 11, y + 15, { colour: look.fill, radius: 4 });
     }
     lines.forEach((text, line) => {
       pen.font = theme.small;
-      pen.fillStyle = line ? theme.number : theme.ink;
+      pen.fillStyle = line ? theme.quiet : theme.ink;
       pen.fillText(text, x + 28, y + 8 + 14 * line);
     });
   });

@@ -30,33 +30,34 @@ export function drawCourse(pen, size, theme, run, units) {
   const small = largest > 0 && largest < COURSE_SMALL * units.angle;
   const widest = small ? 1.6 * largest : Math.max(1.15 * units.angle, 1.06 * largest);
   const above = Math.round(size.height * COURSE_BASE), left = 44;
-  const x = { from: 0, to, label: units.si ? 'time t [s]' : 'pivot time pt' };
+  const x = { from: 0, to, label: units.si ? 'time [s]' : 'pivot time pt' };
   const top = frame(pen, { width: size.width, height: above }, {
     theme, x: { ...x, label: '', bare: true }, margin: { left, right: 12 },
-    y: { from: -strongest, to: strongest, label: units.si ? 'base acceleration a [g]' : 'base acceleration a/(αg)' },
+    y: { from: -strongest, to: strongest, label: units.si ? 'acceleration of the base [g]' : 'acceleration of the base a/(αg)' },
   });
-  rule(pen, top, { y: 0 }, { colour: theme.faint });
+  rule(pen, top, { y: 0 }, { colour: theme.edge });
   for (const side of [-1, 1]) {
-    rule(pen, top, { y: side * units.amplitude }, { colour: theme.number, dash: [2, 3] });
+    rule(pen, top, { y: side * units.amplitude }, { colour: theme.limit, dash: [6, 4] });
   }
+  note(pen, top, 'lifts', top.box.left + top.box.width - 4, top.y.at(units.amplitude) - 8, { align: 'right' });
   curve(pen, top, [0, ...times], [0, ...base], { colour: theme.base, width: 1.8 });
   pen.save();
   pen.translate(0, above);
   const low = frame(pen, { width: size.width, height: size.height - above }, {
     theme, x, margin: { left, right: 12 },
-    y: { from: -widest, to: widest, label: units.si ? 'rotation θ [°]' : 'rotation θ/α' },
+    y: { from: -widest, to: widest, label: units.si ? 'tilt θ [°]' : 'angle θ/α' },
   });
-  rule(pen, low, { y: 0 }, { colour: theme.faint });
-  for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.ink, dash: [6, 3], width: 1.2 });
+  rule(pen, low, { y: 0 }, { colour: theme.edge });
+  for (const side of [-1, 1]) rule(pen, low, { y: side * units.angle }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
   const level = small ? `±α = ±${numeral(units.angle, 3)}${units.si ? '°' : ''}, outside` : 'θ = α';
   const at = small ? low.box.top + 10 : low.y.at(units.angle) - 9;
   note(pen, low, level, low.box.left + low.box.width - 4, at, { align: 'right' });
-  curve(pen, low, times, angles, { colour: theme.lines[0], width: 2 });
+  curve(pen, low, times, angles, { colour: theme.motion, width: 2 });
   const struck = Array.from(run.impacts).filter((t) => t * units.time <= to).slice(0, 400);
   points(pen, low, struck.map((t) => t * units.time), struck.map(() => 0), { colour: theme.impact, radius: 3 });
   if (run.overturns !== null) {
-    rule(pen, low, { x: run.overturns * units.time }, { colour: theme.impact, dash: [2, 3] });
-    note(pen, low, 'overturns', low.x.at(run.overturns * units.time) - 4, low.box.top + low.box.height - 10, { align: 'right', colour: theme.impact });
+    rule(pen, low, { x: run.overturns * units.time }, { colour: theme.limit, dash: [2, 3] });
+    note(pen, low, theme.words.overturned, low.x.at(run.overturns * units.time) - 4, low.box.top + low.box.height - 10, { align: 'right' });
   }
   pen.restore();
 }

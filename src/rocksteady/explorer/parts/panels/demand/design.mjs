@@ -3,10 +3,11 @@
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
 /** @import { Demand } from '../../physics/demand/design.mjs' */
-/** @import { CellLook } from './key.mjs' */
+/** @import { Look, MotionClass } from '../../draw/classes.mjs' */
 /** @import { PlaneAxis } from '../plane/axis.mjs' */
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { Frame } from '../../draw/frame.mjs' */
+import { classLook, lookTiles } from '../../draw/classes.mjs';
 import { curve } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { PULSES } from '../../kernels/pulses.mjs';
@@ -15,20 +16,17 @@ import { DESIGN_FATE } from '../../physics/demand/design.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf, partOn, valueOn } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
-import { drawFates, lookTiles } from './key.mjs';
-import { mixedColour } from './words.mjs';
+import { drawFates } from './key.mjs';
 
 const SIZE_KEYS = /** @type {const} */ ({ x: ['db0', 'db1'], y: ['dh0', 'dh1'] });
 const ALPHA_KEYS = /** @type {const} */ ({ x: ['ds0', 'ds1'], y: ['dr0', 'dr1'] });
 const DESIGN_GRID = { columns: 384, rows: 288 };
 const DESIGN_LOOK = { rests: 0, safe: 1, beyond: 2, overturns: 3, undecided: 4, impossible: 5,
   peaks: 6 };
-const DESIGN_WORDS = ['does not lift', 'safe', 'stands', 'overturns', 'undecided',
+const DESIGN_WORDS = ['does not lift', 'safe', 'stands', 'falls', 'undecided',
   'so stocky that it does not rock'];
 const TABLE_STEP = 24; // cells from one row of the table to the next
-const CIVIDIS = ['#00224e', '#083370', '#35456c', '#4f576c', '#666970', '#7d7c78', '#948e77',
-  '#aea371', '#c8b866', '#e5cf52', '#fee838'];
-const PEAK_LEVELS = 50;
+const PEAK_LEVELS = 5; // flat steps of the ramp
 const DEMAND_KEYS = ['demand', 'dg', 'df', 'dn', 'pulse', 'record', 'scale', 'model', 'r', 'rh',
   'motions'];
 
@@ -91,7 +89,7 @@ export function makeDesignPanel(app) {
     grid: DESIGN_GRID,
     whole: 4,
     empty: (count) => ({ fates: new Uint8Array(count), peaks: new Float64Array(count) }),
-    tiles: (theme) => lookTiles(designLooks(theme)),
+    tiles: (theme, ratio) => lookTiles(designLooks(theme), ratio),
     look: (k) => lookOf(k),
     undecided: (k) => found().fates[k] === DESIGN_FATE.undecided,
     axes: (state) => (state.plane === 'alpha' ? {
@@ -131,7 +129,7 @@ export function makeDesignPanel(app) {
       const place = app.state.plane === 'alpha' ? `α = ${numeral(x * unit, 3)}°, R = ${numeral(y, 3)} m`
         : `${numeral(x, 3)} m wide, ${numeral(y, 3)} m high`;
       const look = cell ? lookOf(cell.at) : -1, peak = cell ? peaks[cell.at] : 0;
-      const stands = peak > 0 ? `${isSafe(look) ? 'safe' : 'stands'}, peak ${numeral(peak, 3)} α` : '';
+      const stands = peak > 0 ? `${cell && isSafe(cell.at) ? 'safe' : 'stands'}, peak ${numeral(peak, 3)} α` : '';
       return [place, stands || (DESIGN_WORDS[look] ?? 'not computed yet')];
     },
     tell: () => tell(),
@@ -151,13 +149,13 @@ export function makeDesignPanel(app) {
 
   const key = () => {
     const looks = designLooks(app.theme), { limit, dpeak } = app.state;
-    const overturns = { words: 'overturns', look: looks[DESIGN_LOOK.overturns] };
+    const overturns = { words: app.theme.words.overturned, look: looks[DESIGN_LOOK.overturns] };
     if (dpeak) {
-      const shares = [0, 0.25, 0.5, 0.75, 0.99].map((part) => ({
-        words: part === 0 ? 'peak 0' : part === 0.99 ? '1 α' : `${part}`,
-        look: looks[DESIGN_LOOK.peaks + Math.floor(part * PEAK_LEVELS)],
+      const steps = Array.from({ length: PEAK_LEVELS }, (_, k) => ({
+        words: k ? `to ${numeral((k + 1) / PEAK_LEVELS, 2)} α` : `peak to ${numeral(1 / PEAK_LEVELS, 2)} α`,
+        look: looks[DESIGN_LOOK.peaks + k],
       }));
-      return [...shares, overturns];
+      return [...steps, overturns];
     }
     return [
       { words: 'does not lift', look: looks[DESIGN_LOOK.rests] },
@@ -212,19 +210,18 @@ export function makeDesignPanel(app) {
   /** @param {PlaneAxis} axis @param {number} part */
   const along = (axis, part) => valueOn(axis, part) * axis.unit;
 
-  /** Whether a look is one of the safe set. @param {number} look */
-  const isSafe = (look) => look === DESIGN_LOOK.rests || look === DESIGN_LOOK.safe
-    || (look >= DESIGN_LOOK.peaks
-      && (look - DESIGN_LOOK.peaks + 1) / PEAK_LEVELS <= app.state.limit);
+  /** Return whether a cell is one of the safe set; one that is not computed is none. @param {number} at */
+  const isSafe = (at) => at >= 0 && found().fates[at] === DESIGN_FATE.stands
+    && found().peaks[at] <= app.state.limit;
 
   /** Return the looks of all cells; -1 where no cell is computed. */
   const looksSeen = () => plane.nearestCells().map((at) => (at < 0 ? -1 : lookOf(at)));
 
   /** Return the part of the plane that is safe. */
   const safeShare = () => {
-    const looks = looksSeen();
+    const near = plane.nearestCells();
     if (!plane.progress().level) return null;
-    return looks.reduce((sum, look) => sum + Number(isSafe(look)), 0) / looks.length;
+    return near.reduce((sum, at) => sum + Number(isSafe(at)), 0) / near.length;
   };
 
   /** Return from which width on all blocks of this height are safe, to the width of a cell. */
@@ -235,7 +232,7 @@ export function makeDesignPanel(app) {
     if (row < 0 || row >= rows) return '';
     const near = plane.nearestCells().subarray(row * columns, (row + 1) * columns);
     let first = columns;
-    while (first > 0 && isSafe(lookOf(near[first - 1]))) first -= 1;
+    while (first > 0 && isSafe(near[first - 1])) first -= 1;
     const high = `${numeral(state.h, 3)} m high`, end = numeral(axes.x.to, 3);
     if (first === columns) return `The widest, ${end} m, is not safe ${high}.`;
     if (first === 0) return `All widths that were run, from ${numeral(axes.x.from, 3)} m, are safe ${high}.`;
@@ -262,7 +259,7 @@ export function makeDesignPanel(app) {
     for (const ratio of [2, 3, 4, 6, 10]) {
       const widths = [x.from, x.to];
       const heights = widths.map((width) => ratio * width);
-      curve(pen, onto, widths, heights, { colour: theme.number, width: 1, dash: [1, 4] });
+      curve(pen, onto, widths, heights, { colour: theme.quiet, width: 1, dash: [1, 4] });
       const top = Math.min(y.to, ratio * x.to), at = x.at(top / ratio);
       if (at < box.left + 20 || top < y.from) continue;
       const words = `h = ${ratio} b`;
@@ -274,7 +271,7 @@ export function makeDesignPanel(app) {
       const [left, middle] = [Math.min(at, box.left + box.width) - wide - 2, y.at(top) + (top < y.to ? 0 : 11)];
       pen.fillStyle = theme.paper;
       pen.fillRect(left, middle - 8, wide, 16);
-      pen.fillStyle = theme.number;
+      pen.fillStyle = theme.quiet;
       pen.fillText(words, left + wide / 2, middle);
       pen.restore();
     }
@@ -285,20 +282,12 @@ export function makeDesignPanel(app) {
 /**
  * Return what cells look like, by their numbers.
  * @param {Theme} theme
- * @returns {CellLook[]}
+ * @returns {Look[]}
  */
 function designLooks(theme) {
-  const { fills, marks } = theme, teal = fills.rocking;
-  const peaks = Array.from({ length: PEAK_LEVELS }, (_, k) => {
-    const at = (k / (PEAK_LEVELS - 1)) * (CIVIDIS.length - 1), low = Math.min(Math.floor(at), CIVIDIS.length - 2);
-    return { fill: mixedColour(CIVIDIS[low], CIVIDIS[low + 1], at - low) };
-  });
-  return [
-    { fill: mixedColour(teal, theme.paper, 0.62) }, { fill: teal }, { fill: theme.paper },
-    { fill: fills.overturned, mark: marks.dark, kind: 'rising' },
-    { fill: fills.undecided, mark: marks.dark, kind: 'crossed' },
-    { fill: theme.paper, mark: theme.faint, kind: 'falling' }, ...peaks,
-  ];
+  const { rocksRamp } = theme, look = (/** @type {MotionClass} */ name) => classLook(theme, name);
+  return [look('rest'), { fill: rocksRamp[1] }, { fill: rocksRamp[3] }, look('overturned'),
+    look('undecided'), look('no-start'), ...rocksRamp.map((fill) => ({ fill }))];
 }
 
 /**
@@ -316,7 +305,7 @@ function makeDesignEntries(app, plane) {
   const level = number('dg', 'a [g]', 0.05), rate = number('df', 'f [Hz]', 0.1);
   const cycles = number('dn', 'cycles', 1), limit = number('limit', 'safe: peak ≤ [α]', 0.05);
   const axes = choiceEntry(app, 'plane', 'axes', [['size', 'width, height'], ['alpha', 'slenderness, R']]);
-  const peaks = buttonEntry('peaks', 'colour by the peak rotation', () => app.set({ dpeak: 1 - app.state.dpeak }));
+  const peaks = buttonEntry('peaks', 'colour by the largest tilt', () => app.set({ dpeak: 1 - app.state.dpeak }));
   const numbers = [level, rate, cycles, limit];
   const all = [
     kind.root, shape.root, level.root, rate.root, cycles.root, limit.root, axes.root, peaks,

@@ -2,7 +2,9 @@
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { State } from '../../shell/state.mjs' */
+/** @import { MotionClass } from '../../draw/classes.mjs' */
 /** @import { designRun } from '../../physics/demand/design.mjs' */
+import { fillClass } from '../../draw/classes.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { DESIGN_FATE, feltBy } from '../../physics/demand/design.mjs';
 import { make } from '../../shell/layout.mjs';
@@ -15,6 +17,8 @@ import { unitsOf } from './words.mjs';
 
 const DESIGN_KEYS = ['demand', 'dg', 'df', 'dn', 'pulse', 'record', 'scale', 'model', 'r', 'rh', 'b', 'h', 'limit',
   'motions'];
+/** What a block that does not stand wears. @type {Partial<Record<number, MotionClass>>} */
+const STATES = { [DESIGN_FATE.overturns]: 'overturned', [DESIGN_FATE.undecided]: 'undecided' };
 const DESIGN_SEEN = 14; // pivot time after a pulse up to which a block that stands is shown
 
 /**
@@ -27,7 +31,7 @@ const DESIGN_SEEN = 14; // pivot time after a pulse up to which a block that sta
 function designVerdict(fate, peak, alpha, limit) {
   if (fate === DESIGN_FATE.impossible) return 'does not rock: Housner’s restitution is not above 0';
   if (fate === DESIGN_FATE.undecided) return 'undecided';
-  if (fate === DESIGN_FATE.overturns) return 'overturns';
+  if (fate === DESIGN_FATE.overturns) return 'falls';
   if (peak === 0) return 'does not lift';
   const degrees = `${numeral((peak * alpha * 180) / Math.PI, 3)}° = ${numeral(peak, 3)} α`;
   return `${peak <= limit ? 'safe' : 'stands, beyond the limit'}: peak ${degrees}`;
@@ -116,8 +120,8 @@ export function makeDesignedPanel(app) {
     const words = designVerdict(fate, run?.peak ?? NaN, block.alpha, state.limit);
     const others = neighbours.filter((each) => isFallen(each.fate) !== isFallen(fate)).length;
     const robust = !neighbours.length || fate > DESIGN_FATE.overturns ? ''
-      : others ? ` Not robust: ${others} of ${neighbours.length} neighbours ${isFallen(fate) ? 'stand' : 'overturn'}.`
-        : ` All ${neighbours.length} neighbours ${isFallen(fate) ? 'overturn' : 'stand'} too.`;
+      : others ? ` Not robust: ${others} of ${neighbours.length} neighbours ${isFallen(fate) ? 'stand' : 'fall'}.`
+        : ` All ${neighbours.length} neighbours ${isFallen(fate) ? 'fall' : 'stand'} too.`;
     verdict.textContent = `${words[0].toUpperCase()}${words.slice(1)}.${robust}`;
     const felt = demand.kind === 'record' ? ''
       : `; A = ${numeral(feltBy(demand, block).amplitude, 4)}, Ω = ${numeral(feltBy(demand, block).frequencyRatio, 4)}`;
@@ -151,11 +155,11 @@ function isFallen(fate) {
 
 /** @param {number} fate */
 function fateWord(fate) {
-  return ['stands', 'overturns', 'undecided', 'does not rock'][fate];
+  return ['stands', 'falls', 'undecided', 'does not rock'][fate];
 }
 
 /**
- * Draw the block to scale, upright and at its largest rotation.
+ * Draw the block to scale, upright and at its largest tilt.
  * @param {any} pen
  * @param {{ width: number, height: number }} size
  * @param {App} app
@@ -172,10 +176,10 @@ function drawToScale(pen, size, app, { block, fate, run }) {
   const side = angles.reduce((most, u) => (Math.abs(u) > Math.abs(most) ? u : most), 0) < 0 ? -1 : 1;
   pen.fillStyle = theme.paper;
   pen.fillRect(0, 0, size.width, size.height);
-  pen.fillStyle = theme.ground;
+  pen.fillStyle = theme.soil;
   pen.fillRect(0, ground, size.width, 8);
-  /** @param {number} angle  [rad] @param {boolean} filled */
-  const outlined = (angle, filled) => {
+  /** @param {number} angle  [rad] */
+  const trace = (angle) => {
     const pivot = angle < 0 ? b / 2 : -b / 2, [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     pen.beginPath();
     [[-b / 2, 0], [b / 2, 0], [b / 2, h], [-b / 2, h]].forEach(([x, y], k) => {
@@ -184,19 +188,26 @@ function drawToScale(pen, size, app, { block, fate, run }) {
       if (k) pen.lineTo(px, py); else pen.moveTo(px, py);
     });
     pen.closePath();
+  };
+  /** @param {number} angle  [rad] @param {boolean} filled */
+  const outlined = (angle, filled) => {
+    trace(angle);
     if (filled) {
-      pen.fillStyle = theme.block;
-      pen.fill();
+      pen.save();
+      pen.clip();
+      fillClass(pen, theme, STATES[fate] ?? (turned ? 'rocking' : 'rest'), { left: 0, top: 0, ...size });
+      pen.restore();
+      trace(angle); // a hatch has left another path
     }
     pen.setLineDash(filled ? [] : [4, 3]);
-    pen.strokeStyle = filled ? theme.ink : theme.impact;
-    pen.lineWidth = filled ? 1.4 : 1.6;
+    pen.strokeStyle = filled && isFallen(fate) ? theme.edge : theme.ink;
+    pen.lineWidth = 1.4;
     pen.stroke();
     pen.setLineDash([]);
   };
   outlined(0, true);
   if (turned > 0) outlined(side * turned * block.alpha, false);
-  pen.fillStyle = theme.number;
+  pen.fillStyle = theme.quiet;
   pen.font = theme.small;
   pen.textBaseline = 'middle';
   pen.textAlign = 'center';
@@ -215,8 +226,8 @@ function drawToScale(pen, size, app, { block, fate, run }) {
   pen.textAlign = 'right';
   pen.fillText(`${bar} m`, right - bar * unit - 5, ground + 15);
   if (turned > 0) {
-    pen.fillStyle = theme.impact;
-    const words = fate === DESIGN_FATE.overturns ? 'dashed: balance, θ = α' : 'dashed: largest rotation';
+    pen.fillStyle = theme.quiet;
+    const words = fate === DESIGN_FATE.overturns ? 'dashed: balance, θ = α' : 'dashed: largest tilt';
     pen.textAlign = 'left';
     pen.fillText(words, 4, 10);
   }

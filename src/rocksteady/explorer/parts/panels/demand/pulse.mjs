@@ -5,8 +5,9 @@
 /** @import { PulseWindow } from '../../physics/demand/windows.mjs' */
 /** @import { ShownUnits } from './words.mjs' */
 /** @import { Theme } from '../../draw/theme.mjs' */
-/** @import { CellLook } from './key.mjs' */
+/** @import { Look, MotionClass } from '../../draw/classes.mjs' */
 /** @import { PulseFates } from '../../physics/demand/pulse.mjs' */
+import { classLook, fallLook, fillLook, lookTiles } from '../../draw/classes.mjs';
 import { clipped, note, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { PULSES } from '../../kernels/pulses.mjs';
@@ -16,12 +17,14 @@ import { caseOf } from '../../shell/state.mjs';
 import { buttonEntry, choiceEntry, numberEntry } from '../entries.mjs';
 import { axisOf } from '../plane/axis.mjs';
 import { makePlane } from '../plane/plane.mjs';
-import { drawFates, lookTiles } from './key.mjs';
-import { impactWords, mixedColour, sideWords, unitsOf } from './words.mjs';
+import { drawFates } from './key.mjs';
+import { impactWords, sideWords, unitsOf } from './words.mjs';
 
 const PULSE_KEYS = /** @type {const} */ ({ x: ['pw0', 'pw1'], y: ['pa0', 'pa1'] });
 const PULSE_GRID = { columns: 384, rows: 288 };
-const PULSE_MODES = ['overturns without an impact', 'after one impact', 'after two or more'];
+const PULSE_MODES = ['falls at once', 'falls after one impact', 'after two or more'];
+/** @type {MotionClass[]} */
+const PULSE_CLASSES = ['rocking', 'rest', 'undecided'];
 const PULSE_LOOK = { stands: 0, rests: 1, undecided: 2, first: 3 }; // then modes, each side
 
 /**
@@ -35,32 +38,15 @@ export function struckOf(app, state) {
 }
 
 /**
- * Return the fill of a way of overturning, as the package's plots have it.
- * @param {Theme} theme
- * @param {number} impacts
- */
-export function modeFill(theme, impacts) {
-  const { overturned, symmetric, unsymmetric } = theme.fills;
-  return [mixedColour(overturned, '#ffffff', 0.45), symmetric, unsymmetric][Math.min(impacts, 2)];
-}
-
-/**
  * Return what cells look like, by their numbers.
  * @param {Theme} theme
- * @returns {CellLook[]}
+ * @returns {Look[]}
  */
 function pulseLooks(theme) {
-  const { fills, marks } = theme;
-  /** @type {CellLook[]} */
-  const looks = [
-    { fill: theme.paper }, { fill: mixedColour(theme.paper, theme.grid, 0.55) },
-    { fill: fills.undecided, mark: marks.dark, kind: 'crossed' },
+  return [
+    ...PULSE_CLASSES.map((name) => classLook(theme, name)),
+    ...[0, 1, 2].flatMap((impacts) => [1, -1].map((side) => fallLook(theme, side, impacts))),
   ];
-  for (const impacts of [0, 1, 2]) {
-    const fill = modeFill(theme, impacts);
-    looks.push({ fill }, { fill, mark: mixedColour(fill, '#ffffff', 0.55), kind: 'dots' });
-  }
-  return looks;
 }
 
 /** Return the number of the look of a fate. @param {PulseFates} fates @param {number} k */
@@ -76,7 +62,7 @@ function pulseLook({ status, impacts, side, margin }, k) {
 function fateWords(fates, k) {
   const look = pulseLook(fates, k);
   if (look >= PULSE_LOOK.first) {
-    return `overturns ${impactWords(fates.impacts[k])}, ${sideWords(fates.side[k])}`;
+    return `falls ${impactWords(fates.impacts[k])}, ${sideWords(fates.side[k])}`;
   }
   return ['stands', 'does not lift', 'undecided'][look];
 }
@@ -109,16 +95,16 @@ export function makePulsePanel(app) {
     whole: 2,
     empty: (count) => ({ status: new Uint8Array(count), impacts: new Int32Array(count),
       side: new Int8Array(count), margin: new Float64Array(count) }),
-    tiles: (theme) => lookTiles(pulseLooks(theme)),
+    tiles: (theme, ratio) => lookTiles(pulseLooks(theme), ratio),
     look: (k) => pulseLook(fates(), k),
     undecided: (k) => pulseLook(fates(), k) === PULSE_LOOK.undecided,
     axes(state) {
       const units = unitsOf(app, state), log = state.plog === 1;
       return {
         x: axisOf(state, PULSE_KEYS.x, { log, unit: units.frequency, label: units.si
-          ? 'frequency of the pulse f [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
+          ? 'frequency of the pulse [Hz]' : 'frequency ratio of the pulse Ω = ω/p' }),
         y: axisOf(state, PULSE_KEYS.y, { log, unit: units.amplitude, label: units.si
-          ? 'largest base acceleration a [g]' : 'amplitude A = a/(αg)' }),
+          ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
       };
     },
     point: ({ pW, pA }) => ({ x: pW, y: pA }),
@@ -144,14 +130,15 @@ export function makePulsePanel(app) {
   const key = () => {
     const looks = pulseLooks(app.theme);
     const modes = PULSE_MODES.map((words, k) => ({ words, look: looks[PULSE_LOOK.first + 2 * k] }));
-    return [...modes, { words: 'dots: falls to the right', look: looks[PULSE_LOOK.first + 1] },
-      { words: 'stands', look: looks[PULSE_LOOK.stands] }];
+    return [...modes, { words: 'falls to the right', look: looks[PULSE_LOOK.first + 1] },
+      { words: 'stands', look: looks[PULSE_LOOK.stands] },
+      { words: 'does not lift', look: looks[PULSE_LOOK.rests] }];
   };
 
   /** @type {Panel} */
   const panel = {
     name: 'pulse',
-    title: 'Overturning by one pulse',
+    title: 'Falling in one pulse',
     uses: ['model', 'r', 'rh', 'b', 'h', 'units', 'pulse', 'plog', 'pA', 'pW', ...PULSE_KEYS.x,
       ...PULSE_KEYS.y, 'pulseWindows'],
     placed() {
@@ -168,9 +155,9 @@ export function makePulsePanel(app) {
     draw(pen, size) {
       const { state, theme } = app, units = unitsOf(app, state);
       drawFates(pen, size, app, plane, { key: key(), over: (onto) => {
-        rule(pen, onto, { y: uplift * units.amplitude }, { colour: theme.number, dash: [1.5, 3.5], width: 1.4 });
-        note(pen, onto, 'below: the block does not lift', onto.box.left + onto.box.width - 4,
-          onto.y.at(uplift * units.amplitude) + 9, { align: 'right', colour: theme.number });
+        rule(pen, onto, { y: uplift * units.amplitude }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
+        note(pen, onto, `lifts above ${numeral(uplift * units.amplitude, 3)}${units.a}`, onto.box.left + onto.box.width - 4,
+          onto.y.at(uplift * units.amplitude) + 9, { align: 'right' });
         drawColumn(pen, onto, units);
       } });
     },
@@ -180,9 +167,9 @@ export function makePulsePanel(app) {
       const place = `at ${units.si ? 'f' : 'Ω'} = ${numeral(state.pW * units.frequency, 4)}${units.f}`;
       const head = `Fates of a block at rest under a ${state.pulse} pulse`;
       if (!found) return `${head}, over its frequency and amplitude.`;
-      if (!found.windows.length) return `${head}: ${place} no amplitude up to ${numeral(found.high, 4)} αg overturns it.`;
+      if (!found.windows.length) return `${head}: ${place} no amplitude up to ${numeral(found.high, 4)} αg fells it.`;
       const words = found.windows.map((/** @type {PulseWindow} */ each) => windowWords(each, found.high, units));
-      return `${head}: ${place} it overturns ${words.join('; ')}.`;
+      return `${head}: ${place} it falls ${words.join('; ')}.`;
     },
     table() {
       const { state } = app, units = unitsOf(app, state), found = app.shared.pulseWindows;
@@ -216,10 +203,13 @@ export function makePulsePanel(app) {
     const middle = onto.x.at(found.ratio * units.frequency), wide = 10;
     const labelled = middle > onto.box.left + onto.box.width - 70 ? 'right' : 'left';
     clipped(pen, onto, () => {
-      for (const { low, high, impacts } of found.windows) {
+      for (const { low, high, impacts, side } of found.windows) {
         const [top, bottom] = [high, low].map((a) => onto.y.at(a * units.amplitude));
-        pen.fillStyle = modeFill(theme, impacts);
-        pen.fillRect(middle - wide / 2, top, wide, Math.max(1, bottom - top));
+        fillLook(pen, fallLook(theme, side, impacts),
+          { left: middle - wide / 2, top, width: wide, height: Math.max(1, bottom - top) });
+        pen.strokeStyle = theme.paper;
+        pen.lineWidth = 3;
+        pen.strokeRect(middle - wide / 2, top, wide, Math.max(1, bottom - top));
         pen.strokeStyle = theme.ink;
         pen.lineWidth = 1.2;
         pen.strokeRect(middle - wide / 2, top, wide, Math.max(1, bottom - top));

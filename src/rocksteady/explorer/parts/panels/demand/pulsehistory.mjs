@@ -23,13 +23,13 @@ export function pulseVerdict(run, units) {
   const count = run.impacts.length;
   if (run.overturns !== null) {
     const when = run.overturns <= run.duration ? 'during the pulse' : 'after the pulse';
-    return `Overturns ${impactWords(count)}, ${sideWords(run.side)}, at ${timeText(run.overturns, units)}, ${when}.`;
+    return `Falls ${impactWords(count)}, ${sideWords(run.side)}, at ${timeText(run.overturns, units)}, ${when}.`;
   }
   if (run.status === 'undecided' || run.status === 'lost contact') return `Undecided: ${run.status} after ${run.flights} flights.`;
   if (run.peak === 0) return 'Stands: the pulse does not lift the block.';
   const peak = `${numeral(run.peak * units.angle, 4)}${units.u}`;
   const share = units.si ? ` (${numeral(run.peak, 4)} α)` : '';
-  const rest = run.rests === null ? '' : `, at rest from ${timeText(run.rests, units)}`;
+  const rest = run.rests === null ? '' : `, rests from ${timeText(run.rests, units)}`;
   return `Stands: peak |θ| = ${peak}${share}${rest}.`;
 }
 
@@ -124,11 +124,11 @@ export function makePulseHistoryPanel(app) {
     list.replaceChildren();
     if (!found || found.ratio !== state.pW) place.textContent = `${at}: searching for all windows…`;
     else if (!found.windows.length) {
-      place.textContent = `${at} no amplitude up to ${numeral(found.high * units.amplitude, 4)}${units.a} overturns it.`;
+      place.textContent = `${at} no amplitude up to ${numeral(found.high * units.amplitude, 4)}${units.a} fells it.`;
     } else {
       const [first] = found.windows, shown = found.windows.slice(0, 4);
-      place.textContent = `${at} the smallest amplitude that overturns is ${numeral(first.low * units.amplitude, 6)}`
-        + `${units.a}. It overturns`;
+      place.textContent = `${at} the smallest amplitude that fells it is ${numeral(first.low * units.amplitude, 6)}`
+        + `${units.a}. It falls`;
       list.append(...shown.map((/** @type {PulseWindow} */ each) =>
         make('li', {}, windowWords(each, found.high, units))));
       const rest = found.windows.length - shown.length + found.leftOut;

@@ -43,9 +43,3 @@ export function impactWords(count) {
 export function timeText(time, units) {
   return units.si ? `${numeral(time * units.time, 4)} s` : `pt = ${numeral(time, 4)}`;
 }
-
-/** Return a colour between two, as #rrggbb. @param {string} a @param {string} b @param {number} part */
-export function mixedColour(a, b, part) {
-  const [one, other] = [a, b].map((colour) => [1, 3, 5].map((k) => parseInt(colour.slice(k, k + 2), 16)));
-  return `#${one.map((v, k) => Math.round(v + part * (other[k] - v)).toString(16).padStart(2, '0')).join('')}`;
-}

@@ -11,7 +11,7 @@
 /** @import { PlaneCell } from '../plane/plane.mjs' */
 /** @import { RegionPlace } from './regions.mjs' */
 /** @import { MapColouring } from './words.mjs' */
-import { CLASS_WORDS, MOTION_CLASSES, classTiles, fillClass, wordOf } from '../../draw/classes.mjs';
+import { MOTION_CLASSES, fillClass, lookTiles } from '../../draw/classes.mjs';
 import { frame, outline } from '../../draw/frame.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { regionAt, regionBoundaries } from '../../physics/boundaries.mjs';
@@ -22,8 +22,8 @@ import { makePlane, wholeNumber } from '../plane/plane.mjs';
 import { makeMapBar } from './bar.mjs';
 import { counted, emptyCensus, peakEnd } from './census.mjs';
 import { drawRegions, regionPlaces } from './regions.mjs';
-import { REGION_WORDS, cellClass, cellWords, drawColourBar, drawMapLegend, fieldColour, groupColour,
-  legendEntries, legendShape, peakOf, periodGroup, shareWords } from './words.mjs';
+import { REGION_WORDS, cellClass, cellWords, drawColourBar, drawMapLegend, legendEntries, legendShape,
+  mapLooks, peakLook, peakOf, periodLook, shareWords } from './words.mjs';
 
 const CURVE_POINTS = 320;
 const MAP_MARGIN = { left: 44, right: 12 };
@@ -62,7 +62,7 @@ export function makeMapPanel(app) {
     empty: (count) => ({ ...emptyTile(count) }),
     rectangles: true,
     held: HELD_MS,
-    tiles: classTiles,
+    tiles: (theme, ratio) => lookTiles(mapLooks(theme), ratio),
     look: (k) => mapLook(found(), k, colouring(), census.end),
     undecided: (k) => found().kind[k] === MAP_KIND.undecided,
     begun: () => {
@@ -80,9 +80,9 @@ export function makeMapPanel(app) {
       const log = state.log === 1;
       return {
         x: axisOf(state, MAP_KEYS.x, { log, unit: by.w,
-          label: si() ? 'frequency f [Hz]' : 'frequency ratio Ω = ω/p' }),
+          label: si() ? 'frequency [Hz]' : 'frequency ratio Ω = ω/p' }),
         y: axisOf(state, MAP_KEYS.y, { log, unit: by.a,
-          label: si() ? 'peak acceleration [g]' : 'amplitude A = a_max/(αg)' }),
+          label: si() ? 'acceleration a_max [g]' : 'amplitude A = a_max/(αg)' }),
       };
     },
     point: ({ W, A }) => ({ x: W, y: A }),
@@ -118,7 +118,7 @@ export function makeMapPanel(app) {
   const wordsOf = (/** @type {PlaneCell} */ { at }) => {
     const { kind, period, impacts, highest, lowest } = found();
     return cellWords({ kind: kind[at], period: period[at], impacts: impacts[at],
-      highest: highest[at], lowest: lowest[at] }, angle);
+      highest: highest[at], lowest: lowest[at] }, angle, app.theme.words);
   };
 
   /** @param {State} state @param {boolean} settled */
@@ -158,7 +158,7 @@ export function makeMapPanel(app) {
    */
   const drawBelow = (pen, size) => {
     const { theme, state } = app;
-    const entries = legendEntries(colouring(), startOf(state).kind === 'steady', shares);
+    const entries = legendEntries(theme, colouring(), startOf(state).kind === 'steady', shares);
     pen.font = theme.small;
     // On a phone the legend has the whole width.
     const left = size.width < NARROW_MAP ? 6 : MAP_MARGIN.left;
@@ -191,7 +191,7 @@ export function makeMapPanel(app) {
   const tableWords = (cell) => {
     if (!cell) return 'not computed';
     const { kind, period, highest, lowest } = found(), { at } = cell;
-    const name = CLASS_WORDS[MOTION_CLASSES[cellClass(kind[at], period[at])]];
+    const name = app.theme.words[MOTION_CLASSES[cellClass(kind[at], period[at])]];
     const peak = peakOf(highest[at], lowest[at]);
     return peak > 0 ? `${name}${period[at] > 1 ? ` ${period[at]}` : ''}, ${angle(peak)}` : name;
   };
@@ -256,7 +256,7 @@ export function makeMapPanel(app) {
       const cell = plane.cellAt(partOf(axes(), point()));
       const { kind } = startOf(app.state), region = regionOf(point());
       const from = kind === 'rest' ? 'rest' : kind === 'steady' ? 'the steady state' : 'a state';
-      const known = legendEntries('kind', true, shares)
+      const known = legendEntries(app.theme, 'kind', true, shares)
         .filter(({ share }) => share > 0)
         .map(({ label, share }) => `${label} ${shareWords(share).replace('<', 'below')}`);
       return `The point is at ${placeWords(point())}, in region ${region} of the linear model: `
@@ -281,7 +281,7 @@ export function makeMapPanel(app) {
 }
 
 /**
- * Return the look of a cell: the number of a class, or a colour as a word of pixels.
+ * Return the number of the look of a cell.
  * @param {Tile} cells
  * @param {number} k
  * @param {MapColouring} by
@@ -291,8 +291,7 @@ function mapLook({ kind, period, highest, lowest }, k, by, end) {
   if (by === 'kind' || kind[k] < 0 || kind[k] > MAP_KIND.unsymmetric) {
     return cellClass(kind[k], period[k]);
   }
-  return wordOf(by === 'period' ? groupColour(periodGroup(period[k]))
-    : fieldColour(peakOf(highest[k], lowest[k]) / end));
+  return by === 'period' ? periodLook(period[k]) : peakLook(peakOf(highest[k], lowest[k]) / end);
 }
 
 /**

@@ -13,7 +13,6 @@ import { placeIn } from '../plane/axis.mjs';
 
 const REGION_COLUMNS = 72, REGION_ROWS = 54;
 const LEAST_ROOM = 1.2; // cells from the place of a number to the next edge
-const ON_FILLS = { colour: '#272728', halo: '#ffffff' };
 const LABEL_PARTS = [0.8, 0.6, 0.4, 0.9, 0.7, 0.5, 0.3, 0.2]; // of the points of a curve
 const LABEL_LINE = 14; // [px]
 
@@ -91,7 +90,7 @@ function roomOf(regions, upright) {
 }
 
 /**
- * Draw the edges, black with white casing, and the numbers of the regions.
+ * Draw the edges, and the numbers of the regions.
  * @param {Pen} pen
  * @param {Frame} onto
  * @param {Boundaries} curves
@@ -111,7 +110,7 @@ export function drawRegions(pen, onto, curves, places, { w, a, other }) {
   const taken = places.map((place) =>
     ({ x: onto.x.at(place.x * w), y: onto.y.at(place.y * a), half: 8 }));
   taken.forEach(({ x, y }, k) => {
-    note(pen, onto, String(places[k].region), x, y, { ...ON_FILLS, font: onto.theme.strong });
+    note(pen, onto, String(places[k].region), x, y, { font: onto.theme.strong });
   });
   pen.font = onto.theme.small;
   for (const { name, words } of onto.box.width > 340 ? EDGES : []) {
@@ -119,7 +118,7 @@ export function drawRegions(pen, onto, curves, places, { w, a, other }) {
     const at = labelPlace(onto, xs, scaled(curves[name], a), half, taken);
     if (!at) continue;
     taken.push({ ...at, half });
-    note(pen, onto, words, at.x, at.y, ON_FILLS);
+    note(pen, onto, words, at.x, at.y);
   }
 }
 

@@ -1,9 +1,10 @@
 // What the cells of the map are called, and the classes, colours and legend that show them.
 
 /** @import { Pen } from '../../draw/svg.mjs' */
-/** @import { Theme } from '../../draw/theme.mjs' */
-/** @import { MotionClass } from '../../draw/classes.mjs' */
-import { CLASS_WORDS, MOTION_CLASSES, classSwatch } from '../../draw/classes.mjs';
+/** @import { ClassWords, Theme } from '../../draw/theme.mjs' */
+/** @import { Look, MotionClass } from '../../draw/classes.mjs' */
+import { MOTION_CLASSES, classLook, lookSwatch } from '../../draw/classes.mjs';
+import { mixed } from '../../draw/theme.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { MAP_KIND } from '../../physics/tiles.mjs';
 
@@ -14,10 +15,8 @@ export const REGION_WORDS = ['', 'an out-of-phase and an in-phase solution',
   'an out-of-phase solution', 'two in-phase solutions', 'no symmetric solution',
   'two in-phase solutions, one inadmissible'];
 
-/** Colours of viridis, from low to high. */
-const VIRIDIS = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779',
-  '#6ece58', '#b5de2b', '#fde725'];
 const PERIOD_GROUPS = ['1', '2', '3', '4', '5', '6–8', '≥ 9']; // forcing periods
+const PEAK_STEPS = 5;
 const SHARE_WIDTH = 48; // [px] of the widest share
 const LEGEND_LINE = 17;
 const LEGEND_SWATCH = 18;
@@ -57,34 +56,51 @@ export function peakOf(highest, lowest) {
 }
 
 /**
- * Return a colour of the field at a part from 0 to 1, as red, green and blue.
- * @param {number} part
- * @returns {[number, number, number]}
+ * Return how a group of periods looks: the first as symmetric motion, longer ones as subharmonic.
+ * @param {Theme} theme
+ * @param {number} group
+ * @returns {Look}
  */
-export function fieldColour(part) {
-  const at = Math.min(1, Math.max(0, part)) * (VIRIDIS.length - 1);
-  const k = Math.min(VIRIDIS.length - 2, Math.floor(at));
-  const [low, high] = [VIRIDIS[k], VIRIDIS[k + 1]].map((text) =>
-    [1, 3, 5].map((place) => parseInt(text.slice(place, place + 2), 16)));
-  const mixed = low.map((value, place) => Math.round(value + (at - k) * (high[place] - value)));
-  return [mixed[0], mixed[1], mixed[2]];
+function groupLook({ symmetric, subharmonic, paper, onRocks }, group) {
+  if (group === 0) return { fill: symmetric };
+  const part = (group - 1) / (PERIOD_GROUPS.length - 2); // from pale to dark
+  return { fill: part < 0.6 ? mixed(subharmonic, paper, 0.75 - 1.25 * part)
+    : mixed(subharmonic, onRocks, 1.6 * (part - 0.6)) };
 }
 
-/** Return the colour of a group of periods. @param {number} group */
-export function groupColour(group) {
-  return fieldColour(group / (PERIOD_GROUPS.length - 1));
+/**
+ * Return what cells look like by their numbers: classes, groups of periods, steps of the peak.
+ * @param {Theme} theme
+ * @returns {Look[]}
+ */
+export function mapLooks(theme) {
+  return [...MOTION_CLASSES.map((name) => classLook(theme, name)),
+    ...PERIOD_GROUPS.map((_, group) => groupLook(theme, group)),
+    ...theme.rocksRamp.map((fill) => ({ fill }))];
+}
+
+/** Return the number of the look of a period. @param {number} period  1 or more */
+export function periodLook(period) {
+  return MOTION_CLASSES.length + periodGroup(period);
+}
+
+/** Return the number of the look of a part of the largest peak. @param {number} part */
+export function peakLook(part) {
+  const step = Math.min(PEAK_STEPS - 1, Math.max(0, Math.floor(part * PEAK_STEPS)));
+  return MOTION_CLASSES.length + PERIOD_GROUPS.length + step;
 }
 
 /**
  * Return what a cell settles to, in words.
  * @param {{ kind: number, period: number, impacts: number, highest: number, lowest: number }} cell
  * @param {(peak: number) => string} angle  how an angle is written
+ * @param {ClassWords} words
  */
-export function cellWords(cell, angle) {
+export function cellWords(cell, angle, words) {
   const { kind, period, impacts, highest, lowest } = cell;
   const name = MOTION_CLASSES[cellClass(kind, period)];
   if (!(period > 0) || kind > MAP_KIND.unsymmetric) {
-    return name === 'no-start' ? 'no steady state to start on' : CLASS_WORDS[name];
+    return name === 'no-start' ? 'no steady state to start on' : words[name];
   }
   const shape = kind === MAP_KIND.symmetric ? 'symmetric' : 'unsymmetric';
   const many = impacts < 0 ? 'chatter' : `${impacts} impacts`;
@@ -94,31 +110,31 @@ export function cellWords(cell, angle) {
 /**
  * @typedef {object} MapEntry
  * @property {string} label
- * @property {MotionClass} [name]  with the pattern of this class
- * @property {[number, number, number]} [colour]
+ * @property {Look} look
  * @property {number} share  of the cells, from 0 to 1
  */
 
 /**
  * Return the entries of the legend; which and how many does not depend on the cells.
+ * @param {Theme} theme
  * @param {MapColouring} by
  * @param {boolean} steady  whether cells may have no start
  * @param {{ classes: number[], groups: number[], count: number }} census
  * @returns {MapEntry[]}
  */
-export function legendEntries(by, steady, { classes, groups, count }) {
+export function legendEntries(theme, by, steady, { classes, groups, count }) {
   const part = (/** @type {number} */ cells) => (count ? cells / count : 0);
   /** @type {MotionClass[]} */
   const orbits = ['symmetric', 'unsymmetric', 'subharmonic'];
   const inClass = (/** @type {MotionClass} */ name) => classes[MOTION_CLASSES.indexOf(name)];
   const entry = (/** @type {MotionClass} */ name) =>
-    ({ name, label: CLASS_WORDS[name], share: part(inClass(name)) });
+    ({ look: classLook(theme, name), label: theme.words[name], share: part(inClass(name)) });
   /** @type {MotionClass[]} */
   const others = ['aperiodic', 'overturned', 'undecided'];
   if (steady) others.push('no-start');
   const middle = by === 'kind' ? orbits.map(entry) : by === 'peak' ? []
     : PERIOD_GROUPS.map((label, k) =>
-      ({ label: `period ${label}`, colour: groupColour(k), share: part(groups[k]) }));
+      ({ label: `period ${label}`, look: groupLook(theme, k), share: part(groups[k]) }));
   return [entry('rest'), ...middle, ...others.map(entry)];
 }
 
@@ -151,16 +167,15 @@ export function drawMapLegend(pen, theme, entries, { left, top, width }, known) 
   pen.textBaseline = 'middle';
   const { columns } = legendShape(pen, entries, width);
   const slot = width / columns;
-  entries.forEach(({ label, name, colour, share }, k) => {
+  entries.forEach(({ label, look, share }, k) => {
     const x = Math.round(left + (k % columns) * slot);
     const y = top + (Math.floor(k / columns) + 0.5) * LEGEND_LINE;
     const box = { left: x, top: Math.round(y) - 6, width: LEGEND_SWATCH, height: 12 };
-    if (name) classSwatch(pen, theme, name, box);
-    else if (colour) swatch(pen, theme, colour, box);
+    lookSwatch(pen, theme, look, box);
     pen.fillStyle = theme.ink;
     pen.fillText(label, x + LEGEND_SWATCH + 5, y);
     if (!known) return;
-    pen.fillStyle = theme.number;
+    pen.fillStyle = theme.quiet;
     pen.fillText(shareWords(share), x + LEGEND_SWATCH + 10 + pen.measureText(label).width, y);
   });
   pen.restore();
@@ -170,20 +185,6 @@ export function drawMapLegend(pen, theme, entries, { left, top, width }, known) 
 export function shareWords(share) {
   if (share === 0) return '0 %';
   return share < 0.001 ? '< 0.1 %' : `${numeral(100 * share, share < 0.0995 ? 2 : 3)} %`;
-}
-
-/**
- * @param {Pen} pen
- * @param {Theme} theme
- * @param {[number, number, number]} colour
- * @param {{ left: number, top: number, width: number, height: number }} box
- */
-function swatch(pen, theme, colour, { left, top, width, height }) {
-  pen.fillStyle = `rgb(${colour.join(' ')})`;
-  pen.fillRect(left, top, width, height);
-  pen.strokeStyle = theme.faint;
-  pen.lineWidth = 1;
-  pen.strokeRect(left + 0.5, top + 0.5, width - 1, height - 1);
 }
 
 /**
@@ -207,13 +208,12 @@ export function drawColourBar(pen, theme, { left, top, width }, words, ends) {
   x += pen.measureText(ends[0]).width + 5;
   const last = pen.measureText(ends[1]).width + 5;
   const length = Math.max(24, Math.min(220, left + width - last - x));
-  const steps = 64;
-  for (let k = 0; k < steps; k += 1) {
+  theme.rocksRamp.forEach((fill, k, { length: steps }) => {
     const from = Math.round(x + (length * k) / steps);
-    pen.fillStyle = `rgb(${fieldColour((k + 0.5) / steps).join(' ')})`;
+    pen.fillStyle = fill;
     pen.fillRect(from, y - 6, Math.round(x + (length * (k + 1)) / steps) - from, 12);
-  }
-  pen.strokeStyle = theme.faint;
+  });
+  pen.strokeStyle = theme.edge;
   pen.lineWidth = 1;
   pen.strokeRect(Math.round(x) + 0.5, Math.round(y - 6) + 0.5, Math.round(length) - 1, 11);
   pen.fillStyle = theme.ink;

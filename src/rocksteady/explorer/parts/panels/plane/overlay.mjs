@@ -3,11 +3,10 @@
 /** @import { Frame } from '../../draw/frame.mjs' */
 /** @import { Pen } from '../../draw/svg.mjs' */
 /** @import { PlaneBox } from './pointer.mjs' */
-import { clipped, drawMark, rule } from '../../draw/marks.mjs';
+import { clipped, drawHandle, drawMark, rule } from '../../draw/marks.mjs';
 
 const TIP_LINE = 15; // [px]
 const EDGE_ROOM = 6; // [px] from an edge to the mark of a point beyond it
-const [BLACK, WHITE] = ['#000000', '#ffffff'];
 
 /**
  * Draw lines through the point.
@@ -19,8 +18,8 @@ const [BLACK, WHITE] = ['#000000', '#ffffff'];
 export function drawPlaneLines(pen, onto, point, lines) {
   for (const along of [lines !== 'up' && { y: point.y }, lines !== 'across' && { x: point.x }]) {
     if (!along) continue;
-    rule(pen, onto, along, { colour: WHITE, width: 1.5, alpha: 0.75 });
-    rule(pen, onto, along, { colour: BLACK, width: 1.5, dash: [3, 4], alpha: 0.75 });
+    rule(pen, onto, along, { colour: onto.theme.paper, width: 1.5, alpha: 0.75 });
+    rule(pen, onto, along, { colour: onto.theme.ink, width: 1.5, dash: [1.5, 4], alpha: 0.75 });
   }
 }
 
@@ -31,18 +30,16 @@ export function drawPlaneLines(pen, onto, point, lines) {
  * @param {{ x: number, y: number }} point  in the units of the axes
  */
 export function drawPlanePoint(pen, onto, point) {
-  const [x, y] = [onto.x.at(point.x), onto.y.at(point.y)];
+  const [x, y] = [onto.x.at(point.x), onto.y.at(point.y)], { ink, paper } = onto.theme;
   if (!inPlaneBox(onto.box, x, y, 1)) {
     const { left, top, width, height } = onto.box;
     const across = Math.min(left + width - EDGE_ROOM, Math.max(left + EDGE_ROOM, x));
     // An amplitude of 0 is below every logarithmic axis.
     const down = Math.min(top + height - EDGE_ROOM, Math.max(top + EDGE_ROOM, y || Infinity));
-    const look = { colour: onto.theme.impact, radius: 5, casing: WHITE };
-    drawMark(pen, 'diamond', across, down, look);
+    drawMark(pen, 'diamond', across, down, { colour: ink, radius: 5, casing: paper });
     return;
   }
-  drawMark(pen, 'ring', x, y, { colour: BLACK, radius: 8.5, casing: WHITE });
-  drawMark(pen, 'dot', x, y, { colour: onto.theme.impact, radius: 3.5, casing: WHITE });
+  drawHandle(pen, onto.theme, x, y);
 }
 
 /**
@@ -64,7 +61,8 @@ export function inPlaneBox({ left, top, width, height }, x, y, around = 0) {
  */
 export function drawMarkedBox(pen, onto, { left, top, width, height }) {
   clipped(pen, onto, () => {
-    for (const [colour, thick] of /** @type {const} */ ([[WHITE, 3.5], [BLACK, 1.5]])) {
+    const { ink, paper } = onto.theme;
+    for (const [colour, thick] of /** @type {const} */ ([[paper, 3.5], [ink, 1.5]])) {
       pen.strokeStyle = colour;
       pen.lineWidth = thick;
       pen.strokeRect(left, top, width, height);
@@ -90,7 +88,7 @@ export function drawTip(pen, { box, theme, size }, { x, y }, lines) {
   const top = Math.round(over ? y - height - 10 : Math.min(y + 14, box.top + box.height - height));
   pen.fillStyle = theme.paper;
   pen.fillRect(left, top, width, height);
-  pen.strokeStyle = theme.number;
+  pen.strokeStyle = theme.quiet;
   pen.lineWidth = 1;
   pen.strokeRect(left + 0.5, top + 0.5, width - 1, height - 1);
   pen.textAlign = 'left';

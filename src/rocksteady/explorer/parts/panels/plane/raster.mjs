@@ -295,17 +295,14 @@ export function makeRaster(app, options, { changed, seen }) {
   function paintCell(at, step) {
     if (!task || !image || !tiles) return;
     const look = options.look(at), x = at % task.columns;
-    if (look < 0) return;
+    const { size, pixels } = tiles, pattern = pixels[look];
+    if (!pattern) return;
     const { left, right, bottom, top } = edges(x, (at - x) / task.columns, step);
     const words = new Uint32Array(image.data.buffer), { width } = image;
-    const { size, pixels } = tiles, pattern = pixels[look];
     for (let row = top; row < bottom; row += 1) {
-      if (!pattern) words.fill(look, row * width + left, row * width + right);
-      else {
-        const line = (row % size) * size;
-        for (let column = left; column < right; column += 1) {
-          words[row * width + column] = pattern[line + (column % size)];
-        }
+      const line = (row % size) * size;
+      for (let column = left; column < right; column += 1) {
+        words[row * width + column] = pattern[line + (column % size)];
       }
     }
   }

@@ -115,23 +115,23 @@ export function makeHistoryPanel(app) {
         ys: course.angle.map((y) => y * angle.factor),
       });
       drawBase(pen, onto, followed, from, to, time.factor);
-      rule(pen, onto, { y: 0 }, { colour: theme.faint });
+      rule(pen, onto, { y: 0 }, { colour: theme.edge });
       for (const side of [-1, 1]) {
-        rule(pen, onto, { y: side * angle.factor }, { colour: theme.ink, dash: [5, 4] });
+        rule(pen, onto, { y: side * angle.factor }, { colour: theme.limit, dash: [6, 4] });
       }
       const { xs, ys } = scaled(part(followed.course, from, to));
       const settled = followed.settled * time.factor;
       const [before, after] = splitAt(xs, ys, settled);
-      curve(pen, onto, ...before, { colour: theme.lines[0], width: 1.4, alpha: 0.6 });
-      curve(pen, onto, ...after, { colour: theme.lines[0], width: 1.9 });
+      curve(pen, onto, ...before, { colour: theme.motion, width: 1.4, alpha: 0.6 });
+      curve(pen, onto, ...after, { colour: theme.motion, width: 1.9 });
       drawImpacts(pen, onto, followed, from, to, time.factor);
       drawEvents(pen, onto, followed, time.factor, angle.factor, limit);
       const now = cursorState(app, followed);
       if (now) {
-        rule(pen, onto, { x: now.time * time.factor }, { colour: theme.link, width: 1 });
+        rule(pen, onto, { x: now.time * time.factor }, { colour: theme.ink, width: 1 });
         const [x, y] = [onto.x.at(now.time * time.factor), onto.y.at(now.angle * angle.factor)];
         if (x >= onto.box.left && x <= onto.box.left + onto.box.width) {
-          drawMark(pen, 'dot', x, y, { colour: theme.link, radius: 4, casing: theme.paper });
+          drawMark(pen, 'dot', x, y, { colour: theme.ink, radius: 4, casing: theme.paper });
         }
       }
     },
@@ -198,11 +198,11 @@ export function statusWords(app, { history, given, block }) {
     const shown = numeral(((at * given.frequencyRatio) / FULL_TURN) * time.factor, 3);
     return time.unit === 's' ? `${shown} s` : `${shown} periods`;
   };
-  if (history.overturnTime !== null) return `overturned at ${when(history.overturnTime)}`;
+  if (history.overturnTime !== null) return `falls at ${when(history.overturnTime)}`;
   if (history.restTime !== null) {
-    return history.restTime === 0 ? 'at rest' : `at rest from ${when(history.restTime)}`;
+    return history.restTime === 0 ? 'rests' : `rests from ${when(history.restTime)}`;
   }
-  return history.status;
+  return app.theme.words[history.status === 'rocking' ? 'rocking' : 'undecided'];
 }
 
 /**
@@ -289,7 +289,7 @@ function drawImpacts(pen, onto, { history, given }, from, to, factor) {
 }
 
 /**
- * Write where the motion has settled, overturns or comes to rest.
+ * Write where the motion has settled, the block falls or comes to rest.
  * @param {CanvasRenderingContext2D} pen
  * @param {Frame} onto
  * @param {Followed} followed
@@ -300,14 +300,16 @@ function drawImpacts(pen, onto, { history, given }, from, to, factor) {
 function drawEvents(pen, onto, followed, factor, degrees, limit) {
   const { history, given } = followed, { theme, box } = onto;
   const periods = given.frequencyRatio / FULL_TURN;
-  const put = (/** @type {number} */ at, /** @type {string} */ text) => {
+  const put = (/** @type {number} */ at, /** @type {string} */ text, level = box.top + 10) => {
     const x = onto.x.at(at * periods * factor);
     if (x < box.left - 1 || x > box.left + box.width + 1) return;
-    rule(pen, onto, { x: at * periods * factor }, { colour: theme.faint, dash: [2, 3] });
-    note(pen, onto, text, x + 5, box.top + 10, { align: 'left' });
+    rule(pen, onto, { x: at * periods * factor }, { colour: theme.edge, dash: [2, 3] });
+    note(pen, onto, text, x + 5, level, { align: 'left' });
   };
-  if (history.overturnTime !== null) put(history.overturnTime, 'overturned');
-  else if (history.restTime !== null) put(history.restTime, 'at rest');
+  if (history.overturnTime !== null) {
+    const side = Math.sign(followed.course.angle[followed.course.angle.length - 1]);
+    put(history.overturnTime, theme.words.overturned, onto.y.at(-0.5 * side * degrees)); // clear of the curve
+  } else if (history.restTime !== null) put(history.restTime, theme.words.rest);
   else if (followed.attractor.orbit) put(followed.settled / periods, 'settled');
   if (limit >= 1) {
     const right = box.left + box.width - 4;

@@ -184,7 +184,7 @@ export function motionClass({ kind, period }) {
  */
 export function motionName({ kind, period, highest, lowest, rests }) {
   if (kind !== 'symmetric' && kind !== 'unsymmetric') {
-    return { rest: 'rest', aperiodic: 'aperiodic rocking', overturned: 'overturning' }[kind]
+    return { rest: 'rest', aperiodic: 'aperiodic rocking', overturned: 'falling' }[kind]
       ?? 'undecided';
   }
   const count = period ?? 1;
@@ -238,9 +238,9 @@ export function motionsSentence(app, block, { fault, found, given }) {
   let text = `${many} motions coexist here: ${list}.`;
   if (words.length === 1) text = `One motion is found here: ${list}.`;
   if (words.length === 0) {
-    text = falling === 1 ? 'The block overturns here, from every start tried.' : '';
+    text = falling === 1 ? 'The block falls here, from every start tried.' : '';
   }
-  if (falling > 0 && falling < 1) text += ` ${percentText(falling)} of the starts overturn.`;
+  if (falling > 0 && falling < 1) text += ` ${percentText(falling)} of the starts fall.`;
   if (doubt > 0) {
     text += given.restitution < 1 ? ` ${percentText(doubt)} of the starts stay undecided.`
       : ' Without loss (restitution 1) motions do not settle.';

@@ -4,6 +4,7 @@ import { frame } from '../../draw/frame.mjs';
 import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { FOLLOWED_KEYS, followIn, ghostsOf } from './followed.mjs';
+import { motionClass } from './motions.mjs';
 import { GHOST_ALPHAS } from './phase.mjs';
 import { multiplierText } from './section.mjs';
 
@@ -47,7 +48,7 @@ export function makeMultipliersPanel(app) {
       rule(pen, onto, { x: 0 });
       rule(pen, onto, { y: 0 });
       curve(pen, onto, UNIT_CIRCLE.map(Math.cos), UNIT_CIRCLE.map(Math.sin),
-        { colour: theme.ink, width: 1.4 });
+        { colour: theme.limit, width: 1.2, dash: [6, 4] });
       const put = (/** @type {[number, number][]} */ pair, /** @type {any} */ mark,
         /** @type {any} */ style, alpha = 1) => {
         pen.save();
@@ -60,25 +61,25 @@ export function makeMultipliersPanel(app) {
       };
       ghostsOf(app.shared).forEach((ghost, k) => {
         const pair = ghost.attractor.orbit?.multipliers;
-        if (pair) put(pair, 'dot', { colour: theme.number, radius: 4 }, GHOST_ALPHAS[k]);
+        if (pair) put(pair, 'dot', { colour: theme.quiet, radius: 4 }, GHOST_ALPHAS[k]);
       });
       for (const { multipliers } of unstable()) {
-        put(multipliers, 'cross', { colour: theme.impact, radius: 4 });
+        put(multipliers, 'cross', { colour: theme.motion, radius: 4 });
         if (Math.abs(multipliers[0][0]) > onto.x.to) drawBeyond(pen, onto, multipliers[0][0]);
       }
       const { orbit } = attractor, { box } = onto;
       const say = (/** @type {string} */ text) =>
         note(pen, onto, text, box.left + 4, box.top + 10, { align: 'left' });
       if (orbit) {
-        put(orbit.multipliers, 'dot', { colour: theme.lines[0], radius: 5, casing: theme.paper });
+        put(orbit.multipliers, 'dot', { colour: theme.motion, radius: 5, casing: theme.paper });
         say(`largest |m| = ${numeral(orbit.largest, 3)}`);
-      } else say(`${attractor.kind}: no orbit`);
+      } else say(`${theme.words[motionClass(attractor)]}: no orbit`);
       const [first] = unstable();
       if (first) {
         const values = first.multipliers.map(multiplierText).join(', ');
         ['× unstable orbit', values].forEach((text, k) => {
           const level = box.top + box.height - 24 + 15 * k;
-          note(pen, onto, text, box.left + 4, level, { colour: theme.impact, align: 'left' });
+          note(pen, onto, text, box.left + 4, level, { align: 'left' });
         });
       }
     },
@@ -115,7 +116,7 @@ function drawBeyond(pen, { box, y, theme }, real) {
   const side = Math.sign(real), level = y.at(0);
   const tip = side > 0 ? box.left + box.width - 2 : box.left + 2;
   pen.save();
-  pen.fillStyle = theme.impact;
+  pen.fillStyle = theme.motion;
   pen.beginPath();
   pen.moveTo(tip, level);
   pen.lineTo(tip - 9 * side, level - 5);

@@ -2,6 +2,7 @@
 
 import { frame } from '../../draw/frame.mjs';
 import { curve, drawMark, note, rule } from '../../draw/marks.mjs';
+import { mixed } from '../../draw/theme.mjs';
 import { startOn } from '../../physics/coexisting.mjs';
 import { startText } from '../../shell/state.mjs';
 import { FOLLOWED_KEYS, cursorState, followIn, ghostsOf } from './followed.mjs';
@@ -82,38 +83,38 @@ export function makePhasePanel(app) {
       rule(pen, onto, { x: 0 });
       rule(pen, onto, { y: 0 });
       for (const side of [-1, 1]) {
-        rule(pen, onto, { x: side * angle.factor }, { colour: theme.ink, dash: [5, 4] });
+        rule(pen, onto, { x: side * angle.factor }, { colour: theme.limit, dash: [6, 4] });
       }
       ghostsOf(app.shared).forEach(({ orbit }, k) => {
-        if (orbit) put(orbit, { colour: theme.number, width: 1.2, alpha: GHOST_ALPHAS[k] });
+        if (orbit) put(orbit, { colour: theme.quiet, width: 1.2, alpha: GHOST_ALPHAS[k] });
       });
       const settled = followed.orbit !== null;
-      put(followed.course, { colour: theme.lines[0], width: 1, alpha: settled ? 0.3 : 0.75 });
+      put(followed.course, { colour: theme.motion, width: 1, alpha: settled ? 0.3 : 0.75 });
       for (const { motion, course } of curves) {
-        const colour = theme.lines[2];
-        put(course, { colour, width: 1.6, dash: [4, 3] });
+        const colour = mixed(theme.motion, theme.paper, 0.45);
+        put(course, { colour, width: 2.2 });
         if (motion.kind === 'rest') {
           const style = { colour, radius: 5, casing: theme.paper };
           drawMark(pen, 'ring', onto.x.at(0), onto.y.at(0), style);
         }
       }
       if (followed.orbit) {
-        put(followed.orbit, { colour: theme.lines[0], width: 2.2 });
+        put(followed.orbit, { colour: theme.motion, width: 2.2 });
         drawJumps(pen, onto, followed, velocity.factor);
       }
       if (followed.attractor.kind === 'rest') {
-        const style = { colour: theme.lines[0], radius: 5, casing: theme.paper };
+        const style = { colour: theme.motion, radius: 5, casing: theme.paper };
         drawMark(pen, 'dot', onto.x.at(0), onto.y.at(0), style);
       }
       if (curves.length) {
-        note(pen, onto, 'dashed or ○: click another motion', onto.box.left + 4,
-          onto.box.top + onto.box.height - 9, { colour: theme.lines[2], align: 'left' });
+        note(pen, onto, 'pale or ○: click another motion', onto.box.left + 4,
+          onto.box.top + onto.box.height - 9, { colour: theme.quiet, align: 'left' });
       }
       const now = cursorState(app, followed);
       if (now) {
         const x = onto.x.at(now.angle * angle.factor);
         const y = onto.y.at(now.velocity * velocity.factor);
-        drawMark(pen, 'dot', x, y, { colour: theme.link, radius: 4, casing: theme.paper });
+        drawMark(pen, 'dot', x, y, { colour: theme.ink, radius: 4, casing: theme.paper });
       }
     },
     sentence() {

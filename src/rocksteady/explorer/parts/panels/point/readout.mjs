@@ -237,7 +237,7 @@ function numbersOf(app, { attractor, history, given, block }) {
   put('peak', 'peak of the run', history.peak, degrees(history.peak));
   if (history.overturnTime !== null) {
     const { overturnTime: at } = history;
-    put('overturn', 'overturns at', at, si ? `${numeral(at / block.p)} s` : `pt = ${numeral(at)}`);
+    put('overturn', 'falls at', at, si ? `${numeral(at / block.p)} s` : `pt = ${numeral(at)}`);
   }
   put('after', 'known after', attractor.after,
     attractor.after > 0 ? `${attractor.after} periods` : 'less than 1 period');

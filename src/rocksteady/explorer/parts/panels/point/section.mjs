@@ -2,6 +2,7 @@
 
 import { frame } from '../../draw/frame.mjs';
 import { drawMark, points } from '../../draw/marks.mjs';
+import { mixed } from '../../draw/theme.mjs';
 import { numeral } from '../../draw/scale.mjs';
 import { sectionOf } from '../../physics/history.mjs';
 import { FULL_TURN } from '../../physics/start.mjs';
@@ -129,18 +130,18 @@ function drawSection(app, pen, size, followed, long) {
   };
   ghostsOf(app.shared).forEach(({ attractor }, k) => {
     if (!attractor.orbit) return;
-    const style = { colour: theme.number, radius: 3.5, alpha: GHOST_ALPHAS[k] };
+    const style = { colour: theme.quiet, radius: 3.5, alpha: GHOST_ALPHAS[k] };
     put(attractor.orbit.states.slice(0, 200), style);
   });
-  put(others.slice(0, 400), { colour: theme.lines[2], radius: 4 });
+  put(others.slice(0, 400), { colour: mixed(theme.motion, theme.paper, 0.45), radius: 4 });
   if (long) {
     points(pen, onto, long.phase, long.speed.map((speed) => speed * velocity.factor),
-      { colour: theme.lines[4], radius: 0.8 });
+      { colour: theme.aperiodicLine, radius: 0.8 });
   }
-  put(states.slice(0, 2000), { colour: theme.lines[0], radius: 1.6, alpha: 0.45 });
-  put(late.slice(0, 2000), { colour: theme.lines[0], radius: 1.6 });
+  put(states.slice(0, 2000), { colour: theme.motion, radius: 1.6, alpha: 0.45 });
+  put(late.slice(0, 2000), { colour: theme.motion, radius: 1.6 });
   if (orbit) {
-    const style = { colour: theme.impact, radius: 5, casing: theme.paper };
+    const style = { colour: theme.motion, radius: 5, casing: theme.paper };
     put(orbit.states.slice(0, 200), style);
   }
   markPassed(app, pen, onto, followed, states, velocity.factor);
@@ -161,7 +162,7 @@ function markPassed(app, pen, onto, { history, given }, states, factor) {
   while (last + 1 < states.length && history.impacts.time[last + 1] <= at) last++;
   if (last < 0) return;
   const [x, y] = [onto.x.at(states[last].phase), onto.y.at(states[last].speed * factor)];
-  drawMark(pen, 'ring', x, y, { colour: onto.theme.link, radius: 7, casing: onto.theme.paper });
+  drawMark(pen, 'ring', x, y, { colour: onto.theme.ink, radius: 7, casing: onto.theme.paper });
 }
 
 /**
@@ -186,19 +187,19 @@ function drawStrobe(app, pen, size, followed, long) {
   const vs = strobe.velocity.map((v) => v * velocity.factor);
   if (long) {
     points(pen, onto, long.angle.map((u) => u * angle.factor),
-      long.velocity.map((v) => v * velocity.factor), { colour: theme.lines[4], radius: 0.8 });
+      long.velocity.map((v) => v * velocity.factor), { colour: theme.aperiodicLine, radius: 0.8 });
   }
-  points(pen, onto, us, vs, { colour: theme.lines[0], radius: 2, alpha: 0.6 });
+  points(pen, onto, us, vs, { colour: theme.motion, radius: 2, alpha: 0.6 });
   const { period } = attractor;
   if (period && us.length > period) {
     points(pen, onto, us.subarray(-period), vs.subarray(-period),
-      { colour: theme.impact, radius: 5, casing: theme.paper });
+      { colour: theme.motion, radius: 5, casing: theme.paper });
   }
   const now = cursorState(app, followed);
   if (!now) return;
   const k = Math.min(Math.floor(now.time + 1e-9), us.length - 1);
   drawMark(pen, 'ring', onto.x.at(us[k]), onto.y.at(vs[k]),
-    { colour: theme.link, radius: 7, casing: theme.paper });
+    { colour: theme.ink, radius: 7, casing: theme.paper });
 }
 
 /** Return a multiplier as people write it. @param {[number, number]} multiplier */

@@ -18,16 +18,16 @@ export function panelUnits({ state }, { alpha, p }) {
   const degrees = (alpha * 180) / Math.PI, phase = { factor: 1, unit: '', label: 'phase' };
   if (state.units !== 'si') {
     return {
-      angle: { factor: 1, label: 'θ/α', unit: 'α' },
-      velocity: { factor: 1, label: 'angular velocity d(θ/α)/d(pt)', unit: '' },
+      angle: { factor: 1, label: 'angle θ/α', unit: 'α' },
+      velocity: { factor: 1, label: 'velocity d(θ/α)/d(pt)', unit: '' },
       time: { factor: 1, label: 'time t/T [periods]', unit: 'T' },
       phase,
       si: false,
     };
   }
   return {
-    angle: { factor: degrees, label: 'θ [°]', unit: '°' },
-    velocity: { factor: degrees * p, label: 'angular velocity [°/s]', unit: '°/s' },
+    angle: { factor: degrees, label: 'tilt θ [°]', unit: '°' },
+    velocity: { factor: degrees * p, label: 'velocity [°/s]', unit: '°/s' },
     time: { factor: (2 * Math.PI) / (state.W * p), label: 'time [s]', unit: 's' },
     phase,
     si: true,

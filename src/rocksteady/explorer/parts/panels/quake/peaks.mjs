@@ -1,4 +1,4 @@
-// A chart of peak rotations over sizes or scales, hatched where the block overturns.
+// A chart of peak tilts over sizes or scales, hatched where the block falls.
 
 /** @import { Theme } from '../../draw/theme.mjs' */
 /** @import { Axis, Frame } from '../../draw/frame.mjs' */
@@ -7,7 +7,7 @@
 /** @import { FateSeries } from './shaken.mjs' */
 import { fillClass } from '../../draw/classes.mjs';
 import { frame, outline } from '../../draw/frame.mjs';
-import { clipped, curve, drawMark, note, rule } from '../../draw/marks.mjs';
+import { clipped, curve, drawHandle, note, rule } from '../../draw/marks.mjs';
 import { NOT_COMPUTED } from './shaken.mjs';
 
 const HIGHEST_SHOWN = 1.15; // theta/alpha
@@ -23,7 +23,7 @@ const HIGHEST_SHOWN = 1.15; // theta/alpha
 export function drawPeaks(pen, size, { theme, x, degrees, series, at, label, peak }) {
   const onto = frame(pen, size, {
     theme, x,
-    y: { from: 0, to: HIGHEST_SHOWN * degrees, label: 'peak rotation |θ| [°]; hatched: overturns' },
+    y: { from: 0, to: HIGHEST_SHOWN * degrees, label: `largest tilt |θ| [°]; hatched: ${theme.words.overturned}` },
   });
   const { box } = onto;
   if (series) {
@@ -37,16 +37,16 @@ export function drawPeaks(pen, size, { theme, x, degrees, series, at, label, pea
     curve(pen, onto, values, peaks.map((value, k) => (isStanding(status[k]) ? value * degrees : NaN)),
       { width: 2 });
   }
-  rule(pen, onto, { y: degrees }, { colour: theme.impact, dash: [6, 4], width: 1.2 });
-  note(pen, onto, 'α', box.left + 8, onto.y.at(degrees) - 9, { colour: theme.impact });
-  rule(pen, onto, { x: at }, { colour: theme.link, width: 2, casing: theme.paper });
+  rule(pen, onto, { y: degrees }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
+  note(pen, onto, 'α', box.left + 8, onto.y.at(degrees) - 9);
+  rule(pen, onto, { x: at }, { colour: theme.ink, width: 2, casing: theme.paper });
   if (peak !== null) {
     const y = onto.y.at(Math.min(peak, HIGHEST_SHOWN) * degrees);
-    drawMark(pen, 'dot', onto.x.at(at), y, { colour: theme.link, radius: 5, casing: theme.paper });
+    drawHandle(pen, theme, onto.x.at(at), y);
   }
   const right = onto.x.at(at) < box.left + 0.6 * box.width;
-  note(pen, onto, label, onto.x.at(at) + (right ? 9 : -9), box.top + box.height - 12,
-    { colour: theme.link, align: right ? 'left' : 'right', font: theme.strong });
+  note(pen, onto, label, onto.x.at(at) + (right ? 12 : -12), box.top + box.height - 12,
+    { align: right ? 'left' : 'right', font: theme.strong, boxed: true });
   outline(pen, onto);
   return onto;
 }
@@ -70,7 +70,7 @@ function isStanding(code) {
 }
 
 /**
- * Return the stretches that are no curve: overturned, undecided, or not computed yet.
+ * Return the stretches that are no curve: it falls, is undecided, or not computed yet.
  * @param {Float64Array} values
  * @param {Uint8Array} status
  * @returns {{ from: number, to: number, name: MotionClass }[]}

@@ -99,7 +99,8 @@ export function makeQuakePanel(app) {
     run = found;
     app.shared.recordRun = found;
     const stands = found.status === 'rocking' || found.status === 'at-rest';
-    bar?.show(found, stands ? `stands, peak ${few(found.peak)} α` : found.status);
+    bar?.show(found, stands ? `stands, peak ${few(found.peak)} α`
+      : app.theme.words[found.status === 'overturned' ? 'overturned' : 'undecided']);
   }
 
   /** @param {number | null} seconds */
@@ -130,9 +131,9 @@ export function makeQuakePanel(app) {
     const { impactCount, peak, overturned, rested, status } = run;
     const met = `${impactCount} ${impactCount === 1 ? 'impact' : 'impacts'}`;
     const seconds = (/** @type {number} */ pt) => `${few(pt / block.p)} s`;
-    if (overturned !== null) return `${what}. The block overturns at ${seconds(overturned)} after ${met}.`;
+    if (overturned !== null) return `${what}. The block falls at ${seconds(overturned)} after ${met}.`;
     if (peak === 0) return `${what}. The block does not lift: that takes ${few(upliftOf(block))} g.`;
-    const end = rested !== null ? `, at rest from ${seconds(rested)}`
+    const end = rested !== null ? `, rests from ${seconds(rested)}`
       : status === 'undecided' ? ', undecided: too many flights' : '';
     return `${what}. The block stands: peak ${few(peak * degrees)}° = ${few(peak)} α, ${met}${end}.`;
   }
@@ -148,7 +149,7 @@ export function makeQuakePanel(app) {
     const { samples, dt } = motion, place = seconds / dt, k = Math.floor(place);
     const a = k + 1 < samples.length ? samples[k] + (place - k) * (samples[k + 1] - samples[k]) : 0;
     const angle = angleAt(seconds * block.p);
-    const tilt = angle === null ? 'overturned' : `θ = ${(angle * degrees).toFixed(2)}°`;
+    const tilt = angle === null ? 'it falls' : `θ = ${(angle * degrees).toFixed(2)}°`;
     return `t = ${seconds.toFixed(2)} s: ground ${((scale * a) / GRAVITY).toFixed(3)} g, ${tilt}`;
   }
 
@@ -174,9 +175,9 @@ export function makeQuakePanel(app) {
     const left = 46, uplift = upliftOf(block), high = 1.08 * Math.max(pga, 1.15 * uplift, 1e-9);
     const ground = frame(pen, { width: size.width, height: split }, {
       theme, margin: { left }, x: { from: 0, to: end, bare: true },
-      y: { from: -high, to: high, label: 'ground acceleration [g]; dashed: uplift' },
+      y: { from: -high, to: high, label: 'ground acceleration [g]; dashed: lifts the block' },
     });
-    for (const side of [1, -1]) rule(pen, ground, { y: side * uplift }, { colour: theme.number, dash: [5, 4] });
+    for (const side of [1, -1]) rule(pen, ground, { y: side * uplift }, { colour: theme.limit, dash: [6, 4] });
     curve(pen, ground, drawn.times, drawn.values.map((value) => (scale * value) / GRAVITY),
       { colour: theme.base, width: 1.3 });
     if (cursor !== null) rule(pen, ground, { x: cursor }, { colour: theme.ink });
@@ -184,12 +185,11 @@ export function makeQuakePanel(app) {
     pen.translate(0, split);
     const tilt = frame(pen, { width: size.width, height: size.height - split }, {
       theme, margin: { left }, x: { from: 0, to: end, label: 'time [s]' },
-      y: { from: -1.2 * degrees, to: 1.2 * degrees, label: 'rotation θ [°]; dots: impacts' },
+      y: { from: -1.2 * degrees, to: 1.2 * degrees, label: 'tilt θ [°]; dots: impacts' },
     });
     for (const side of [1, -1]) {
-      rule(pen, tilt, { y: side * degrees }, { colour: theme.impact, dash: [6, 4], width: 1.2 });
-      note(pen, tilt, side > 0 ? 'α' : '−α', tilt.box.left + 10, tilt.y.at(side * degrees) + side * 10,
-        { colour: theme.impact });
+      rule(pen, tilt, { y: side * degrees }, { colour: theme.limit, dash: [6, 4], width: 1.2 });
+      note(pen, tilt, side > 0 ? 'α' : '−α', tilt.box.left + 10, tilt.y.at(side * degrees) + side * 10);
     }
     if (run) drawRun(pen, tilt, run, block.p, degrees);
     if (cursor !== null) rule(pen, tilt, { x: cursor }, { colour: theme.ink });
@@ -215,10 +215,10 @@ export function makeQuakePanel(app) {
     }
     if (shown.overturned === null) return;
     const x = tilt.x.at(shown.overturned / p), y = box.top + box.height - 14;
-    rule(pen, tilt, { x: shown.overturned / p }, { colour: theme.impact, dash: [2, 3] });
+    rule(pen, tilt, { x: shown.overturned / p }, { colour: theme.limit, dash: [2, 3] });
     const onRight = x < box.left + 0.6 * box.width;
-    note(pen, tilt, `overturned at ${few(shown.overturned / p)} s`, x + (onRight ? 8 : -8), y,
-      { colour: theme.impact, align: onRight ? 'left' : 'right', font: theme.strong });
+    note(pen, tilt, `${theme.words.overturned} at ${few(shown.overturned / p)} s`, x + (onRight ? 8 : -8), y,
+      { align: onRight ? 'left' : 'right', font: theme.strong });
   }
 
   function table() {

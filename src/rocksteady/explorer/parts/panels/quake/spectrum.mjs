@@ -1,4 +1,4 @@
-// The rocking spectrum: peak rotation of blocks of all sizes and one slenderness on the motion.
+// The rocking spectrum: largest tilt of blocks of all sizes and one slenderness on the motion.
 
 /** @import { App, Panel } from '../../shell/app.mjs' */
 /** @import { Frame } from '../../draw/frame.mjs' */
@@ -108,7 +108,7 @@ export function makeSpectrumPanel(app) {
       ? `, ${Math.round((100 * series.done) / SPECTRUM_VALUES)} % computed` : '';
     const fell = series ? fallenOf(series) : 0;
     return `Rectangles of α = ${few(degrees)}° and restitution ${few(block.restitution)}: of `
-      + `${SPECTRUM_VALUES} sizes ${fell} overturn${part}. This block: 2π/p = ${few(own)} s. `
+      + `${SPECTRUM_VALUES} sizes ${fell} fall${part}. This block: 2π/p = ${few(own)} s. `
       + 'Drag to change its size.';
   }
 }

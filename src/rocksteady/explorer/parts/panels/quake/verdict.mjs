@@ -5,6 +5,7 @@
 /** @import { Pen } from '../../draw/svg.mjs' */
 /** @import { RecordNeighbour } from '../../physics/quake/record.mjs' */
 /** @import { FateSeries, Shaken } from './shaken.mjs' */
+/** @import { MotionClass } from '../../draw/classes.mjs' */
 import { followPointer } from './dragging.mjs';
 import { neighbourCases } from '../../physics/quake/record.mjs';
 import { fillClass } from '../../draw/classes.mjs';
@@ -19,7 +20,7 @@ const NEIGHBOUR_ROOM = 92; // [px] of the table of neighbours
 const NEIGHBOURS_OF_A_JOB = 7;
 const CASE_PLACE = 1; // of the case itself among its neighbours
 
-/** @typedef {{ name: 'rest' | 'overturned' | 'undecided' | 'not-computed', text: string }} Cell */
+/** @typedef {{ name: MotionClass, text: string }} Cell */
 
 /**
  * Make the panel.
@@ -133,13 +134,13 @@ export function makeVerdictPanel(app) {
     const { degrees } = shakenBy(app, app.state), run = app.shared.recordRun;
     if (!run) return 'Computing the response.';
     const fell = run.status === 'overturned';
-    const own = fell ? 'Overturns' : run.status === 'undecided' ? 'Undecided'
+    const own = fell ? 'Falls' : run.status === 'undecided' ? 'Undecided'
       : `Stands, peak ${few(run.peak * degrees)}° = ${few(run.peak)} α`;
     const done = neighbours.filter((each) => each !== undefined);
     if (!done.length || done.length < neighbours.length) return `${own}. Neighbours are computed.`;
     const falls = done.filter(({ status }) => status === 'overturned').length;
     const range = 'scale ±5 %, restitution ±0.03, α ±2 %';
-    const count = `${falls} of ${done.length} neighbours (${range}) overturn`;
+    const count = `${falls} of ${done.length} neighbours (${range}) fall`;
     const robust = falls === (fell ? done.length : 0);
     return `${own}; ${count}: the verdict is ${robust ? 'robust' : 'not robust'}.`;
   }
@@ -160,7 +161,7 @@ export function makeVerdictPanel(app) {
     const cells = cellsOf();
     for (let shape = 0; shape < 3; shape++) {
       const left = 66 + [1, 0, 2][shape] * group; // alpha ascending to the right
-      pen.fillStyle = theme.number;
+      pen.fillStyle = theme.quiet;
       pen.textAlign = 'center';
       pen.fillText(['α', 'α − 2 %', 'α + 2 %'][shape], left + 1.5 * cell.width, 10);
       for (let change = 0; change < 3; change++) {
@@ -170,20 +171,20 @@ export function makeVerdictPanel(app) {
           const { name, text } = cells[(shape * 3 + change) * 3 + place];
           const x = left + place * (cell.width + 2);
           fillClass(pen, theme, name, { left: x, top: y, width: cell.width, height: cell.height });
-          pen.strokeStyle = shape + change === 0 && place === 1 ? theme.link : theme.faint;
+          pen.strokeStyle = shape + change === 0 && place === 1 ? theme.ink : theme.edge;
           pen.lineWidth = shape + change === 0 && place === 1 ? 2.5 : 1;
           pen.strokeRect(x + 0.5, y + 0.5, cell.width - 1, cell.height - 1);
           if (!text || cell.width < 34) continue;
-          pen.fillStyle = '#000000';
+          pen.fillStyle = name === 'rest' ? theme.ink : theme.onRocks;
           pen.fillText(text, x + cell.width / 2, y + cell.height / 2 + 0.5);
         }
         if (shape > 0) continue;
         pen.textAlign = 'right';
-        pen.fillStyle = theme.number;
+        pen.fillStyle = theme.quiet;
         pen.fillText(['δ', 'δ − 0.03', 'δ + 0.03'][change], 58, y + cell.height / 2);
         pen.textAlign = 'center';
       }
-      pen.fillStyle = theme.number;
+      pen.fillStyle = theme.quiet;
       ['−5 %', '×', '+5 %'].forEach((text, place) => {
         const shown = place === 1 ? `${few(app.state.scale)} ×` : text;
         if (cell.width > 26 || place !== 1) pen.fillText(shown, left + (place + 0.5) * (cell.width + 2), 81);
@@ -203,7 +204,7 @@ export function makeVerdictPanel(app) {
       if (!each) return { name: 'not-computed', text: '' };
       if (each.status === 'overturned') return { name: 'overturned', text: '' };
       if (each.status === 'undecided') return { name: 'undecided', text: '' };
-      return { name: 'rest', text: `${((each.peak * each.alpha * 180) / Math.PI).toFixed(1)}°` };
+      return { name: each.peak ? 'rocking' : 'rest', text: `${((each.peak * each.alpha * 180) / Math.PI).toFixed(1)}°` };
     });
   }
 }
