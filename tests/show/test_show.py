@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from rocksteady import (
@@ -43,6 +43,7 @@ from rocksteady.orbits import (
 from rocksteady.show.figures.single import response_figure, simulation_figure, steady_figure
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import region_centres
+from rocksteady.show.style.tokens import DARK, DASHED, DOTTED, LIGHT
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)
@@ -201,7 +202,7 @@ def test_one_impact_is_singular() -> None:
     assert legend_of(axes) == ["1 impact"]
 
 
-@pytest.mark.parametrize("draw", [PLOTS[name] for name in ("trajectory", "portrait", "regions")])
+@pytest.mark.parametrize("draw", [PLOTS[name] for name in ("trajectory", "portrait")])
 def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> None:
     figure = Figure(figsize=(10.0, 8.0))
     axes = draw(figure.subplots(2, 2)[1, 0])
@@ -213,31 +214,82 @@ def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> 
     assert box.y0 <= frame.y0 < frame.y1 <= box.y1
 
 
-def test_a_key_beside_the_regions_leaves_the_axes_to_the_curves() -> None:
+def words_of(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts]
+
+
+BOUNDARIES = {"existence (23)", "kind (25)", "sign (24)", "symmetry breaking", "heteroclinic"}
+
+
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+def test_regions_are_fills_of_their_role_and_every_boundary_is_a_named_limit(dark: bool) -> None:
+    inks = DARK if dark else LIGHT
+    figure = Figure(figsize=(8.0, 5.0), facecolor=inks.paper)
+    axes = plots.steady_regions(curves(), figure.add_subplot(facecolor=inks.paper))
+    fills = {to_hex(fill.get_facecolor()[0]) for fill in axes.collections}  # type: ignore[index]
+    assert fills == set(inks.rocks_ramp[:2]), "and paper where there is no motion"
+    assert {line.get_color() for line in axes.lines} == {inks.limit}
+    assert len({str(line._unscaled_dash_pattern) for line in axes.lines}) == 5  # type: ignore[attr-defined]
+    legend = axes.get_legend()
+    named = set(words_of(axes)) | set([] if legend is None else legend_of(axes))
+    assert named >= BOUNDARIES
+    assert {"1", "2", "3", "4", "5"} <= set(words_of(axes))
+
+
+def test_names_of_boundaries_without_room_are_in_a_legend_beside_the_axes() -> None:
     figure = Figure(figsize=(7.0, 4.0), layout="constrained")
-    axes = plots.steady_regions(curves(), figure.add_subplot(), key="beside")
+    flat = compute_region_map(np.linspace(0.1, 14.0, 200), 0.99)
+    axes = plots.steady_regions(flat, figure.add_subplot(), key="beside")
     figure.draw_without_rendering()
     legend = axes.get_legend()
     assert legend is not None
+    assert set(legend_of(axes)) | set(words_of(axes)) >= BOUNDARIES
     frame, box = legend.get_window_extent(), axes.get_window_extent()
     assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
-    inside = plots.steady_regions(curves(), Figure().add_subplot())
-    assert legend_of(axes) == legend_of(inside)
-    # region 5 is in the corner that a legend inside would take
-    numbers = {text.get_text() for text in axes.texts}
-    assert {text.get_text() for text in inside.texts} <= numbers == {"1", "2", "3", "4", "5"}
 
 
-def test_the_legend_of_the_regions_leaves_point_and_numbers_free() -> None:
+def test_words_in_the_regions_leave_point_and_each_other_free() -> None:
     for point in ((2.0, 5.5), (13.0, 5.5), (1.0, 0.2), (13.0, 0.2)):
         axes = plots.steady_regions(curves(), Figure(figsize=(5.0, 4.4)).add_subplot(), point=point)
         axes.figure.canvas.draw()
+        level = [text.get_window_extent() for text in axes.texts if text.get_rotation() == 0.0]
         legend = axes.get_legend()
-        assert legend is not None
-        frame = legend.get_window_extent()
-        assert not frame.contains(*axes.transData.transform(point))
-        for number in axes.texts:
-            assert not frame.overlaps(number.get_window_extent()), number.get_text()
+        frames = level if legend is None else [*level, legend.get_window_extent()]
+        for first, second in itertools.combinations(frames, 2):
+            assert not first.overlaps(second), point
+        for frame in frames:
+            assert not frame.contains(*axes.transData.transform(point)), point
+
+
+def test_an_orbit_is_solid_dashed_or_dotted_as_it_is_stable_or_no_motion() -> None:
+    for place, order, branch, style in (
+        ((0.8, 5.0, 0.9), 1, 1, "-"),
+        ((0.8, 5.0, 0.9), 1, 2, "--"),
+        ((2.0, 4.0, 0.8), 1, 2, ":"),
+    ):
+        orbit = compute_steady_orbit(*place, order=order, branch=branch)
+        (line,) = plots.steady_orbit(orbit, Figure().add_subplot()).lines
+        drawn = line._unscaled_dash_pattern  # type: ignore[attr-defined]
+        assert drawn == ({"-": (0, None), "--": DASHED, ":": DOTTED}[style])
+
+
+def test_a_point_of_a_block_of_known_size_is_drawn_in_its_units() -> None:
+    figure = steady_figure([("branch 1", orbit())], curves(), point=(6.0, 2.0), block=BLOCK)
+    motion, base, plane = figure.axes
+    assert motion.get_ylabel() == palette.LABELS["angle_deg"]
+    assert base.get_xlabel() == palette.LABELS["half_cycle_s"]
+    assert plane.get_xlabel() == palette.LABELS["freq_hz"]
+    assert plane.get_ylabel() == palette.LABELS["accel_g"]
+    (angle,) = (line for line in motion.lines if len(np.asarray(line.get_xdata())) > 2)
+    degrees = math.degrees(BLOCK.alpha) * orbit().angle
+    np.testing.assert_allclose(np.asarray(angle.get_ydata(), dtype=float), degrees)
+    seconds = orbit().tau / (6.0 * BLOCK.p)
+    np.testing.assert_allclose(np.asarray(angle.get_xdata(), dtype=float), seconds)
+    (mark,) = (line for line in plane.lines if line.get_marker() == "o")
+    assert np.ravel(mark.get_xydata()) == pytest.approx(
+        [6.0, 2.0 * BLOCK.uplift_acceleration / BLOCK.gravity]
+    )
+    assert "0.4 g, 6 Hz" in words_of(plane)
 
 
 def test_small_rocking_fills_the_picture() -> None:
@@ -273,8 +325,8 @@ def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> Non
         for low, high in ((0.5, 12.0), (5.0, 8.0))
     )
     assert (wide.get_yscale(), narrow.get_yscale()) == ("log", "linear")
-    assert [text.get_text() for text in wide.texts] == [r"$|\theta| = \alpha$"]
-    assert not narrow.texts, "peaks far below the balance do not make room for it"
+    assert "tipping angle" in words_of(wide)
+    assert "tipping angle" not in words_of(narrow), "peaks far below do not make room for it"
 
 
 def test_frequencies_spaced_by_ratio_are_drawn_so() -> None:
@@ -294,20 +346,59 @@ def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
         compute_response_curve(BARE, 2.0, frequency_ratio=w, branch=2),
         compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3),
     ]
-    labels = legend_of(plots.response(mixed, Figure().add_subplot()))
-    assert len(set(labels)) == 3
-    assert "A = 2, n = 3, branch 1" in labels
+    axes = plots.response(mixed, Figure().add_subplot())
+    labels = {*legend_of(axes), *words_of(axes)}
+    assert {
+        "A = 2, n = 1, branch 1",
+        "A = 2, n = 3, branch 1",
+        "A = 2, n = 1, branch 2: no motion",
+    } <= labels
 
 
-def test_curves_are_labelled_as_the_caller_says() -> None:
+def test_curves_end_at_their_names_as_the_caller_says() -> None:
     drawn = responses()
     names = ["soft", "middling", "hard"]
     axes = plots.response(drawn, Figure().add_subplot(), labels=names)
-    assert legend_of(axes) == names
-    for name, curve in zip(names, drawn, strict=True):
+    words = {text.get_text(): text for text in axes.texts}
+    shades = LIGHT.series("motion", 3)
+    scale = math.degrees(BLOCK.alpha)
+    for name, curve, shade in zip(names, drawn, shades, strict=True):
         (line,) = (line for line in axes.lines if line.get_label() == name)
-        solid = np.where(curve.stable, curve.peak, math.nan)
-        np.testing.assert_array_equal(np.asarray(line.get_ydata(), dtype=float), solid)
+        solid = np.where(curve.stable, scale * curve.peak, math.nan)
+        np.testing.assert_allclose(np.asarray(line.get_ydata(), dtype=float), solid)
+        assert line.get_color() == words[name].get_color() == shade
+    heights = [words[name].get_window_extent().y0 for name in names]
+    assert heights == sorted(heights)
+
+
+def test_more_curves_than_six_have_a_legend() -> None:
+    w = np.linspace(1.0, 8.0, 60)
+    many = [compute_response_curve(BARE, a, frequency_ratio=w) for a in np.linspace(1.0, 4.0, 8)]
+    axes = plots.response(many, Figure().add_subplot())
+    assert len(legend_of(axes)) == 8
+    looks = {(line.get_color(), line.get_marker()) for line in axes.lines[:-1]}
+    assert len(looks) == 8
+
+
+def test_peaks_of_a_block_of_known_size_are_in_degrees_over_hertz() -> None:
+    axes = plots.response(responses(), Figure(figsize=(7.2, 4.4)).add_subplot())
+    assert axes.get_xlabel() == palette.LABELS["freq_hz"]
+    assert axes.get_ylabel() == palette.LABELS["peak_deg"]
+    across, up = axes.child_axes
+    assert across.get_xlabel() == palette.LABELS["frequency_ratio"]
+    assert up.get_ylabel() == palette.LABELS["peak"]
+    g = BLOCK.uplift_acceleration / BLOCK.gravity
+    assert [word for word in words_of(axes) if word.endswith(" g")] == [
+        f"{a * g:.3g} g" for a in (1.0, 2.0, 3.0)
+    ]
+    other = Block.from_p(alpha=0.2, p=math.pi, restitution=0.8)
+    hertz = np.linspace(1.0, 8.0, 60)
+    both = [compute_response_curve(block, 2.0, frequency_hz=hertz) for block in (BLOCK, other)]
+    mixed = plots.response(both, Figure().add_subplot(), hertz=True)
+    assert mixed.get_xlabel() == palette.LABELS["frequency_hz"]
+    assert mixed.get_ylabel() == palette.LABELS["peak"]
+    assert not mixed.child_axes
+    assert plots.response(both, Figure().add_subplot()).get_xlim() == (1.0, 16.0)
 
 
 @pytest.mark.parametrize(("top", "balance"), [(0.4, False), (1.0, False), (1.5, True)])
@@ -316,7 +407,7 @@ def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> 
     axes = plots.response([curve], Figure().add_subplot(), top=top)
     assert axes.get_yscale() == "linear", "however much the peaks span"
     assert axes.get_ylim() == (0.0, top)
-    assert ([text.get_text() for text in axes.texts] == [r"$|\theta| = \alpha$"]) == balance
+    assert ("tipping angle" in words_of(axes)) == balance
 
 
 def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:

@@ -12,6 +12,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear
+from rocksteady.model.facts import amplitude_text, frequency_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Fact
 from rocksteady.sweep.cases.spacing import in_equal_ratios
@@ -145,8 +146,10 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
         low, high = max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w))
         ratios = np.array(in_equal_ratios(low, high, 700))
     curves = compute_region_map(ratios, r, order=n)
-    title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
-    return steady_figure(orbits, curves, point=(w, a), title=title, page=page)
+    body = states.block or DimensionlessBlock(restitution=r)
+    shaking = f"{amplitude_text(body, a)}, {frequency_text(body, w)}"
+    title = f"Symmetric steady states: {shaking}, restitution {r:g}, n = {n}"
+    return steady_figure(orbits, curves, point=(w, a), block=states.block, title=title, page=page)
 
 
 def worth(solution: dict[str, Any]) -> str:

@@ -1,6 +1,5 @@
 """Complete figures of single results, as the command line saves them."""
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.steady.regions import RegionMap
     from rocksteady.dynamics.steady.response import ResponseCurve
     from rocksteady.dynamics.steady.states import SteadyOrbit
+    from rocksteady.model.facts import AnyBlock
     from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
     from rocksteady.seismic.measures.time_course import IntegratedRecord
     from rocksteady.seismic.spectra.overturning_scales import OverturningScales
@@ -160,6 +160,7 @@ def steady_figure(
     curves: "RegionMap",
     *,
     point: tuple[float, float],
+    block: "AnyBlock | None" = None,
     title: str = "",
     page: Page = SCREEN,
 ) -> "Figure":
@@ -173,29 +174,22 @@ def steady_figure(
         The map.
     point
         (frequency_ratio, amplitude).
+    block
+        The block in whose units everything is drawn, if it has a known size.
     title
         Above both panels.
     page
         Width of the figure, and place of its legends.
     """
-    from rocksteady.show.plots.steady import (
-        LOGARITHMIC_SPAN,
-        plot_steady_orbit,
-        plot_steady_regions,
-    )
+    from rocksteady.show.plots.steady import LOGARITHMIC_SPAN, draw_orbit, draw_regions
+    from rocksteady.show.style.tokens import inks_of
 
     with page.figure(9.6, 4.4, title, stacked=1.75) as figure:
         motion, base, plane = _panels_of_motion(figure, page.stacks(9.6), (1.0, 1.0))
-        motion.axhline(0.0, color=palette.INK, lw=0.7)
+        motion.axhline(0.0, color=inks_of(motion).edge, lw=0.7)
         for number, (label, orbit) in enumerate(orbits):
-            plot_steady_orbit(orbit, motion, label=label, series=number)
-            base.plot(
-                orbit.tau / (2.0 * math.pi),
-                orbit.excitation,
-                color=palette.LINES[number],
-                ls=palette.DASHES[number],
-                lw=1.0,
-            )
+            draw_orbit(motion, orbit, label=label, series=number, block=block)
+            draw_orbit(base, orbit, label=label, series=number, block=block, base=True)
         if orbits:
             drawn = draw_legend(motion, page.legend or "inside", corner="lower left")
             if drawn is not None and page.legend is None:
@@ -204,14 +198,14 @@ def steady_figure(
         else:
             _write_across(motion, "no symmetric steady state here")
             motion.set_ylabel(palette.LABELS["angle"])
+            base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
         motion.set_xlabel("")
         motion.tick_params(labelbottom=False)
-        base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
         # The curves level out; above twice the sign boundary's level there is only region 2.
         top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
         if top > LOGARITHMIC_SPAN:
             top *= 20.0
-        plot_steady_regions(curves, plane, point=point, top=top, legend=page.legend)
+        draw_regions(plane, curves, page.legend or "inside", point=point, top=top, block=block)
     return figure
 
 

@@ -7,35 +7,61 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
-from rocksteady.dynamics.steady.states import SteadyOrbit
+from rocksteady.dynamics.steady.states import SteadyOrbit, steady_states
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import non_negative, positive, whole_number
+from rocksteady.show.plots.branches._curve_labels import Words, explain, limit_entries
+from rocksteady.show.plots.branches._views import AnyBlock, fits_far_axes, shared_size
+from rocksteady.show.plots.branches.curves import CURVES
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
     axes_or_new,
-    emptiest_corner,
-    extent,
     region_centres,
     spaced_by_ratio,
 )
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.line_colours import LIGHT, inks_of
+from rocksteady.show.style.legends import (
+    LETTER,
+    LegendPlace,
+    draw_legend,
+    place_of,
+    size_of,
+    text_size,
+)
+from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.tokens import DASHED, DOTTED, MARKS, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
 
 LOGARITHMIC_SPAN = 30.0
 """Factor between the ends of an amplitude or peak axis from which on it is logarithmic."""
+MOST_NAMED = 6
+"""Response curves up to which each has its name on its line."""
+LONGEST_NAME = 0.3
+"""Length of a name at the end of a line, in parts of the axes, that leaves these wide enough."""
+SHADES = 3
+"""Lightness steps of orbits, in turn."""
+BOUNDARIES: dict[str, tuple[str, Any]] = {
+    "existence": ("existence (23)", CURVES[PointType.FOLD]),
+    "kind": ("kind (25)", (0, (5, 2.5))),
+    "sign": ("sign (24)", CURVES[PointType.GRAZING]),
+    "symmetry_breaking": ("symmetry breaking", CURVES[PointType.SYMMETRY_BREAKING]),
+    "heteroclinic": ("heteroclinic", (0, (7, 2, 1.2, 2, 1.2, 2))),
+}
+"""Name and dashes of each boundary in the plane of frequency and amplitude."""
 
 
 @checked
 def plot_steady_orbit(
     orbit: SteadyOrbit, ax: "Axes | None" = None, *, label: str = "", series: int = 0
 ) -> "Axes":
-    """Draw one period of a symmetric steady state.
+    """Draw one period of a symmetric steady state: dashed if unstable, dotted if no motion.
 
     Parameters
     ----------
@@ -46,7 +72,7 @@ def plot_steady_orbit(
     label
         For a legend, which the caller makes when every orbit is drawn.
     series
-        0, 1, 2, ...: which colour and dash of the palette.
+        0, 1, 2, ...: which lightness of the colour of motion, three of them in turn.
 
     Returns
     -------
@@ -66,19 +92,42 @@ def plot_steady_orbit(
     """
     series = whole_number("series", series, at_least=0, hint="give 0, 1, 2, ...")
     axes = axes_or_new(ax)
+    draw_orbit(axes, orbit, label=label, series=series)
+    return axes
+
+
+def draw_orbit(
+    axes: "Axes",
+    orbit: SteadyOrbit,
+    *,
+    label: str,
+    series: int,
+    block: AnyBlock | None = None,
+    base: bool = False,
+) -> None:
+    """Draw the angle over a period, or the acceleration of the base, in the units of a block."""
+    role = "base" if base else "motion"
+    up = scale_of("amplitude" if base else "angle", block)
+    if base:
+        up = up._replace(label=palette.LABELS["base_g" if up.far else "base"])
+    across = Scale(0.5 / math.pi, palette.LABELS["half_cycle"])
+    if block is not None:
+        seconds = scale_of("pt", block).factor / orbit.frequency_ratio
+        across = Scale(seconds, palette.LABELS["half_cycle_s"])
+    place = orbit.amplitude, orbit.frequency_ratio, orbit.restitution
+    states, branch = steady_states(*place, order=orbit.order), orbit.branch - 1
+    look: Any = "-" if states.stable[branch] or states.neutral[branch] else DASHED
+    assert states.admissible is not None
     axes.plot(
-        orbit.tau / (2.0 * math.pi),
-        orbit.angle,
-        color=inks_of(axes).lines[series % len(palette.LINES)],
-        ls=palette.DASHES[series % len(palette.DASHES)],
+        across.factor * orbit.tau,
+        up.factor * (orbit.excitation if base else orbit.angle),
+        color=inks_of(axes).series(role, SHADES)[2 * series % SHADES],
+        ls=look if states.admissible[branch] else DOTTED,
+        lw=1.0 if base else None,
         label=label,
     )
-    axes.set(
-        xlabel=palette.LABELS["half_cycle"],
-        ylabel=palette.LABELS["angle"],
-        xlim=(0.0, float(orbit.tau[-1]) / (2.0 * math.pi)),
-    )
-    return axes
+    end = across.factor * float(orbit.tau[-1])
+    axes.set(xlabel=across.label, ylabel=up.label, xlim=(0.0, end))
 
 
 @checked
@@ -93,8 +142,11 @@ def plot_steady_regions(
 ) -> "Axes":
     """Draw the regions of symmetric steady states with their boundaries (Figs 3 and 4).
 
-    The frequency axis is logarithmic where the map's frequencies are spaced by ratio, as
-    `numpy.geomspace` does; the amplitude axis where `top` is above 30.
+    Regions are numbered as in the paper, and the darker the more of their solutions are motions:
+    none in region 4, one in regions 2 and 5, two in regions 1 and 3.  Boundaries have their names
+    along them where there is room, else in the legend.  The frequency axis is logarithmic where the
+    map's frequencies are spaced by ratio, as `numpy.geomspace` does; the amplitude axis where `top`
+    is above 30.
 
     Parameters
     ----------
@@ -124,16 +176,38 @@ def plot_steady_regions(
     >>> from rocksteady.orbits import compute_region_map
     >>> curves = compute_region_map(np.linspace(0.1, 14.0, 300), 0.5)
     >>> axes = plot_steady_regions(curves, Figure().add_subplot(), point=(4.0, 2.0))
-    >>> print(axes.get_ylim()[1], [number.get_text() for number in axes.texts])
-    6.0 ['1', '2', '4']
+    >>> print(axes.get_ylim()[1], [name.get_text() for name in axes.texts[:4]])
+    6.0 ['1', '2', '4', 'A = 2, Ω = 4']
     """
-    from matplotlib.patheffects import withStroke
-
     top = None if top is None else positive("top", top, hint="give where the axis ends")
+    if point is not None:
+        point = (
+            positive("point", point[0], hint="give (frequency ratio, amplitude)"),
+            non_negative("point", point[1], hint="give (frequency ratio, amplitude)"),
+        )
     axes = axes_or_new(ax)
-    default: LegendPlace = "inside" if key == "inside" else "right"
-    place = place_of(axes, legend, default, width=125.0)
-    w = curves.frequency_ratio
+    place = place_of(axes, legend, "inside" if key == "inside" else "right", width=125.0)
+    draw_regions(axes, curves, place, point=point, top=top)
+    return axes
+
+
+def draw_regions(
+    axes: "Axes",
+    curves: RegionMap,
+    place: LegendPlace,
+    *,
+    point: tuple[float, float] | None,
+    top: float | None,
+    block: AnyBlock | None = None,
+) -> None:
+    """Draw the regions over acceleration and frequency, in the units of a block."""
+    from matplotlib.lines import Line2D
+
+    inks = inks_of(axes)
+    across, up = scale_of("frequency_ratio", block), scale_of("amplitude", block)
+    w = across.factor * curves.frequency_ratio
+    bounds = {name: up.factor * getattr(curves, name) for name in BOUNDARIES}
+    existence, kind, sign = (bounds[name] for name in ("existence", "kind", "sign"))
     ceiling = top if top is not None else max(6.0, 1.3 * point[1] if point is not None else 0.0)
     floor = 0.0
     if ceiling > LOGARITHMIC_SPAN:
@@ -142,65 +216,59 @@ def plot_steady_regions(
     if spaced_by_ratio(w):
         axes.set_xscale("log")
     ends = [float(w[0]), float(w[-1])]
+    here: list[tuple[float, float]] = []
     if point is not None:
-        point = (
-            positive("point", point[0], hint="give (frequency ratio, amplitude)"),
-            non_negative("point", point[1], hint="give (frequency ratio, amplitude)"),
-        )
-        ends = [min(ends[0], point[0]), max(ends[1], point[0])]
-    axes.set(
-        xlabel=palette.LABELS["frequency_ratio"],
-        ylabel=palette.LABELS["amplitude"],
-        xlim=ends,
-        ylim=(floor, ceiling),
-    )
-    sky = np.full(w.shape, ceiling)
-    low, high = np.minimum(curves.kind, curves.sign), np.maximum(curves.kind, curves.sign)
-    fills = palette.REGION_FILLS
-    axes.fill_between(w, floor, curves.existence, color=fills[4], lw=0)
-    axes.fill_between(w, curves.existence, low, color=fills[3], lw=0)
-    axes.fill_between(w, low, high, where=curves.sign >= curves.kind, color=fills[1], lw=0)
-    axes.fill_between(w, low, high, where=curves.sign < curves.kind, color=fills[5], lw=0)
-    axes.fill_between(w, high, np.maximum(sky, high), color=fills[2], lw=0)
-    lines = (
-        (curves.existence, "existence (23)", "-", palette.INK),
-        (curves.kind, "kind (25)", (0, (6, 2)), palette.INK),
-        (curves.sign, "sign (24)", (0, (1, 1.2)), palette.INK),
-        (curves.symmetry_breaking, "symmetry breaking", "-", palette.LINES[1]),
-        (curves.heteroclinic, "heteroclinic", (0, (4, 1.5, 1, 1.5)), palette.LINES[3]),
-    )
-    for values, label, dash, colour in lines:
-        axes.plot(w, values, color=colour, ls=dash, lw=1.2, label=label)
-    seen = [np.tile(w, len(lines)), np.concatenate([values for values, *_ in lines])]
-    if point is not None:
+        here = [(across.factor * point[0], up.factor * point[1])]
+        ends = [min(ends[0], here[0][0]), max(ends[1], here[0][0])]
+    bottom, sky = up.factor * floor, up.factor * ceiling
+    axes.set(xlabel=across.label, ylabel=up.label, xlim=ends, ylim=(bottom, sky))
+    axes.grid(visible=False)
+    low, high = np.minimum(kind, sign), np.maximum(kind, sign)
+    one, two = inks.rocks_ramp[:2]
+    for under, over, where, fill in (
+        (existence, low, None, two),
+        (low, high, sign >= kind, two),
+        (low, high, sign < kind, one),
+        (high, np.maximum(sky, high), None, one),
+    ):
+        axes.fill_between(w, under, over, where=where, color=fill, lw=0)
+    handles = {}
+    for bound, (name, dash) in BOUNDARIES.items():
+        look: dict[str, Any] = {"color": inks.limit, "ls": dash, "lw": 1.1}
+        axes.plot(w, bounds[bound], label=name, **look)
+        handles[name] = Line2D([], [], label=name, **look)
+    if here:
         axes.plot(
-            *point, "o", ms=7, color=palette.LINES[0], mec="white", mew=1.2, zorder=5, clip_on=False
+            *here[0], "o", ms=6.5, color=inks.paper, mec=inks.ink, mew=1.6, zorder=5, clip_on=False
         )
-        # The point outweighs every curve.
-        seen = [
-            np.append(values, np.full(seen[0].size, x))
-            for values, x in zip(seen, point, strict=True)
-        ]
-    size = extent(axes, width=125.0, height=72.0)
-    corner = emptiest_corner(axes, seen, size)
-    taken = (corner, size) if place == "inside" else None
-    drawn = draw_legend(axes, place, corner=corner)
-    if drawn is not None:  # whose lines are those on the light fills
-        drawn.get_frame().set(facecolor=LIGHT.paper, alpha=0.85, visible=True)
-        for text in drawn.get_texts():
-            text.set_color(LIGHT.ink)
-    for region, where in region_centres(curves, ceiling, floor, taken=taken, point=point).items():
+    if fits_far_axes(axes):
+        draw_far_axis(axes, "x", across)
+        draw_far_axis(axes, "y", up)
+    words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
+    words.take(here, 5.0)
+    centres = {
+        number: (across.factor * x, up.factor * y)
+        for number, (x, y) in region_centres(curves, ceiling, floor, point=point).items()
+    }
+    for region, where in centres.items():
+        size = text_size(axes, 9.5)
         axes.annotate(
-            str(region),
-            where,
-            ha="center",
-            va="center",
-            fontsize=9.5,
-            color=palette.NUMBER,
-            path_effects=[withStroke(linewidth=2.5, foreground="white")],
-            zorder=4.0,
+            str(region), where, ha="center", va="center", fontsize=size, color=inks.ink, zorder=4.0
         )
-    return axes
+    words.take([*centres.values()], 6.0)
+    if point is not None:
+        words.beside(here[0], _shaking_text(point, across, up))
+    named = words.along([*handles], [inks.ink] * len(handles), aside=True)
+    left = [handle for name, handle in handles.items() if name not in named]
+    corner = words.emptiest_corner(130.0, 13.0 * len(left) + 8.0)
+    draw_legend(axes, place, handles=left, corner=corner)
+
+
+def _shaking_text(point: tuple[float, float], across: Scale, up: Scale) -> str:
+    """Return amplitude and frequency of a point in the units of the axes."""
+    if across.far:
+        return f"{up.factor * point[1]:.3g} g, {across.factor * point[0]:.3g} Hz"
+    return f"A = {point[1]:g}, Ω = {point[0]:g}"
 
 
 @checked
@@ -215,8 +283,10 @@ def plot_response(
 ) -> "Axes":
     """Draw peaks against frequency, solid where stable and dashed where unstable (Figs 5 to 7).
 
-    The peak axis is logarithmic where peaks span more than a factor of 30, the frequency axis where
-    frequencies are spaced by ratio, as `numpy.geomspace` does.
+    Each curve has its name on its line, of six or fewer; else they are in the legend.  The peak
+    axis is logarithmic where peaks span more than a factor of 30, the frequency axis where
+    frequencies are spaced by ratio, as `numpy.geomspace` does.  For blocks of one known size
+    frequencies are in Hz and peaks in degrees, with the dimensionless scales on the far sides.
 
     Parameters
     ----------
@@ -225,19 +295,20 @@ def plot_response(
     ax
         Axes to draw on; default: axes of a new figure.
     hertz
-        Whether the abscissa is in Hz, for curves of a `rocksteady.Block`.
+        Whether the abscissa is in Hz for blocks whose sizes differ too.
     labels
-        Legend entries, one per curve; by default amplitude and, where they differ, order and
+        Names of the curves, one each; by default amplitude and, where they differ, order and
         branch.
     top
-        Upper end of a linear peak axis; default: everything is shown, with room for the legend.
+        Upper end of a linear peak axis, in units of alpha; default: everything is shown.
     legend
-        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+        Place of the legend of what has no name on its line: "inside" the axes, to their "right",
+        "below" them (default) or "none".
 
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: Omega = omega/p or Hz, and the peak of |theta|/alpha.
+        The axes: Omega = omega/p or Hz, and the peak of |theta|/alpha or in degrees.
 
     Raises
     ------
@@ -253,8 +324,8 @@ def plot_response(
     >>> w = np.linspace(1.0, 8.0, 100)
     >>> curves = [compute_response_curve(block, a, frequency_ratio=w) for a in (1.0, 2.0)]
     >>> axes = plot_response(curves, Figure().add_subplot())
-    >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
-    log ['A = 1', 'A = 2']
+    >>> print(axes.get_yscale(), [name.get_text() for name in axes.texts])
+    log ['A = 1', 'A = 2', 'tipping angle']
     """
     if isinstance(curves, ResponseCurve):
         curves = [curves]
@@ -267,94 +338,125 @@ def plot_response(
         )
     top = _checked_top(top, labels, len(curves))
     axes = axes_or_new(ax)
-    inks = inks_of(axes)
-    columns = 1 if len(curves) < 4 else 2
-    place = place_of(axes, legend, "inside", width=90.0 * columns)
-    mixed = len({(curve.branch, int(curve.states.order.flat[0])) for curve in curves}) > 1
-    peaks = np.concatenate([curve.peak for curve in curves])
-    peaks = peaks[peaks > 0.0]
-    highest = float(peaks.max()) if peaks.size else 1.0
-    abscissas = []
-    for number, curve in enumerate(curves):
-        x = (
-            curve.frequency_hz
-            if hertz and curve.frequency_hz is not None
-            else curve.frequency_ratio
-        )
-        abscissas.append(x)
-        label = f"A = {float(curve.states.amplitude.flat[0]):g}"
-        if labels is not None:
-            label = labels[number]
-        elif mixed:
-            order = int(curve.states.order.flat[0])
-            label += f", n = {order}, branch {curve.branch}"
-        _draw_response(axes, x, curve, number, label)
-    ends = np.concatenate(abscissas)
-    if spaced_by_ratio(ends):
-        axes.set_xscale("log")
-    balance = highest > 0.6 and (top is None or top > 1.0)
-    lowest = float(peaks.min()) if peaks.size else highest
-    highest = max(highest, 1.0) if balance else highest
-    # Above the curves and the line there is room for the legend.
-    rows = 1 + math.ceil(len(curves) / columns)
-    part = min(0.6, extent(axes, width=1.0, height=12.0 * rows + 18.0)[1])
-    part = part if place == "inside" else 0.05
-    if top is not None:
-        axes.set_ylim(0.0, top)
-    elif highest > LOGARITHMIC_SPAN * lowest:
-        span = highest / lowest
-        axes.set_yscale("log")
-        axes.set_ylim(lowest / span**0.05, highest * span ** (part / (1.0 - part)))
-    else:
-        axes.set_ylim(0.0, highest / (1.0 - part))
-    if balance:
-        axes.axhline(1.0, color=inks.faint, lw=0.8, zorder=1.0)
-        axes.annotate(
-            r"$|\theta| = \alpha$",
-            (1.0, 1.0),
-            (-2.0, 2.0),
-            xycoords=axes.get_yaxis_transform(),
-            textcoords="offset points",
-            ha="right",
-            va="bottom",
-            fontsize=text_size(axes, 8.0),
-            color=inks.number,
-        )
-    axes.set(
-        xlabel=palette.LABELS["frequency_hz" if hertz else "frequency_ratio"],
-        ylabel=palette.LABELS["peak"],
-    )
-    if ends.min() < ends.max():
-        axes.set_xlim(float(ends.min()), float(ends.max()))
-    draw_legend(
-        axes,
-        place,
-        corner="upper right",
-        columns=columns,
-        title="solid: stable, dashed: unstable",
-    )
+    place = place_of(axes, legend, "below")
+    block = shared_size(curve.block for curve in curves)
+    across, up = scale_of("frequency_ratio", block), scale_of("peak", block)
+    lines = [
+        np.column_stack([across.factor * curve.frequency_ratio, up.factor * curve.peak])
+        for curve in curves
+    ]
+    if block is None and hertz:
+        across = across._replace(label=palette.LABELS["frequency_hz"])
+        for line, curve in zip(lines, curves, strict=True):
+            line[:, 0] = math.nan if curve.frequency_hz is None else curve.frequency_hz
+    names = [*labels] if labels is not None else _response_names(curves, block)
+    longest = (LETTER * text_size(axes, 7.0) * max(map(len, names)) + 10.0) / size_of(axes)[0]
+    few = len(curves) <= MOST_NAMED and longest < LONGEST_NAME
+    shades = inks_of(axes).series("motion", min(len(curves), MOST_NAMED))
+    handles = [
+        _draw_response(axes, line, curve.stable, name, number, shades)
+        for number, (line, curve, name) in enumerate(zip(lines, curves, names, strict=True))
+    ]
+    everything = np.concatenate(lines)
+    tipping = _set_peaks(axes, everything[:, 1], up, top)
+    axes.set(xlabel=across.label, ylabel=up.label)
+    _set_frequencies(axes, everything[:, 0])
+    if across.far and fits_far_axes(axes):
+        if few:  # whose names end at the far axis
+            _widen(axes, longest)
+        draw_far_axis(axes, "x", across)
+        draw_far_axis(axes, "y", up)
+    note = "solid: stable, dashed: unstable"
+    explain(axes, place, [], note)
+    words = Words(axes, [*lines, *tipping.values()])
+    inks = [*(str(handle.get_color()) for handle in handles), inks_of(axes).ink]
+    named = words.at_ends(names, inks[:-1]) if few else set()
+    named |= words.along([""] * len(lines) + [*tipping], inks, aside=True)
+    left = [handle for handle, name in zip(handles, names, strict=True) if name not in named]
+    left += limit_entries(axes, [name for name in tipping if name not in named])
+    explain(axes, place, left, note)
     return axes
 
 
+def _set_frequencies(axes: "Axes", frequencies: NDArray[np.float64]) -> None:
+    """Set scale and limits of the axis of frequencies."""
+    if spaced_by_ratio(frequencies):
+        axes.set_xscale("log")
+    if frequencies.min() < frequencies.max():
+        axes.set_xlim(float(frequencies.min()), float(frequencies.max()))
+
+
+def _set_peaks(
+    axes: "Axes", peaks: NDArray[np.float64], up: Scale, top: float | None
+) -> dict[str, NDArray[np.float64]]:
+    """Set scale and limits of the axis of peaks; return the line of the tipping angle by its name.
+
+    There is none where peaks are far below.
+    """
+    peaks, tipping = peaks[peaks > 0.0], up.factor
+    lowest, highest = (peaks.min(), peaks.max()) if peaks.size else (tipping, tipping)
+    shown = bool(highest > 0.6 * tipping and (top is None or top > 1.0))
+    highest = max(highest, tipping) if shown else highest
+    if top is not None:
+        axes.set_ylim(0.0, up.factor * top)
+    elif highest > LOGARITHMIC_SPAN * lowest:
+        axes.set_yscale("log")
+        margin = (highest / lowest) ** 0.05
+        axes.set_ylim(lowest / margin, highest * margin)
+    else:
+        axes.set_ylim(0.0, highest / 0.95)
+    if not shown:
+        return {}
+    axes.axhline(tipping, color=inks_of(axes).limit, ls=DASHED, lw=0.8, zorder=1.0)
+    name = "tipping angle" + (f" {tipping:.3g}°" if up.far else "")
+    return {name: np.array([[x, tipping] for x in axes.get_xlim()])}
+
+
+def _widen(axes: "Axes", part: float) -> None:
+    """Move the right end of an axis, so that a part of it is free."""
+    end = axes.transAxes + axes.transData.inverted()
+    axes.set_xlim(right=float(end.transform((1.0 / (1.0 - part), 0.0))[0]))
+
+
+def _response_names(curves: Sequence[ResponseCurve], block: Block | None) -> list[str]:
+    """Return the amplitude of each curve and, where they differ, its order and branch."""
+    several = len({(curve.branch, int(curve.states.order.flat[0])) for curve in curves}) > 1
+    scale, names = scale_of("amplitude", block), []
+    for curve in curves:
+        amplitude = float(curve.states.amplitude.flat[0])
+        name = f"{scale.factor * amplitude:.3g} g" if scale.far else f"A = {amplitude:g}"
+        if several:
+            name += f", n = {int(curve.states.order.flat[0])}, branch {curve.branch}"
+        names.append(name)
+    return names
+
+
 def _draw_response(
-    axes: "Axes", x: NDArray[np.float64], curve: ResponseCurve, number: int, label: str
-) -> None:
-    """Draw a response curve; more of them than there are colours have marks too."""
-    lines = inks_of(axes).lines
-    again, colour = divmod(number, len(lines))
-    marks: dict[str, Any] = {}
+    axes: "Axes",
+    places: NDArray[np.float64],
+    stable: NDArray[np.bool_],
+    label: str,
+    number: int,
+    shades: Sequence[str],
+) -> "Line2D":
+    """Draw a response curve; more of them than there are shades have marks too."""
+    from matplotlib.lines import Line2D
+
+    x, peak = places.T
+    again, shade = divmod(number, len(shades))
+    look: dict[str, Any] = {"color": shades[shade]}
     if again:
         every = max(1, len(x) // 12)
-        mark = palette.MARKS[(again - 1) % len(palette.MARKS)]
-        marks = {"marker": mark, "ms": 3.5, "markevery": (number % every, every)}
-    unstable = ~curve.stable
-    touching = unstable.copy()  # one sample beyond either end, so that no gap is left
-    touching[1:] |= unstable[:-1]
-    touching[:-1] |= unstable[1:]
-    stable = np.where(curve.stable, curve.peak, math.nan)
-    axes.plot(x, stable, color=lines[colour], label=label, **marks)
-    dashed = np.where(touching, curve.peak, math.nan)
-    axes.plot(x, dashed, color=lines[colour], ls=(0, (3, 2)), lw=1.0, **marks)
+        mark = MARKS[(again - 1) % len(MARKS)]
+        look |= {"marker": mark, "ms": 3.5, "markevery": (number % every, every)}
+    touching = ~stable  # one sample beyond either end, so that no gap is left
+    touching[1:] |= ~stable[:-1]
+    touching[:-1] |= ~stable[1:]
+    axes.plot(x, np.where(stable, peak, math.nan), label=label, **look)
+    axes.plot(x, np.where(touching, peak, math.nan), ls=DASHED, lw=1.0, **look)
+    if not np.isfinite(peak).any():
+        return Line2D([], [], ls="none", label=f"{label}: no motion")
+    return Line2D([], [], label=label, **{**look, "markevery": None})
 
 
 def _checked_top(top: float | None, labels: Sequence[str] | None, curves: int) -> float | None:

@@ -22,7 +22,9 @@ LARGEST = 0.25
 """Side of a crowd, in parts of the axes; a larger one would hardly grow in an inset."""
 SIZE = (0.42, 0.4)
 """Width and height of an inset, in parts of the axes."""
-LEAST_ROOM = (150.0, 90.0)
+MOST_HIDDEN = 0.02
+"""Part of what is drawn that an inset may hide."""
+LEAST_ROOM = (220.0, 120.0)
 """Width and height of axes [points] that have room for one."""
 
 
@@ -71,8 +73,8 @@ def room_for_inset(axes: "Axes") -> bool:
 
 def draw_inset(
     axes: "Axes", crowd: Box, drawn: Sequence[Floats], marks: Sequence[tuple[float, float]]
-) -> "Axes":
-    """Return an inset, empty, where least is drawn, with lines to what it shows.
+) -> "Axes | None":
+    """Return an inset, empty, where least is drawn, or None where it would hide too much.
 
     Parameters
     ----------
@@ -99,10 +101,12 @@ def draw_inset(
         for y in np.linspace(low + 0.05, 0.95 - high, 9).tolist()
         for x in np.linspace(left + 0.04, 0.97 - wide, 12).tolist()
     ]
-    x0, y0, x1, y1 = min(
-        choices,
-        key=lambda box: _hidden((box[0] - left, box[1] - low, *box[2:]), points, spots, here),
+    hidden, (x0, y0, x1, y1) = min(
+        (_hidden((box[0] - left, box[1] - low, *box[2:]), points, spots, here), box)
+        for box in choices
     )
+    if hidden > MOST_HIDDEN:
+        return None
     inset = axes.inset_axes((x0, y0, x1 - x0, y1 - y0), zorder=5.0)
     inks = inks_of(axes)
     inset.patch.set_facecolor(inks.paper)

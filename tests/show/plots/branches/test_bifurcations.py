@@ -1,9 +1,10 @@
 """Plots of branches, sweeps and curves of bifurcations; each shows the numbers it was given."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import matplotlib as mpl
 
@@ -17,8 +18,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.text import Annotation
 
-from rocksteady import DimensionlessBlock, Harmonic, Steady, find_orbits, plots
+from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, find_orbits, plots
 from rocksteady.branches import (
     BifurcationCurve,
     BifurcationCurves,
@@ -39,14 +41,15 @@ from rocksteady.errors import InputError
 from rocksteady.formulas import symmetry_breaking_amplitude
 from rocksteady.orbits import AttractorSweep, compute_region_boundaries, sweep_attractor
 from rocksteady.show.figures.single import bifurcation_figure
-from rocksteady.show.plots.branches._resting import NUMBER
+from rocksteady.show.plots.branches._resting import LABEL
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 
 BARE = DimensionlessBlock(restitution=0.8)
 PLANE = ("amplitude", "frequency_ratio")
-MARKS = {"s", "D", "^", "o"}
+MARKS = {"s", "D", "X", "o"}
 REST = ("amplitude", (1.0, 1.07))
-RESTING_COLOUR = palette.LINES[NUMBER]
+UNITS = ("amplitude", (0.3, 1.5))
 
 
 @cache
@@ -100,7 +103,9 @@ def curves() -> tuple[tuple[BranchPoint, ...], ...]:
 
 
 def lines_of(axes: Axes, *, marked: bool) -> list[Line2D]:
-    return [line for line in axes.lines if (line.get_marker() in MARKS) == marked]
+    marks = MARKS if marked else {"None"}
+    lines = [line for line in axes.lines if line.get_marker() in marks]
+    return [line for line in lines if marked or line.get_color() != LIGHT.limit]
 
 
 def data(line: Line2D) -> tuple[np.ndarray, np.ndarray]:
@@ -110,7 +115,13 @@ def data(line: Line2D) -> tuple[np.ndarray, np.ndarray]:
 def legend_of(axes: Axes) -> list[str]:
     legend = axes.get_legend()
     assert legend is not None
-    return [text.get_text() for text in legend.get_texts()]
+    title = legend.get_title().get_text()
+    return [title] * bool(title) + [text.get_text() for text in legend.get_texts()]
+
+
+def words_of(axes: Axes) -> dict[str, str]:
+    """Return the words in the picture, with their colours."""
+    return {text.get_text(): str(text.get_color()) for text in axes.texts}
 
 
 def curve_lines(axes: Axes, colour: str) -> list[Line2D]:
@@ -169,6 +180,7 @@ def test_stable_parts_are_solid_and_thick_and_unstable_ones_dashed_and_thin() ->
     assert data(stable)[0].min() == data(unstable)[0].max() == breaking
     assert stable.get_linestyle() == "-"
     assert unstable.get_linestyle() == "--"
+    assert unstable.get_color() == stable.get_color() == LIGHT.motion
     assert stable.get_linewidth() > 2.0 * unstable.get_linewidth()
 
 
@@ -199,26 +211,88 @@ def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
     for line in faint:
         assert float(line.get_alpha() or 1.0) < 1.0
         assert data(line)[0].min() == pytest.approx(graze.amplitude)
-    assert "no motion" in legend_of(axes)
+    assert "dotted: no motion" in legend_of(axes)[0]
 
 
-def test_colours_tell_kinds_apart_and_the_legend_names_them() -> None:
-    axes = plots.bifurcations(over_frequency(), ax=Figure().add_subplot())
-    assert legend_of(axes) == [
-        "symmetric",
-        "unsymmetric",
-        "period 2",
-        "unstable",
-        "symmetry breaking",
-        "period doubling",
-    ]
-    legend = axes.get_legend()
-    assert legend is not None
-    colours = [line.get_color() for line in legend.get_lines()[:3]]
-    assert len(set(colours)) == 3
-    for branch, colour in zip(over_frequency(), colours, strict=True):
-        lines = curve_lines(axes, str(colour))
+@pytest.mark.parametrize("inks", [LIGHT, DARK], ids=["light", "dark"])
+def test_kinds_have_the_colours_of_their_roles_and_their_names_on_their_lines(inks: Inks) -> None:
+    figure = Figure(figsize=(8.0, 5.0), facecolor=inks.paper)
+    axes = plots.bifurcations(over_frequency(), ax=figure.add_subplot(facecolor=inks.paper))
+    words = words_of(axes)
+    kinds = ("symmetric", "unsymmetric", "period 2")
+    colours = (inks.motion, inks.unsymmetric_line, inks.subharmonic_line)
+    entries = legend_of(axes)
+    for branch, kind, colour in zip(over_frequency(), kinds, colours, strict=True):
+        lines = curve_lines(axes, colour)
         assert {x for line in lines for x in data(line)[0].tolist()} == set(branch.values.tolist())
+        assert (kind in words) != (kind in entries), "named once"
+        if kind in words:
+            assert words[kind] == colour
+    assert words["symmetric"] == inks.motion
+    assert "solid: stable, dashed: unstable" in entries
+
+
+def test_bifurcations_that_end_stable_parts_are_named_with_their_places() -> None:
+    axes = plots.bifurcations(over_frequency(), ax=Figure(figsize=(8.0, 5.0)).add_subplot())
+    breaking = float(over_frequency()[0].bifurcations[0].frequency_ratio)
+    words = {text.get_text(): text for text in axes.texts}
+    assert {"symmetry breaks 1.95", "period doubles 1.79"} <= set(words)
+    assert breaking == pytest.approx(1.95, abs=5e-3)
+    named = words["symmetry breaks 1.95"]
+    assert isinstance(named, Annotation)
+    assert named.xy[0] == pytest.approx(breaking, abs=1e-6)
+    assert "symmetry breaking" not in legend_of(axes), "all of them have their names"
+
+
+@pytest.mark.parametrize("width", [3.3, 8.0])
+def test_no_name_lies_on_another_or_on_a_mark(width: float) -> None:
+    figure = Figure(figsize=(width, 4.0), layout="constrained")
+    axes = plots.bifurcations(over_amplitude(), ax=figure.add_subplot())
+    figure.draw_without_rendering()
+    level = [text for text in axes.texts if text.get_rotation() == 0.0]
+    assert len(level) > 2
+    for first, second in combinations(level, 2):
+        assert not first.get_window_extent().overlaps(second.get_window_extent())
+    for text in level:
+        box = text.get_window_extent()
+        for line in lines_of(axes, marked=True):
+            marks = axes.transData.transform(np.column_stack(data(line)))
+            assert not any(box.contains(x, y) for x, y in marks), text.get_text()
+
+
+def test_the_tipping_angle_is_a_dashed_limit_with_its_name() -> None:
+    axes = plots.bifurcations(over_frequency(), ax=Figure().add_subplot())
+    (line,) = (line for line in axes.lines if line.get_color() == LIGHT.limit)
+    assert data(line)[1].tolist() == [1.0, 1.0]
+    assert line.get_linestyle() == "--"
+    assert words_of(axes)["tipping angle"] == LIGHT.limit
+    low = plots.bifurcations(over_frequency(), ax=Figure().add_subplot(), top=0.5)
+    assert "tipping angle" not in words_of(low)
+
+
+def test_a_block_of_known_size_has_its_units_and_the_ratios_on_the_far_sides() -> None:
+    block = Block.rectangle(width=0.4, height=2.0, restitution=0.8)
+    shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    start = find_orbits(block, shaking, max_period=1, max_impacts=2, seeds=1)[0]
+    branch = Branch(parameter="amplitude", points=tuple(follow_branch(start, *UNITS)))
+    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
+    axes = plots.bifurcations([branch], ax=figure.add_subplot())
+    assert axes.get_xlabel() == palette.LABELS["accel_g"]
+    assert axes.get_ylabel() == palette.LABELS["flight_peak_deg"]
+    g = block.uplift_acceleration / block.gravity
+    degrees = math.degrees(block.alpha)
+    assert axes.get_xlim() == pytest.approx([g * branch.values.min(), g * branch.values.max()])
+    highest = max(data(line)[1].max() for line in curve_lines(axes, LIGHT.motion))
+    assert highest == pytest.approx(degrees * np.nanmax(np.abs(branch.peaks)))
+    across, up = axes.child_axes
+    assert across.get_xlabel() == palette.LABELS["amplitude"]
+    assert up.get_ylabel() == palette.LABELS["flight_peak"]
+    figure.draw_without_rendering()
+    assert across.get_xlim() == pytest.approx([branch.values.min(), branch.values.max()])
+    narrow = plots.bifurcations([branch], ax=Figure(figsize=(3.3, 2.4)).add_subplot())
+    assert not narrow.child_axes
+    other = plots.bifurcations([branch, *over_amplitude()], ax=Figure().add_subplot())
+    assert other.get_xlabel() == palette.LABELS["amplitude"], "of blocks that differ"
 
 
 def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
@@ -226,7 +300,7 @@ def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
     marks = {line.get_marker(): data(line) for line in lines_of(axes, marked=True)}
     assert set(marks) == MARKS
     fold = float(compute_region_boundaries(2.0, 0.8).existence)
-    assert marks["s"][0].min() == pytest.approx(fold, abs=1e-8)
+    assert marks["o"][0].min() == pytest.approx(fold, abs=1e-8)
     breaking = float(symmetry_breaking_amplitude(2.0, 0.8))
     at = np.abs(marks["D"][0] - breaking) < 1e-8
     assert at.sum() == 1, "on both of its branches and marked once"
@@ -252,31 +326,41 @@ def test_both_sides_are_mirror_images_of_each_other() -> None:
     assert {(x, tuple(-u for u in y)) for x, y in drawn} == drawn
 
 
-def dots(axes: Axes, colour: str) -> set[tuple[float, float]]:
+def dots(axes: Axes, *markers: str) -> set[tuple[float, float]]:
     found: set[tuple[float, float]] = set()
     for line in axes.lines:
-        if line.get_color() == colour and line.get_zorder() < 2.5 and line.get_clip_on():
+        if line.get_marker() in markers and line.get_zorder() < 2.15:
             found |= set(zip(*(column.tolist() for column in data(line)), strict=True))
     return found
 
 
-def test_the_dots_of_a_sweep_are_its_peaks_and_its_way_has_its_look() -> None:
+def test_the_dots_of_a_sweep_are_its_peaks_and_point_its_way() -> None:
     axes = plots.bifurcations(over_frequency(), sweeps(), Figure().add_subplot())
-    for trail, colour in zip(sweeps(), palette.SWEEPS, strict=True):
+    for trail, marker in zip(sweeps(), "^v", strict=True):
         expected = {
             (value, abs(peak))
-            for value, peaks in zip(trail.values.tolist(), trail.peaks, strict=True)
+            for value, peaks, kind in zip(
+                trail.values.tolist(), trail.peaks, trail.kinds, strict=True
+            )
             for peak in peaks.tolist()
+            if kind != "aperiodic"
         }
-        assert dots(axes, colour) == expected
-    assert legend_of(axes)[-3:] == ["upward sweep", "downward sweep", "overturned"]
-    sizes = {
-        line.get_color(): line.get_markersize()
-        for line in axes.lines
-        if line.get_color() in palette.SWEEPS and line.get_clip_on() and line.get_markersize() > 3.0
+        assert dots(axes, marker) == expected
+    assert legend_of(axes)[-3:] == ["upward sweep", "downward sweep", "falls"]
+
+
+def test_motions_that_do_not_repeat_are_dots_of_their_colour() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    values = np.linspace(1.78, 1.77, 21)
+    trail = sweep_attractor(BARE, shaking, "frequency_ratio", values, start=Steady())
+    assert "aperiodic" in trail.kinds
+    axes = plots.bifurcations(trail, ax=Figure().add_subplot())
+    cloud = [line for line in axes.lines if line.get_color() == LIGHT.aperiodic_line]
+    expected = {
+        value for value, kind in zip(trail.values, trail.kinds, strict=True) if kind == "aperiodic"
     }
-    up, down = (sizes[colour] for colour in palette.SWEEPS)
-    assert up > down, "one shows around the other"
+    assert {x for line in cloud for x in data(line)[0]} == expected
+    assert "aperiodic" in legend_of(axes)
 
 
 def bars(axes: Axes, colour: str) -> list[tuple[float, float]]:
@@ -299,11 +383,13 @@ def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
     trail = sweep_attractor(BARE, shaking, "amplitude", np.linspace(0.1, 3.0, 59))
     assert {"rest", "overturned"} <= set(trail.kinds)
     axes = plots.bifurcations((), [trail], Figure().add_subplot())
-    for kind, colour in (("overturned", palette.OVERTURNED), ("rest", palette.GROUND)):
+    for kind, colour in (("overturned", LIGHT.falls), ("rest", LIGHT.rest)):
         assert covered(trail.values, bars(axes, colour)) == [each == kind for each in trail.kinds]
-    assert legend_of(axes) == ["upward sweep", "overturned", "at rest"]
+    assert legend_of(axes)[-2:] == ["falls", "rests"]
+    hatched = [bool(patch.get_hatch()) for patch in axes.collections]
+    assert hatched == [True, False], "what falls has its hatch"
     _, top = axes.get_ylim()
-    assert max(y for _, y in dots(axes, palette.SWEEPS[0])) < 0.96 * top, "room for the bars"
+    assert max(y for _, y in dots(axes, "^", "o")) < 0.96 * top, "room for the bars"
 
 
 def test_the_axis_of_angles_ends_where_it_is_told() -> None:
@@ -317,7 +403,7 @@ def test_branches_over_different_parameters_are_refused() -> None:
             plots.bifurcations(branches, ax=Figure().add_subplot())
 
 
-def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> None:
+def test_the_legend_of_the_figure_is_below_the_axes_and_inside_the_figure() -> None:
     figure = bifurcation_figure(diagram_of(over_amplitude(), "amplitude"), title="title")
     assert figure.get_suptitle() == "title"
     figure.draw_without_rendering()
@@ -325,7 +411,8 @@ def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> 
     legend = axes.get_legend()
     assert legend is not None
     frame, box = legend.get_window_extent(), axes.get_window_extent()
-    assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
+    assert 0.0 <= frame.y0 < frame.y1 <= box.y0
+    assert frame.x1 <= figure.bbox.x1
 
 
 def test_a_figure_of_nothing_says_so() -> None:
@@ -341,12 +428,14 @@ def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
     axes = plots.bifurcation_curves(curves(), Figure().add_subplot())
     assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
     assert axes.get_ylabel() == palette.LABELS["amplitude"]
-    assert legend_of(axes) == ["fold", "symmetry breaking"]
+    assert axes.get_legend() is None, "every line has its name"
     assert len(axes.lines) == 4
+    assert {line.get_color() for line in axes.lines} == {LIGHT.limit}
+    fold, breaking = (axes.lines[k]._unscaled_dash_pattern for k in (0, 2))  # type: ignore[attr-defined]
+    assert fold != breaking
     for line in axes.lines[:2]:
         w, a = data(line)
         np.testing.assert_allclose(a, compute_region_boundaries(w, 0.8).existence, rtol=1e-7)
-        assert line.get_linestyle() == "-"
     for line in axes.lines[2:]:
         w, a = data(line)
         np.testing.assert_allclose(a, symmetry_breaking_amplitude(w, 0.8), rtol=1e-7)
@@ -390,7 +479,7 @@ def test_a_plane_marks_its_points_and_names_its_regions() -> None:
     words = [text.get_text() for text in axes.texts]
     assert "breaking graze" in words
     assert "stable:\nsymmetric" in words
-    assert legend_of(axes) == ["symmetry breaking", "breaking graze"]
+    assert legend_of(axes) == ["symmetry breaking"], "the rest is named in the picture"
 
 
 def test_curves_take_their_axes_in_any_order_and_refuse_other_names() -> None:
@@ -431,7 +520,7 @@ def test_orbits_with_rest_that_hug_the_axis_are_shown_in_an_inset() -> None:
     assert highest < most < 2.0 * highest  # the line fills the inset
     assert inset.get_xlim()[0] < branch.values.min() < branch.values.max() < inset.get_xlim()[1]
     dots = [line for line in inset.lines if line.get_marker() == "o"]
-    ends = [line for line in dots if line.get_color() == RESTING_COLOUR]
+    ends = [line for line in dots if line.get_color() == LIGHT.quiet]
     assert {float(np.asarray(line.get_xdata())[0]) for line in ends} == {
         branch.values[0],
         branch.values[-1],
@@ -447,11 +536,11 @@ def test_orbits_with_rest_that_are_seen_anyway_need_no_inset() -> None:
     assert not plots.bifurcations([*high, *resting.branches], ax=flat).child_axes
 
 
-def test_the_colour_of_rest_is_like_no_other_of_the_first_kinds() -> None:
-    assert RESTING_COLOUR not in palette.SUBHARMONIC_LINES[:2]
-    others = [palette.LINES[0], palette.LINES[4], *palette.SUBHARMONIC_LINES[:2], *palette.SWEEPS]
-    distances = [
-        float(np.linalg.norm(np.subtract(to_rgba(RESTING_COLOUR), to_rgba(other))))
-        for other in others
-    ]
-    assert min(distances) > 0.3
+def test_orbits_that_rest_have_a_colour_of_their_own() -> None:
+    resting = find_resting_branches(BARE, Harmonic(amplitude=1.0, frequency_ratio=2.0), *REST)
+    axes = plots.bifurcations([*over_amplitude(), *resting.branches], ax=Figure().add_subplot())
+    lines = curve_lines(axes, LIGHT.quiet)
+    assert {x for line in lines for x in data(line)[0]} >= set(resting.branches[0].values)
+    high = max(np.nanmax(np.abs(branch.peaks)) for branch in resting.branches)
+    assert max(np.nanmax(data(line)[1]) for line in lines) == high
+    assert (LABEL in words_of(axes)) or (LABEL in legend_of(axes))

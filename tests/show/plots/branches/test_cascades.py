@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, Harmonic, find_orbits, plots
+from rocksteady import Block, DimensionlessBlock, Harmonic, find_orbits, plots
 from rocksteady.branches import Cascade, find_cascade
 from rocksteady.errors import InputError
+from rocksteady.show.style.tokens import LIGHT
 
 
 @pytest.fixture(scope="module", name="cascade")
@@ -29,7 +30,10 @@ def test_distances_ratios_and_slope_are_drawn(cascade: Cascade) -> None:
     expected = np.asarray(line.get_ydata())
     assert expected[:-1] / expected[1:] == pytest.approx(4.669201609)
     assert expected[-1] == pytest.approx(abs(cascade.distances[-1]))
-    assert [text.get_text() for text in axes.texts] == [f"{r:.3f}" for r in cascade.ratios]
+    words = [text.get_text() for text in axes.texts]
+    assert words == [*(f"{r:.3f}" for r in cascade.ratios), "ratio 4.6692 (Feigenbaum)"]
+    assert line.get_color() == LIGHT.limit
+    assert dots.get_color() == LIGHT.subharmonic_line
     assert [t.get_text() for t in axes.get_xticklabels()] == ["1 → 2", "2 → 4", "4 → 8"]
     assert "Ω" in axes.get_ylabel()
 
@@ -39,7 +43,21 @@ def test_one_doubling_has_no_distance(cascade: Cascade) -> None:
     with pytest.raises(InputError, match="has one doubling"):
         plots.cascade(one, Figure().add_subplot())
     two = dataclasses.replace(cascade, points=cascade.points[:2])
-    assert not plots.cascade(two, Figure().add_subplot()).texts
+    words = [text.get_text() for text in plots.cascade(two, Figure().add_subplot()).texts]
+    assert words in ([], ["ratio 4.6692 (Feigenbaum)"]), "no ratio of distances"
+
+
+def test_distances_of_a_block_of_known_size_are_in_its_units() -> None:
+    block = Block.rectangle(width=0.4, height=2.0, restitution=0.8)
+    motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    origin = find_orbits(block, motion, max_period=1)[0]
+    cascade = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)
+    axes = plots.cascade(cascade, Figure().add_subplot())
+    assert axes.get_ylabel() == "distance to the next doubling [Hz]"
+    hertz = np.abs(np.diff(cascade.values)) * block.p / (2.0 * np.pi)
+    assert axes.lines[1].get_ydata() == pytest.approx(hertz)
+    (far,) = axes.child_axes
+    assert far.get_ylabel() == "distance to the next doubling, |ΔΩ|"
 
 
 def test_a_point_is_plotted_as_its_orbit(cascade: Cascade) -> None:

@@ -5,10 +5,20 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
-from rocksteady.show.style.legends import LETTER, figure_of, size_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.layout import CORNERS, Corner
+from rocksteady.show.style.legends import (
+    GAP,
+    LETTER,
+    LegendPlace,
+    draw_legend,
+    figure_of,
+    size_of,
+    text_size,
+)
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,8 +32,33 @@ STRAIGHT = 2.5
 """Largest distance of a line from the chord under its word [points]."""
 MOST_NAMES = 2
 """Names in one word on a bundle of lines; for a larger one the first alone is written."""
+MOST_SHIFT = 2.5
+"""Distance of a name from the end of its line at which it is no longer there [heights of text]."""
+MOST_ROOM = 40.0
+"""Distance from other lines beyond which more of it is no better [points]."""
 AROUND = [(1, 0), (1, 1), (1, -1), (-1, 0), (-1, 1), (-1, -1), (0, 1), (0, -1)]
 """Sides of a mark on which its word is tried, in turn."""
+
+
+def explain(
+    axes: "Axes", place: LegendPlace, handles: Sequence[Any], note: str, *, gap: float = GAP
+) -> None:
+    """Draw the legend of what has no name in the picture, with a note above it."""
+    from matplotlib.lines import Line2D
+
+    style: dict[str, Any] = {"title": note, "alignment": "left"}
+    if note and not handles:
+        handles = [Line2D([], [], ls="none", label=note)]
+        style = {"handlelength": 0.0, "handletextpad": 0.0}
+    draw_legend(axes, place, handles=handles, corner="best", gap=gap, **style)
+
+
+def limit_entries(axes: "Axes", names: Sequence[str]) -> list[Any]:
+    """Return the entries of a legend for dashed lines of limits that have no name."""
+    from matplotlib.lines import Line2D
+
+    look: dict[str, Any] = {"color": inks_of(axes).limit, "ls": DASHED, "lw": 0.8}
+    return [Line2D([], [], label=name, **look) for name in names]
 
 
 class Words:
@@ -35,9 +70,13 @@ class Words:
         With their final limits and scales.
     lines
         Abscissas and ordinates of each line, shape (points, 2), that words should not cover.
+    dots
+        The same of marks that words should not cover either.
     """
 
-    def __init__(self, axes: "Axes", lines: Sequence[Floats]) -> None:
+    def __init__(self, axes: "Axes", lines: Sequence[Floats], dots: Sequence[Floats] = ()) -> None:
+        from scipy.spatial import KDTree
+
         figure = figure_of(axes)
         if figure.get_layout_engine() is not None:
             figure.draw_without_rendering()  # where the legend leaves room for the axes
@@ -45,25 +84,56 @@ class Words:
         self.axes, self.size = axes, np.array(size_of(axes))
         self.lines = [self._spaced(self.there(line)) for line in lines]
         self.taken: list[tuple[Floats, float]] = []
+        self.boxes: list[Floats] = []
+        every = [*self.lines, *(self.there(each) for each in dots)]
+        self.owners = np.repeat(np.arange(len(every)), [len(each) for each in every])
+        self.points = np.concatenate([np.zeros((0, 2)), *every])
+        self.tree = KDTree(self.points)
 
     def there(self, places: Floats) -> Floats:
         """Return places in points from the lower left corner."""
         shown = self.axes.transData.transform(np.asarray(places, dtype=float))
         points: Floats = self.axes.transAxes.inverted().transform(shown) * self.size
-        return points
+        return points[np.isfinite(points).all(axis=1)]
+
+    def length(self, number: int) -> float:
+        """Return the length of a line within the axes."""
+        return SPACING * len(self.lines[number])
 
     def take(self, places: Sequence[tuple[float, float]], radius: float) -> None:
         """Keep words off marks."""
         if len(places):
             self.taken.append((self.there(np.array(places)), radius))
 
-    def along(self, names: Sequence[str], colours: Sequence[str]) -> None:
-        """Write names along lines, where each has most room; for a bundle on one of its lines."""
+    def take_box(self, x0: float, y0: float, x1: float, y1: float) -> None:
+        """Keep words off a box, in parts of the axes."""
+        self.boxes.append(np.array([[x0, y0], [x1, y1]]) * self.size)
+
+    def along(
+        self,
+        names: Sequence[str],
+        colours: Sequence[str],
+        *,
+        aside: bool = False,
+        once: bool = False,
+    ) -> set[str]:
+        """Write names along lines, where each has most room, and return those with room.
+
+        Parameters
+        ----------
+        names, colours
+            One of each a line; no name is written where it is empty.
+        aside
+            Whether names stand beside their lines, or on them (default).
+        once
+            Whether each name is written on one of its lines; else on each, for a bundle of lines
+            on one of them.
+        """
         size = text_size(self.axes, 7.0)
-        named = [False] * len(self.lines)
-        order = sorted(range(len(self.lines)), key=lambda k: -len(self.lines[k]))
-        for number in order:
-            if named[number] or not names[number]:
+        shifts = (0.5 * size + 2.5) * np.array([1.0, -1.0]) if aside else np.zeros(1)
+        done, written = [not name for name in names], set[str]()
+        for number in sorted(range(len(names)), key=lambda k: -len(self.lines[k])):
+            if done[number] or (once and names[number] in written):
                 continue
             best: tuple[float, Floats, float, str, list[int]] | None = None
             line = self.lines[number]
@@ -75,30 +145,40 @@ class Words:
                 ends = self._shape(line[index], alone[2], alone[1])[[0, -1]]
                 bundle = [
                     k
-                    for k, each in enumerate(self.lines)
+                    for k, each in enumerate(self.lines[: len(names)])
                     if k == number
-                    or all(self._far(each, at) < BUNDLE for at in (line[index], *ends))
+                    or (
+                        not once
+                        and all(self._far(each, at) < BUNDLE for at in (line[index], *ends))
+                    )
                 ]
-                words = dict.fromkeys([names[number], *(names[k] for k in bundle if names[k])])
-                text, half, angle = self._fitting([*words], line, index, size) or alone
-                shape = self._shape(line[index], angle, half)
-                if not self._free(shape, 0.75 * size):
+                others = (names[k] for k in bundle if names[k] and not (aside and done[k]))
+                words = dict.fromkeys([names[number], *others])
+                if aside and len(words) > MOST_NAMES:
                     continue
-                apart = [each for k, each in enumerate(self.lines) if k not in bundle]
-                room = min(
-                    (self._far(each, place) for each in apart for place in shape[::2]),
-                    default=40.0,
-                )
-                if best is None or min(room, 40.0) > best[0]:
-                    best = (min(room, 40.0), line[index], angle, text, bundle)
+                text, half, angle = self._fitting([*words], line, index, size) or alone
+                for shift in shifts:
+                    normal = np.array([-math.sin(angle), math.cos(angle)])
+                    middle = line[index] + shift * normal
+                    shape = self._shape(middle, angle, half)
+                    if not self._free(shape, 0.75 * size):
+                        continue
+                    room = self._room(shape, bundle) - 0.01 * abs(index - 0.5 * len(line))
+                    room -= 8.0 * (aside and len(words) > 1)  # a name alone is better
+                    if best is None or room > best[0]:
+                        best = (room, middle, angle, text, bundle)
             if best is None or best[0] < 0.6 * size:
                 continue
             _, place, angle, text, bundle = best
+            text = text.removesuffix(" …") if aside else text
             half = 0.5 * LETTER * size * len(text) + 3.0
             self.taken.append((self._shape(place, angle, half), 0.6 * size))
+            on_it = {names[k] for k in bundle if names[k] in text}
             for k in bundle:
-                named[k] = True
-            self._write(place, text, size, colours[number], angle=angle, on_line=True)
+                done[k] = done[k] or not aside or names[k] in on_it
+            written |= on_it
+            self._write(place, text, size, colours[number], angle=angle, on_line=not aside)
+        return written
 
     def _fitting(
         self, words: Sequence[str], line: Floats, index: int, size: float
@@ -113,7 +193,44 @@ class Words:
                 return text, half, angle
         return None
 
-    def beside(self, place: tuple[float, float], text: str) -> bool:
+    def at_ends(self, names: Sequence[str], colours: Sequence[str]) -> set[str]:
+        """Write names at the right ends of the first lines, and return those with room.
+
+        Outside the axes they make way for each other.
+        """
+        size = text_size(self.axes, 7.0)
+        ends = {k: self.lines[k][-1] for k in range(len(names)) if len(self.lines[k])}
+        outer = [k for k in ends if ends[k][0] > self.size[0] - 2.0 * SPACING]
+        outer.sort(key=lambda k: float(ends[k][1]))
+        wanted = np.array([ends[k][1] for k in outer])
+        written = set()
+        for k, height, there in zip(outer, _apart(wanted, 1.15 * size), wanted, strict=True):
+            if abs(height - there) < MOST_SHIFT * size:
+                self._annotate(ends[k], (6.0, height - there), names[k], colours[k], ha="left")
+                written.add(names[k])
+        back = self.axes.transAxes + self.axes.transData.inverted()
+        for k in ends.keys() - {*outer}:
+            x, y = back.transform(ends[k] / self.size).tolist()
+            if self.beside((x, y), names[k], colours[k]):
+                written.add(names[k])
+        return written
+
+    def emptiest_corner(self, width: float, height: float) -> Corner:
+        """Return the corner in which a legend of a size [points] hides least, and no words."""
+        size = np.array([width, height])
+        weights = [(self.points, 1.0), *((places, 1e3) for places, _ in self.taken)]
+
+        def hidden(corner: tuple[int, int]) -> float:
+            low = np.array(corner) * (self.size - size)
+            high = low + size
+            return sum(
+                weight * float(((places > low) & (places < high)).all(axis=1).sum())
+                for places, weight in weights
+            )
+
+        return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
+
+    def beside(self, place: tuple[float, float], text: str, colour: str = "") -> bool:
         """Write a word beside a mark, and return whether there was room."""
         size = text_size(self.axes, 7.0)
         width = LETTER * size * len(text)
@@ -122,20 +239,41 @@ class Words:
         for reach in (5.0, 12.0):
             for across, up in AROUND:
                 aside = 0.5 * width + reach * (0.7 if up else 1.0)
-                middle = mark + np.array([across * aside, up * (0.5 * size + reach)])
-                shape = self._shape(middle, 0.0, 0.5 * width)
+                offset = np.array([across * aside, up * (0.5 * size + reach)])
+                shape = self._shape(mark + offset, 0.0, 0.5 * width)
                 if not self._free(shape, 0.6 * size):
                     continue
-                room = min(
-                    (self._far(line, each) for line in self.lines for each in shape), default=40.0
-                )
-                if best is None or min(room, size) > best[0] + 0.5:
-                    best = (min(room, size), middle)
+                room = min(self._room(shape), size)
+                if best is None or room > best[0] + 0.5:
+                    best = (room, offset)
         if best is None or best[0] < 0.45 * size:
             return False
-        self.taken.append((self._shape(best[1], 0.0, 0.5 * width), 0.6 * size))
-        self._write(best[1], text, size, inks_of(self.axes).ink)
+        offset = best[1]
+        self.taken.append((self._shape(mark + offset, 0.0, 0.5 * width), 0.6 * size))
+        self._annotate(mark, offset, text, colour or inks_of(self.axes).ink)
         return True
+
+    def _annotate(
+        self, place: Floats, offset: ArrayLike, text: str, colour: str, ha: str = "center"
+    ) -> None:
+        """Write a word at a distance [points] from a place, which it keeps in any layout."""
+        from matplotlib.patheffects import withStroke
+
+        back = self.axes.transAxes + self.axes.transData.inverted()
+        across, up = np.asarray(offset, dtype=float).tolist()
+        self.axes.annotate(
+            text,
+            back.transform(place / self.size).tolist(),
+            (across, up),
+            textcoords="offset points",
+            ha=ha,
+            va="center",
+            fontsize=text_size(self.axes, 7.0),
+            color=colour,
+            zorder=5.0,
+            annotation_clip=False,
+            path_effects=[withStroke(linewidth=2.0, foreground=inks_of(self.axes).paper)],
+        )
 
     def inside(self, places: Sequence[tuple[float, float]], text: str) -> bool:
         """Write a word at the first of several places with room, and return whether one has."""
@@ -148,10 +286,9 @@ class Words:
             shape = np.concatenate(
                 [self._shape(middle + np.array([0.0, up]), 0.0, half) for up in heights]
             )
-            room = min((self._far(line, each) for line in self.lines for each in shape), default=9)
-            if room > 0.6 * size and self._free(shape, 0.6 * size):
+            if self._room(shape) > 0.6 * size and self._free(shape, 0.6 * size):
                 self.taken.append((shape, 0.6 * size))
-                self._write(middle, text, size, inks_of(self.axes).number, italic=True)
+                self._write(middle, text, size, inks_of(self.axes).quiet, italic=True)
                 return True
         return False
 
@@ -238,10 +375,46 @@ class Words:
     def _far(line: Floats, place: Floats) -> float:
         return float(np.hypot(*(line - place).T).min()) if len(line) else math.inf
 
+    def _room(self, shape: Floats, without: Sequence[int] = ()) -> float:
+        """Return the distance of a word from lines and dots, those of some lines left out."""
+        room = MOST_ROOM
+        for place, near in zip(shape, self.tree.query_ball_point(shape, MOST_ROOM), strict=True):
+            others = np.array([k for k in near if self.owners[k] not in without], dtype=int)
+            room = min(room, self._far(self.points[others], place))
+        return room
+
     def _free(self, shape: Floats, radius: float) -> bool:
         inside = ((shape > 2.0) & (shape < self.size - 2.0)).all()
-        return bool(inside) and all(
-            self._far(places, each) > radius + margin
-            for places, margin in self.taken
-            for each in shape
+        boxed = any(
+            ((shape > low - radius) & (shape < high + radius)).all(axis=1).any()
+            for low, high in self.boxes
         )
+        return (
+            bool(inside)
+            and not boxed
+            and all(
+                self._far(places, each) > radius + margin
+                for places, margin in self.taken
+                for each in shape
+            )
+        )
+
+
+def _apart(heights: Floats, least: float) -> Floats:
+    """Return ascending heights moved as little as possible until they are far enough apart.
+
+    Examples
+    --------
+    >>> _apart(np.array([0.0, 1.0, 9.0]), 4.0)
+    array([-1.5,  2.5,  9. ])
+    """
+    steps = least * np.arange(len(heights))
+    groups: list[list[float]] = []
+    for height in heights - steps:
+        groups.append([float(height)])
+        while len(groups) > 1 and np.mean(groups[-2]) > np.mean(groups[-1]):
+            groups[-2:] = [groups[-2] + groups[-1]]
+    moved: Floats = steps + np.concatenate(
+        [np.zeros(0), *(np.full(len(each), np.mean(each)) for each in groups)]
+    )
+    return moved

@@ -7,34 +7,29 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
-from rocksteady.show.style import palette
+from rocksteady.outcomes import AttractorKind
+from rocksteady.show.plots.branches._views import View
 from rocksteady.show.style.axes import lane_of, name_lane, runs
 from rocksteady.show.style.legends import line_scale
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import HATCHES, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
 
-SWEEPS = {1: ("upward sweep", 0, 4.2, "up"), -1: ("downward sweep", 1, 3.1, "down")}
-"""Name, number of the colour, size of the dots and short name of a sweep by its direction: a rim of
-a point shows around a line."""
-CLOUD = 1.5
-"""Size of dots where a value has more than `MOST_DOTS`."""
-MOST_DOTS = 32
-FATES: dict[str, dict[str, Any]] = {
-    "overturned": {"fc": palette.OVERTURNED, "ec": "none", "lw": 0.0},
-    "at rest": {"fc": palette.GROUND, "ec": palette.FAINT, "lw": 0.4},
-}
-"""Look of the bars along the upper edge, one row per sweep."""
-KINDS = {"overturned": "overturned", "at rest": "rest"}
-"""The kind of attractor that each bar shows."""
+SWEEPS = {1: ("upward sweep", "^", "quiet", "up"), -1: ("downward sweep", "v", "edge", "down")}
+"""Name, marker, role of the colour and short name of a sweep by its direction."""
+SIZE, CLOUD = 3.6, 1.5
+"""Size of dots, and of those of motions that do not repeat."""
+APERIODIC = "aperiodic"
+FATES = {"falls": AttractorKind.OVERTURNED, "rests": AttractorKind.REST}
+"""The kind of attractor that each bar along the upper edge shows; a row a sweep."""
 NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 
 
-def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) -> list["Artist"]:
+def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], view: View) -> "list[Artist]":
     """Draw the dots and bars of sweeps and return the entries of the legend.
 
     Parameters
@@ -43,60 +38,81 @@ def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) 
         Axes to draw on, with room for a row of bars a sweep along its upper edge.
     sweeps
         The sweeps.
-    sizes
-        Whether the sizes of the angles are drawn, without their sides.
+    view
+        Scales of the diagram.
     """
-    from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    handles: dict[str, Artist] = {}
     inks, lane = inks_of(axes), lane_of(axes)
-    draw_dots(axes, sweeps, sizes=sizes)
+    handles: dict[str, Artist] = draw_dots(axes, sweeps, view)
     for row, sweep in enumerate(sweeps):
-        way = 1 if sweep.values[-1] >= sweep.values[0] else -1
-        word, number, size, short = SWEEPS[way]
-        colour = inks.sweeps[number]
-        style: dict[str, Any] = {"marker": "o", "color": colour, "mew": 0.0, "ls": "none"}
-        if any(len(extremes) for extremes in sweep.peaks):
-            handles[word] = Line2D([], [], ms=size, label=word, **style)
         low = 1.0 - (row + 1) * lane
         met = False
-        for fate, usual in FATES.items():
-            # The dark fill of a fall needs an outline on dark paper.
-            look = {**usual, "ec": inks.ink, "lw": 0.6} if inks.dark else usual
-            bars = _bars(sweep, fate)
+        for fate, kind in FATES.items():
+            bars = _bars(sweep, kind, view)
             if bars:
                 met = True
-                edges = axes.get_xaxis_transform()
+                edges, look = axes.get_xaxis_transform(), _look(fate, inks)
                 axes.broken_barh(bars, (low, 0.75 * lane), transform=edges, zorder=4.5, **look)
                 handles[fate] = Patch(label=fate, **look)
         if met:
-            name_lane(axes, short, low + 0.375 * lane, inks.number)
+            name_lane(axes, SWEEPS[_way(sweep)][3], low + 0.375 * lane, inks.quiet)
     return sorted(handles.values(), key=lambda handle: str(handle.get_label()) in FATES)
 
 
-def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) -> None:
-    """Draw what sweeps meet; the parameters are those of `draw_sweeps`."""
+def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], view: View) -> "dict[str, Artist]":
+    """Draw what sweeps meet and return the entries of the legend by their labels."""
+    from matplotlib.lines import Line2D
+
     inks, scale = inks_of(axes), line_scale(axes)
+    handles: dict[str, Artist] = {}
     for sweep in sweeps:
-        way = 1 if sweep.values[-1] >= sweep.values[0] else -1
-        _, number, size, _ = SWEEPS[way]
-        dots: dict[float, list[Floats]] = {size: [], CLOUD: []}
-        for value, extremes in zip(sweep.values, sweep.peaks, strict=True):
-            drawn = np.abs(extremes) if sizes else extremes
-            dot = CLOUD if len(drawn) > MOST_DOTS else size
-            dots[dot].append(np.column_stack([np.full(drawn.shape, value), drawn]))
-        for big, places in dots.items():
-            x, y = np.concatenate([np.empty((0, 2)), *places]).T
-            look: dict[str, Any] = {"color": inks.sweeps[number], "mew": 0.0, "ls": "none"}
-            axes.plot(x, y, marker="o", ms=big * scale, zorder=2.0 - 0.1 * way, **look)
+        way = _way(sweep)
+        word, marker, role, _ = SWEEPS[way]
+        looks = {
+            word: {"marker": marker, "ms": SIZE, "color": getattr(inks, role)},
+            APERIODIC: {"marker": "o", "ms": CLOUD, "color": inks.aperiodic_line},
+        }
+        for label, look in looks.items():
+            chosen = [
+                (kind == AttractorKind.APERIODIC) == (label == APERIODIC) for kind in sweep.kinds
+            ]
+            places = dots_of(sweep, view, chosen)
+            if len(places):
+                drawn = {**look, "mew": 0.0, "ls": "none"}
+                handles[label] = Line2D([], [], label=label, **{**drawn, "ms": SIZE})
+                drawn["ms"] = scale * look["ms"]
+                axes.plot(*places.T, zorder=2.0 - 0.1 * way, **drawn)
+    return handles
 
 
-def _bars(sweep: AttractorSweep, fate: str) -> list[tuple[float, float]]:
+def dots_of(sweep: AttractorSweep, view: View, chosen: Sequence[bool] | None = None) -> Floats:
+    """Return the places of the dots of a sweep, of chosen values alone, shape (dots, 2)."""
+    chosen = [True] * len(sweep.values) if chosen is None else chosen
+    places = [
+        np.column_stack([np.full(extremes.shape, view.x(value)), view.y(extremes)])
+        for value, extremes, drawn in zip(sweep.values, sweep.peaks, chosen, strict=True)
+        if drawn
+    ]
+    return np.concatenate([np.empty((0, 2)), *places])
+
+
+def _way(sweep: AttractorSweep) -> int:
+    return 1 if sweep.values[-1] >= sweep.values[0] else -1
+
+
+def _look(fate: str, inks: Inks) -> dict[str, Any]:
+    """Return the look of a bar; its hatch has the colour of its outline."""
+    if fate == "falls":
+        return {"fc": inks.falls, "ec": inks.edge, "lw": 0.5, "hatch": HATCHES["falls"]}
+    return {"fc": inks.rest, "ec": inks.edge, "lw": 0.5}
+
+
+def _bars(sweep: AttractorSweep, kind: AttractorKind, view: View) -> list[tuple[float, float]]:
     """Return begin and width of each run of values at which a sweep's motion ended so."""
     order = np.argsort(sweep.values)
-    values = sweep.values[order]
-    present = np.array([sweep.kinds[index] == KINDS[fate] for index in order])
+    values = view.x(sweep.values[order])
+    present = np.array([sweep.kinds[index] == kind for index in order])
     # Each value stands for what is nearest to it.
     borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
     return runs(present, borders)

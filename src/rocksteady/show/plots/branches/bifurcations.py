@@ -1,7 +1,8 @@
 """Plots of branches of periodic motions over a parameter, with sweeps beneath them."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from collections.abc import Set as AbstractSet
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -13,35 +14,56 @@ from rocksteady.dynamics.continuation.resting.find_resting import RestingBranche
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-from rocksteady.show.plots.branches._resting import draw_resting, low_rest
-from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps
-from rocksteady.show.style import palette
+from rocksteady.show.plots.branches._branch_lines import (
+    EVENTS,
+    LOOKS,
+    Flight,
+    Marks,
+    bifurcations_of,
+    draw_bifurcations,
+    draw_branches,
+    mark_of,
+    name_of,
+    spots_of,
+)
+from rocksteady.show.plots.branches._curve_labels import Words, explain, limit_entries
+from rocksteady.show.plots.branches._resting import LABEL, RESTING, draw_resting, low_rest
+from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, dots_of, draw_dots, draw_sweeps
+from rocksteady.show.plots.branches._views import (
+    AnyBlock,
+    Side,
+    View,
+    fits_far_axes,
+    shared_size,
+    view_of,
+)
 from rocksteady.show.style.axes import lane_of
-from rocksteady.show.style.insets import crowd_of, draw_inset
+from rocksteady.show.style.insets import Box, crowd_of, draw_inset
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.legends import GAP, LegendPlace, place_of
+from rocksteady.show.style.scales import draw_far_axis
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.lines import Line2D
+    from matplotlib.transforms import Bbox
 
-Side = Literal["positive", "both"]
 Drawn = BifurcationDiagram | Branch | RestingBranch | RestingBranches | AttractorSweep
+Named = tuple[PointType, float]
+"""Type and place of a bifurcation."""
+FAR_WIDTH = 40.0
+"""Of a dimensionless axis on the far side [points]."""
 
-STABLE: dict[str, Any] = {"ls": "-", "lw": 1.9, "zorder": 3.0}
-UNSTABLE: dict[str, Any] = {"ls": (0, (3.2, 1.6)), "lw": 0.9, "zorder": 2.6}
-INADMISSIBLE: dict[str, Any] = {"ls": (0, (1, 1.6)), "lw": 0.9, "alpha": 0.5, "zorder": 2.4}
-MARKS = {
-    PointType.FOLD: "s",
-    PointType.SYMMETRY_BREAKING: "D",
-    PointType.PERIOD_DOUBLING: "^",
-    PointType.GRAZING: "o",
-}
-"""Marker of each bifurcation."""
+MOST_NAMED = 6
+"""Bifurcations whose names stand beside their marks."""
+LONG_ENOUGH = 25.0
+"""Length of a stable line that is named [points]; of shorter ones an unstable one is."""
+NEAR_TIPPING = 0.75
+"""Part of the tipping angle from which on the axis of angles reaches it."""
 WIDE = 8.0
 """Factor between the ends of an axis that is logarithmic where bifurcations lie in its lowest"""
 LOWEST_PART = 0.25
@@ -66,15 +88,20 @@ def plot_bifurcations(
     Every flight of an orbit is a line, the extreme u = theta/alpha that it reaches: solid where the
     motion is stable, dashed where it is unstable, dotted and faint where the solution is no motion.
     Colours distinguish symmetric and unsymmetric motions, periods, and orbits that come to rest,
-    which are stable, from all of these; a dot at the highest angle marks an end of these.
-    Bifurcations are marked at the highest and at the lowest angle of their orbits.  The motions
-    that a sweep meets are dots beneath the lines, larger ones of an upward sweep than of a downward
-    one, so that both show where they agree; elsewhere there is hysteresis.  Bars along the upper
-    edge, a row for each sweep, show where its motion overturned or came to rest.  The axis of the
-    parameter is logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does,
-    and where nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a
-    small part of the picture are drawn again in an inset, large enough to be distinguished; where
-    orbits that come to rest lie close to the axis, the inset shows these.
+    which are stable, from all of these; a dot at the highest angle marks an end of these.  Kinds
+    are named along their lines where there is room, else in the legend.  Bifurcations are marked at
+    the highest and at the lowest angle of their orbits; those at which motions become unstable have
+    their names and places beside them.  The motions that a sweep meets are triangles beneath the
+    lines that point its way, or dots where they do not repeat; where the sweeps differ there is
+    hysteresis.  Bars along the upper edge, a row for each sweep, show where its motion fell or came
+    to rest.
+
+    For a block of known size the parameter is in g or Hz and extremes are in degrees, with the
+    dimensionless scales on the far sides.  The axis of the parameter is logarithmic where a sweep's
+    values are spaced by ratio, as `numpy.geomspace` does, and where nearly all bifurcations lie in
+    its lowest part.  Bifurcations that crowd in a small part of the picture are drawn again in an
+    inset, large enough to be distinguished, if there is room; where orbits that come to rest lie
+    close to the axis, the inset shows these.
 
     Parameters
     ----------
@@ -91,9 +118,9 @@ def plot_bifurcations(
         one half of the picture, and nothing is lost.  "both" draws each to its side, of what leans
         the mirror image too.
     top
-        Upper end of the axis of angles; default: everything is shown.
+        Upper end of the axis of angles, in units of alpha; default: everything is shown.
     key
-        Where the legend goes by default: to the right of the axes, or inside; below narrow ones.
+        Where the legend goes by default: inside the axes, or outside, which is below them.
     legend
         "inside" the axes, to their "right", "below" them or "none".
 
@@ -116,62 +143,135 @@ def plot_bifurcations(
     >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
     >>> branches = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)
     >>> axes = plot_bifurcations(branches, ax=Figure().add_subplot())
-    >>> for entry in axes.get_legend().get_texts():
-    ...     print(entry.get_text())
+    >>> for word in sorted(word.get_text() for word in axes.texts):
+    ...     print(word)
+    period doubles 1.79
     symmetric
+    symmetry breaks 1.95
+    tipping angle
     unsymmetric
-    unstable
-    symmetry breaking
-    period doubling
     """
     top = None if top is None else positive("top", top, hint="give where the axis ends")
-    listed, resting, swept = _parts(diagram)
-    swept += list(sweeps)
-    parameter = _parameter([*listed, *resting, *swept])
+    branches, resting, swept = _parts(diagram)
+    drawn = _Diagram(branches, resting, [*swept, *sweeps])
+    view = view_of(drawn.parameter, drawn.block, side)
     axes = axes_or_new(ax)
-    inks = inks_of(axes)
-    place = place_of(axes, legend, "right" if key == "beside" else "inside", width=110.0)
-    colours = _colours(listed, inks)
-    marks = _bifurcations(listed, side)
-    handles: list[Artist] = [
-        *_drawn_branches(axes, listed, colours, side),
-        *draw_resting(axes, resting, sizes=side == "positive"),
-        *_drawn_bifurcations(axes, marks),
-        *draw_sweeps(axes, swept, sizes=side == "positive"),
-    ]
-    values = [branch.values for branch in listed] + [branch.values for branch in resting]
-    values += [sweep.values for sweep in swept]
-    ends = np.concatenate(values)
-    marked = [x for places in marks.values() for x, _ in places]
-    if any(spaced_by_ratio(sweep.values) for sweep in swept) or _lies_low(marked, ends):
-        axes.set_xscale("log")
-        plain_ticks(axes)
-    if ends.min() < ends.max():
-        axes.set_xlim(float(ends.min()), float(ends.max()))
-    if top is None:  # above what is drawn there is room for the bars
-        drawn = [branch.peaks.ravel() for branch in listed]
-        drawn += [branch.peaks.ravel() for branch in resting]
-        drawn += [peaks for sweep in swept for peaks in sweep.peaks]
-        highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
-        top = (highest or 1.0) / (0.96 - lane_of(axes) * len(swept))
-    axes.set_ylim(0.0 if side == "positive" else -top, top)
-    axes.set(
-        xlabel=palette.LABELS[parameter],
-        ylabel=palette.LABELS["flight_peak" if side == "positive" else "flight_extreme"],
-    )
-    if place != "inside":  # which needs the room
-        spots = [spot for places in marks.values() for spot in places]
-        crowd = low_rest(axes, resting, sizes=side == "positive") or crowd_of(axes, spots)
-        if crowd is not None:
-            drawn_at = [line.get_xydata() for line in axes.lines]
-            inset = draw_inset(axes, crowd, [np.asarray(each) for each in drawn_at], spots)
-            _drawn_branches(inset, listed, colours, side)
-            draw_resting(inset, resting, sizes=side == "positive")
-            _drawn_bifurcations(inset, marks)
-            draw_dots(inset, swept, sizes=side == "positive")
-    gap = GAP + (NAMES_WIDTH if swept else 0.0)
-    draw_legend(axes, place, handles=handles, corner="upper right", gap=gap)
+    place = place_of(axes, legend, "below" if key == "beside" else "inside", width=160.0)
+    drawn.draw(axes, view, top)
+    drawn.explain(axes, view, place)
     return axes
+
+
+class _Diagram:
+    """Branches, those of orbits with rest, and sweeps over one parameter."""
+
+    def __init__(
+        self,
+        branches: Sequence[Branch],
+        resting: Sequence[RestingBranch],
+        sweeps: Sequence[AttractorSweep],
+    ) -> None:
+        self.branches, self.resting, self.sweeps = branches, resting, sweeps
+        self.everything = [*branches, *resting, *sweeps]
+        self.parameter = _parameter(self.everything)
+        self.block = shared_size(each.block for each in self.everything)
+
+    def draw(self, axes: "Axes", view: View, top: float | None) -> None:
+        """Draw everything but names and the legend."""
+        inks = inks_of(axes)
+        self.marks = bifurcations_of(self.branches, view)
+        self.spots = [spot for places in self.marks.values() for spot in places]
+        self.flights, looks = draw_branches(axes, self.branches, inks, view)
+        rests = draw_resting(axes, self.resting, view)
+        self.flights += [Flight(each, LABEL, inks.quiet, True) for each in rests]
+        looks |= {"solid: stable"} if rests else set()
+        self.note = ", ".join(word for word in LOOKS if word in looks)
+        draw_bifurcations(axes, self.marks)
+        self.fates = draw_sweeps(axes, self.sweeps, view)
+        self.lanes = lane_of(axes) * len(self.sweeps)
+        self._set_axes(axes, view, top)
+        blocks = [each.block for each in self.everything]
+        self.tipping = _drawn_tipping(axes, blocks, self.block, view)
+        self.far = self.block is not None and fits_far_axes(axes)
+        if self.far:
+            draw_far_axis(axes, "x", view.across)
+            draw_far_axis(axes, "y", view.up)
+        if self.far and self.sweeps:  # whose names stand above the highest tick
+            far, ends = axes.child_axes[-1], np.array(axes.get_ylim()) / view.up.factor
+            ticks = far.yaxis.get_major_locator().tick_values(*ends.tolist())
+            highest = ends[1] - (self.lanes + 0.03) * np.ptp(ends)
+            far.set_yticks([y for y in ticks if ends[0] <= y < highest])
+
+    def _set_axes(self, axes: "Axes", view: View, top: float | None) -> None:
+        """Set scales, limits and labels of both axes."""
+        ends = view.x(np.concatenate([each.values for each in self.everything]))
+        by_ratio = any(spaced_by_ratio(sweep.values) for sweep in self.sweeps)
+        if by_ratio or _lies_low([x for x, _ in self.spots], ends):
+            axes.set_xscale("log")
+        if ends.min() < ends.max():
+            axes.set_xlim(float(ends.min()), float(ends.max()))
+        plain_ticks(axes)
+        if top is None:  # above what is drawn there is room for the bars
+            drawn = [branch.peaks.ravel() for branch in (*self.branches, *self.resting)]
+            drawn += [peaks for sweep in self.sweeps for peaks in sweep.peaks]
+            highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
+            top = max(highest, 1.0 if highest > NEAR_TIPPING else 0.0)
+            top = (top or 1.0) / (0.96 - self.lanes)
+        axes.set_ylim(0.0 if view.sizes else -top * view.up.factor, top * view.up.factor)
+        axes.set(xlabel=view.across.label, ylabel=view.up.label)
+
+    def explain(self, axes: "Axes", view: View, place: LegendPlace) -> None:
+        """Name bifurcations, kinds of motion and the tipping angle; the legend has the rest."""
+        labels = {flight.label for flight in self.flights}
+        self._draw_legend(axes, place, {*labels, *self.marks, *self.tipping})
+        lines = [*(flight.places for flight in self.flights), *self.tipping.values()]
+        words = Words(axes, lines, [dots_of(sweep, view) for sweep in self.sweeps])
+        words.take(self.spots, 3.0)
+        words.take_box(0.0, 1.0 - self.lanes, 1.0, 1.0)
+        present = axes.get_legend()
+        if present is not None and place == "inside":
+            words.take_box(*_box_within(axes, present.get_window_extent()))
+        low, crowd = low_rest(axes, self.resting, view), crowd_of(axes, self.spots)
+        inset = None
+        shown = low or crowd
+        if shown is not None and place != "inside":  # which needs the room
+            inset = self._draw_inset(axes, view, shown)
+        if inset is not None:
+            x0, y0, x1, y1 = _box_within(axes, inset.bbox)
+            words.take_box(x0 - 0.06, y0 - 0.06, x1, y1)
+        crowds = [each for each in (low, crowd) if each is not None]
+        named = _named_points(words, self.branches, view, crowds)
+        kinds = {
+            kind for kind, spots in self.marks.items() if {(kind, x) for x, _ in spots} <= named
+        }
+        kept = _named_lines(words, self.flights, [*self.tipping])
+        self._draw_legend(axes, place, kept | kinds)
+
+    def _draw_inset(self, axes: "Axes", view: View, crowd: Box) -> "Axes | None":
+        lines = [np.asarray(line.get_xydata()) for line in axes.lines]
+        inset = draw_inset(axes, crowd, lines, self.spots)
+        if inset is not None:
+            draw_branches(inset, self.branches, inks_of(axes), view)
+            draw_resting(inset, self.resting, view)
+            draw_bifurcations(inset, self.marks)
+            draw_dots(inset, self.sweeps, view)
+        return inset
+
+    def _draw_legend(
+        self, axes: "Axes", place: LegendPlace, names: AbstractSet[str | PointType]
+    ) -> None:
+        """Draw the legend of what has no name in the picture."""
+        handles = _entries(self.flights, self.marks, names, axes) + self.fates
+        left = [name for name in self.tipping if name not in names]
+        handles += limit_entries(axes, left)
+        gap = GAP + NAMES_WIDTH * bool(self.sweeps) + FAR_WIDTH * self.far
+        explain(axes, place, handles, self.note, gap=gap)
+
+
+def _box_within(axes: "Axes", box: "Bbox") -> tuple[float, float, float, float]:
+    """Return the ends of a box in parts of the axes."""
+    (x0, y0), (x1, y1) = axes.transAxes.inverted().transform(box)
+    return float(x0), float(y0), float(x1), float(y1)
 
 
 def _parts(
@@ -219,118 +319,89 @@ def _parameter(drawn: Sequence[Branch | RestingBranch | AttractorSweep]) -> str:
     return names[0]
 
 
-def _kind_of(branch: Branch) -> tuple[int, bool]:
-    """Return the properties by which branches differ in colour."""
-    return branch.period, not branch.symmetric
-
-
-def _colours(branches: Sequence[Branch], inks: Inks) -> dict[tuple[int, bool], str]:
-    """Return the colour of each kind of orbit that there is."""
-    colours = {(1, False): inks.lines[0], (1, True): inks.lines[4]}
-    kinds = sorted({_kind_of(branch) for branch in branches})
-    for number, kind in enumerate(kind for kind in kinds if kind[0] > 1):
-        shades = inks.subharmonic_lines
-        colours[kind] = shades[min(number, len(shades) - 1)]
-    return {kind: colours[kind] for kind in kinds}
-
-
-def _label(kind: tuple[int, bool], kinds: Iterable[tuple[int, bool]]) -> str:
-    """Return the words for a kind of orbit; its symmetry only where that distinguishes it."""
-    period, leaning = kind
-    word = "unsymmetric" if leaning else "symmetric"
-    if period == 1:
-        return word
-    if period % 2 == 0 and (period, not leaning) not in kinds:
-        return f"period {period}"
-    return f"{word}, period {period}"
-
-
-def _sided(peaks: Floats, side: Side, branch: Branch) -> Floats:
-    """Return what is drawn of the extremes of flights, shape (points, lines)."""
-    symmetric = branch.symmetric
-    # Of two impacts that merge the flight between them vanishes: its extreme is 0.
-    peaks = np.nan_to_num(peaks, nan=0.0)
-    if side == "positive":
-        return np.abs(peaks[..., : peaks.shape[-1] // 2] if symmetric else peaks)
-    # The mirror image of what leans; for a block whose sides differ it is no motion.
-    leans = not symmetric and branch.block.symmetric
-    return np.concatenate([peaks, -peaks], axis=-1) if leans else peaks
-
-
-def _drawn_branches(
+def _entries(
+    flights: Sequence[Flight],
+    marks: Marks,
+    named: AbstractSet[str | PointType],
     axes: "Axes",
-    branches: Sequence[Branch],
-    colours: dict[tuple[int, bool], str],
-    side: Side,
-) -> list["Line2D"]:
-    """Draw branches and return the entries of the legend."""
+) -> "list[Artist]":
+    """Return the entries of a legend for what has no name in the picture."""
     from matplotlib.lines import Line2D
 
-    seen: set[str] = set()
-    scale = line_scale(axes)
-    for branch in branches:
-        lines = _sided(branch.peaks, side, branch)
-        for stretch in branch.stretches:
-            style, word = UNSTABLE, "unstable"
-            if stretch.stable:
-                style, word = STABLE, "stable"
-            elif not stretch.admissible:
-                style, word = INADMISSIBLE, "no motion"
-            seen.add(word)
-            part = slice(stretch.first, stretch.last + 1)
-            look = {**style, "lw": style["lw"] * scale}
-            axes.plot(branch.values[part], lines[part], color=colours[_kind_of(branch)], **look)
-    handles = [
-        Line2D([], [], color=colour, lw=2.0, label=_label(kind, colours))
-        for kind, colour in colours.items()
+    colours = {flight.label: flight.colour for flight in flights}
+    handles: list[Artist] = [
+        Line2D([], [], color=colour, lw=RESTING["lw"] if label == LABEL else 2.0, label=label)
+        for label, colour in colours.items()
+        if label not in named
     ]
-    for word, style in (("unstable", UNSTABLE), ("no motion", INADMISSIBLE)):
-        if word in seen:
-            handles.append(Line2D([], [], color=inks_of(axes).ink, label=word, **style))
-    return handles
+    looks = {kind: mark_of(kind, axes) for kind in marks if kind not in named}
+    return handles + [Line2D([], [], label=name_of(kind), **look) for kind, look in looks.items()]
 
 
-def _bifurcations(
-    branches: Sequence[Branch], side: Side
-) -> dict[PointType, list[tuple[float, float]]]:
-    """Return where bifurcations of each type are marked."""
-    marks = {}
-    for kind in MARKS:
-        places: set[tuple[float, float]] = set()
-        for branch in branches:
-            for value, peaks, point in zip(branch.values, branch.peaks, branch.points, strict=True):
-                if point.type is kind:
-                    ends = np.array([max(np.nanmax(peaks), 0.0), min(np.nanmin(peaks), 0.0)])
-                    drawn = _sided(ends, side, branch)
-                    # A point on two branches is marked once.
-                    places |= {(round(float(value), 9), round(u, 6)) for u in drawn.tolist()}
-        if places:
-            marks[kind] = sorted(places)
-    return marks
+def _drawn_tipping(
+    axes: "Axes", blocks: Sequence[AnyBlock], sized: Block | None, view: View
+) -> dict[str, Floats]:
+    """Draw the tipping angle of each side within the axes, and return the lines by their names."""
+    bare = blocks[0].dimensionless()
+    tilts = {"": 1.0}
+    if not bare.one_sided and not (bare.symmetric and view.sizes):
+        tilts = {", positive side": 1.0, ", negative side": -bare.alpha_ratio}
+    drawn = {}
+    for side, tilt in tilts.items():
+        y = float(view.y(tilt))
+        low, high = axes.get_ylim()
+        if low < y < high:
+            name = f"tipping angle{side}" + (f" {abs(y):.3g}°" if sized else "")
+            drawn[name] = np.array([[x, y] for x in axes.get_xlim()])
+            axes.axhline(y, color=inks_of(axes).limit, ls=DASHED, lw=0.8, zorder=2.2)
+    return drawn
 
 
-def _drawn_bifurcations(
-    axes: "Axes", marks: dict[PointType, list[tuple[float, float]]]
-) -> list["Line2D"]:
-    """Mark bifurcations and return the entries of the legend."""
-    from matplotlib.lines import Line2D
+def _named_points(
+    words: Words, branches: Sequence[Branch], view: View, crowds: Sequence[Box]
+) -> set[Named]:
+    """Name the ends of the longest stable parts; return type and place of what has its name.
 
-    handles, inks = [], inks_of(axes)
-    for kind, places in marks.items():
-        style: dict[str, Any] = {
-            "marker": MARKS[kind],
-            "ms": 3.8 * line_scale(axes),
-            "mfc": inks.paper,
-            "mec": inks.ink,
-            "mew": 0.8,
-            "ls": "none",
-        }
-        x, y = zip(*places, strict=True)
-        axes.plot(x, y, zorder=4.0, **style)
-        handles.append(Line2D([], [], label=name_of(kind), **style))
-    return handles
+    In a crowd there is room for none.
+    """
+    points: dict[Named, tuple[float, int, float]] = {}
+    for branch in branches:
+        for stretch in branch.stretches:
+            ends = (stretch.first, stretch.last)
+            length = abs(float(np.subtract(*branch.values[[*ends]])))
+            for index in ends:
+                kind = branch.points[index].type
+                if kind in EVENTS:
+                    x, y = max(spots_of(branch, index, view), key=lambda spot: spot[1])
+                    longest, period, _ = points.get((kind, x), (0.0, branch.period, y))
+                    longest = max(longest, length if stretch.stable else 0.0)
+                    points[kind, x] = (longest, min(period, branch.period), y)
+    stable = [
+        (kind, x)
+        for (kind, x), (length, _, y) in points.items()
+        if length > 0.0 and not any(x0 <= x <= x1 and y0 <= y <= y1 for x0, y0, x1, y1 in crowds)
+    ]
+    stable.sort(key=lambda point: -points[point][0])
+    named = set()
+    for kind, x in stable[:MOST_NAMED]:
+        _, period, y = points[kind, x]
+        again = kind is PointType.PERIOD_DOUBLING and period % 2 == 0
+        if words.beside((x, y), f"{'doubles again' if again else EVENTS[kind]} {x:.3g}"):
+            named.add((kind, x))
+    return named
 
 
-def name_of(kind: PointType) -> str:
-    """Return the name of a bifurcation in a legend."""
-    return "graze" if kind is PointType.GRAZING else kind.value.replace("-", " ")
+def _named_lines(words: Words, flights: Sequence[Flight], tipping: Sequence[str]) -> set[str]:
+    """Name the tipping angle and the kinds of motion; return the names that stand there."""
+    long = [
+        flight.stable and words.length(number) > LONG_ENOUGH
+        for number, flight in enumerate(flights)
+    ]
+    solid = {flight.label for flight, enough in zip(flights, long, strict=True) if enough}
+    names = [
+        flight.label if enough or flight.label not in solid else ""
+        for flight, enough in zip(flights, long, strict=True)
+    ]
+    ink = inks_of(words.axes).ink
+    colours = [flight.colour for flight in flights] + [ink] * len(tipping)
+    return words.along([*names, *tipping], colours, aside=True, once=True)

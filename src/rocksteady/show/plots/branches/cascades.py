@@ -5,12 +5,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.dynamics.continuation.cascade import Cascade
+from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.branches import _curve_labels
+from rocksteady.show.plots.branches._branch_lines import MARKS
+from rocksteady.show.plots.branches._views import fits_far_axes
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +31,8 @@ def plot_cascade(
     """Draw the distances between period doublings, with the ratio of each to the next.
 
     The distances in the parameter stand on a logarithmic axis over the periods that double; a
-    dashed line through the last has the slope to which a cascade tends, Feigenbaum's 4.6692.
+    dashed line through the last has the slope to which a cascade tends, Feigenbaum's 4.6692.  For a
+    block of known size they are in g or Hz, with the dimensionless scale on the far side.
 
     Parameters
     ----------
@@ -35,7 +41,8 @@ def plot_cascade(
     ax
         Axes to draw on; default: axes of a new figure.
     legend
-        "inside" the axes (default), to their "right", "below" them or "none".
+        Place of the dashed line's name where there is no room along it: "inside" the axes
+        (default), to their "right", "below" them or "none".
 
     Returns
     -------
@@ -62,7 +69,7 @@ def plot_cascade(
     >>> cascade = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=3)
     >>> axes = plot_cascade(cascade, Figure().add_subplot())
     >>> print(axes.get_yscale(), [text.get_text() for text in axes.texts])
-    log ['6.107']
+    log ['6.107', 'ratio 4.6692 (Feigenbaum)']
     """
     sizes = np.abs(cascade.distances)
     if not sizes.size:
@@ -74,38 +81,54 @@ def plot_cascade(
         )
     axes = axes_or_new(ax)
     inks, places = inks_of(axes), np.arange(len(sizes))
+    symbol = SYMBOLS[cascade.parameter]
+    scale = scale_of(cascade.parameter, cascade.block)
+    sizes = scale.factor * sizes
     expected = sizes[-1] * FEIGENBAUM ** (places[-1] - places)
+    name = "ratio 4.6692 (Feigenbaum)"
+    axes.plot(places, expected, ls=DASHED, lw=1.0, color=inks.limit, label=name, zorder=2.0)
     axes.plot(
         places,
-        expected,
-        ls=(0, (4, 2)),
-        lw=1.0,
-        color=inks.faint,
-        label="ratio 4.6692 (Feigenbaum)",
-        zorder=2.0,
-    )
-    axes.plot(
-        places, sizes, "o-", ms=4.5, lw=1.2, color=inks.lines[0], label="distance", zorder=3.0
+        sizes,
+        marker=MARKS[PointType.PERIOD_DOUBLING],
+        ms=4.5,
+        mfc=inks.paper,
+        mec=inks.ink,
+        mew=0.8,
+        lw=1.2,
+        color=inks.subharmonic_line,
+        zorder=3.0,
     )
     axes.set_yscale("log")
+    axes.set_xlim(-0.3, len(sizes) - 0.5)
     size = text_size(axes, 8.0)
+    ratios = []
     for place, ratio in enumerate(np.atleast_1d(cascade.ratios)[: len(sizes) - 1]):
-        middle = float(np.sqrt(sizes[place] * sizes[place + 1]))
+        ratios.append((place + 0.5, float(np.sqrt(sizes[place] * sizes[place + 1]))))
         axes.annotate(
             f"{ratio:.3f}",
-            (place + 0.5, middle),
+            ratios[-1],
             (5.0, 4.0),
             textcoords="offset points",
             fontsize=size,
-            color=inks.number,
+            color=inks.quiet,
         )
     periods = [point.period for point in cascade.points]
     axes.set_xticks(places, [f"{period} → {2 * period}" for period in periods[:-1]])
-    axes.set_xlim(-0.3, len(sizes) - 0.5)
-    symbol = SYMBOLS[cascade.parameter]
+    words = "distance to the next doubling"
+    far = f"{words}, |Δ{symbol}|"
+    unit = scale.label.partition("[")[2]
     axes.set(
         xlabel="period doubling [forcing periods]",
-        ylabel=f"distance to the next doubling, |Δ{symbol}|",
+        ylabel=f"{words} [{unit}" if scale.far else far,
     )
-    draw_legend(axes, place_of(axes, legend, "inside"), corner="lower left")
+    if scale.far and fits_far_axes(axes):
+        draw_far_axis(axes, "y", Scale(scale.factor, axes.get_ylabel(), far))
+    lines = [np.column_stack([places, each]) for each in (expected, sizes)]
+    labels = _curve_labels.Words(axes, lines)
+    if ratios:
+        labels.taken.append((labels.there(np.array(ratios)) + np.array([17.0, 8.0]), 10.0))
+    labels.take(lines[1].tolist(), 4.0)
+    if not labels.along([name, ""], [inks.ink, inks.ink], aside=True):
+        draw_legend(axes, place_of(axes, legend, "inside"), corner="lower left")
     return axes

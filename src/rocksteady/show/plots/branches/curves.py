@@ -1,7 +1,7 @@
 """Plots of bifurcation curves in the plane of two parameters."""
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -15,24 +15,25 @@ from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.branches._branch_lines import name_of
 from rocksteady.show.plots.branches._curve_labels import Words
-from rocksteady.show.plots.branches.bifurcations import name_of
-from rocksteady.show.style import palette
+from rocksteady.show.plots.branches._views import fits_far_axes, shared_size
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-CURVES: dict[PointType, tuple[int | None, Any]] = {
-    PointType.FOLD: (None, "-"),
-    PointType.SYMMETRY_BREAKING: (0, (0, (7, 2))),
-    PointType.PERIOD_DOUBLING: (2, (0, (3.2, 1.6))),
-    PointType.GRAZING: (1, (0, (1, 1.2))),
+CURVES: dict[PointType, Any] = {
+    PointType.FOLD: (0, (9, 1.5)),
+    PointType.SYMMETRY_BREAKING: (0, (7, 2, 1.2, 2)),
+    PointType.PERIOD_DOUBLING: (0, (3.2, 1.6)),
+    PointType.GRAZING: (0, (1, 1.2)),
 }
-"""Line colour (none is ink) and dash of the curve of each bifurcation."""
+"""Dashes of the curve of each bifurcation."""
 MARKS = {
     PointType.CUSP: "v",
     PointType.GENERALISED_BREAKING: "D",
@@ -48,6 +49,18 @@ Place = tuple[float, float]
 Curve = tuple[PointType, Sequence[BranchPoint]]
 
 
+class Plane(NamedTuple):
+    """The two parameters that are drawn, and their scales."""
+
+    names: tuple[str, str]
+    scales: Sequence[Scale]
+
+    def places(self, points: Sequence[BranchPoint]) -> Floats:
+        """Return where points are drawn, shape (points, 2)."""
+        values = [[getattr(point, name) for name in self.names] for point in points]
+        return np.array(values) * [scale.factor for scale in self.scales]
+
+
 @checked
 def plot_bifurcation_curves(
     curves: BifurcationCurves | BifurcationCurve | Iterable[Sequence[BranchPoint]],
@@ -59,10 +72,12 @@ def plot_bifurcation_curves(
 ) -> "Axes":
     """Draw bifurcation curves in the plane of two parameters.
 
-    Folds are solid, symmetry breakings and period doublings dashed, grazes dotted; those of the
+    Folds, symmetry breakings, period doublings and grazes differ in their dashes; those of the
     longer motions are thin.  Each line has its name along it where there is room, once for lines
-    that lie on each other.  Points of codimension two are marked and named, and words in italics
-    name which of the motions that were followed are stable there.
+    that lie on each other; what has no name is in the legend.  Points of codimension two are marked
+    and named, and words in italics name which of the motions that were followed are stable there.
+    For a block of known size the axes are in g and Hz, with the dimensionless scales on the far
+    sides.
 
     Parameters
     ----------
@@ -78,8 +93,7 @@ def plot_bifurcation_curves(
     labels
         Whether lines, points and regions are named (default).
     legend
-        "inside" the axes, to their "right", "below" them or "none"; by default to their
-        right, or below narrow ones.
+        "inside" the axes, to their "right", "below" them (default) or "none".
 
     Returns
     -------
@@ -103,7 +117,7 @@ def plot_bifurcation_curves(
     >>> plane = ("amplitude", "frequency_ratio")
     >>> curve = follow_bifurcation(breaking, plane, ((0.1, 6.0), (1.0, 4.0)))
     >>> axes = plot_bifurcation_curves([list(curve)], Figure().add_subplot())
-    >>> print(axes.get_legend().get_texts()[0].get_text(), len(axes.lines))
+    >>> print(axes.texts[0].get_text(), len(axes.lines))
     symmetry breaking 1
     """
     named: tuple[str, str] = ("frequency_ratio", "amplitude")
@@ -121,17 +135,34 @@ def plot_bifurcation_curves(
             )
     drawn = _listed(curves)
     axes = axes_or_new(ax)
-    place = place_of(axes, legend, "right")
-    handles = _drawn_lines(axes, drawn, named)
-    handles += _drawn_points(axes, drawn, named)
-    axes.set(xlabel=palette.LABELS[named[0]], ylabel=palette.LABELS[named[1]])
+    place = place_of(axes, legend, "below")
+    block = shared_size(points[0].block for _, points in drawn) if drawn else None
+    scales = [scale_of(name, block) for name in named]
+    plane = Plane(named, scales)
+    _draw_lines(axes, drawn, plane)
+    special = _special(drawn, plane)
+    for kind, places in special.items():
+        axes.plot(*zip(*places, strict=True), zorder=4.0, **_mark(kind, axes))
+    axes.set(xlabel=scales[0].label, ylabel=scales[1].label)
     if isinstance(curves, BifurcationCurves):
         ranges = dict(zip(curves.parameters, curves.within, strict=True))
         if set(named) == set(ranges):
-            axes.set(xlim=ranges[named[0]], ylim=ranges[named[1]])
-    draw_legend(axes, place, handles=handles)
+            x, y = (
+                scale.factor * np.array(ranges[name])
+                for name, scale in zip(named, scales, strict=True)
+            )
+            axes.set(xlim=x.tolist(), ylim=y.tolist())
+    far = 0.0
+    if fits_far_axes(axes):
+        draw_far_axis(axes, "x", scales[0])
+        draw_far_axis(axes, "y", scales[1])
+        far = 40.0 if scales[1].far else 0.0
+    entries = _entries(axes, drawn, special)
+    draw_legend(axes, place, handles=[*entries.values()], gap=GAP + far)
     if labels and drawn:
-        _written(axes, curves, drawn, named)
+        explained = _written(axes, curves, drawn, plane, special)
+        left = [entry for kind, entry in entries.items() if kind not in explained]
+        draw_legend(axes, place, handles=left, gap=GAP + far)
     return axes
 
 
@@ -164,30 +195,19 @@ def _listed(
     return listed
 
 
-def _drawn_lines(
-    axes: "Axes", drawn: Sequence[Curve], parameters: tuple[str, str]
-) -> list["Line2D"]:
-    """Draw curves and return the entries of the legend."""
-    from matplotlib.lines import Line2D
-
-    inks, scale = inks_of(axes), line_scale(axes)
+def _draw_lines(axes: "Axes", drawn: Sequence[Curve], plane: Plane) -> None:
+    """Draw curves."""
+    scale = line_scale(axes)
     fewest = min((_length(points) for _, points in drawn), default=0)
     for kind, points in drawn:
-        number, dash = CURVES[kind]
         thin = _length(points) > fewest and kind is not PointType.SYMMETRY_BREAKING
         axes.plot(
-            *_places(points, parameters).T,
-            color=colour_of(number, inks),
-            ls=dash,
-            lw=(0.9 if thin else 1.6) * scale,
+            *plane.places(points).T,
+            color=inks_of(axes).limit,
+            ls=CURVES[kind],
+            lw=(0.9 if thin else 1.4) * scale,
             zorder=2.8 if thin else 3.0,
         )
-    kinds_drawn = {kind for kind, _ in drawn}
-    return [
-        Line2D([], [], color=colour_of(number, inks), ls=dash, lw=1.6 * scale, label=name_of(kind))
-        for kind, (number, dash) in CURVES.items()
-        if kind in kinds_drawn
-    ]
 
 
 def _length(points: Sequence[BranchPoint]) -> int:
@@ -195,77 +215,79 @@ def _length(points: Sequence[BranchPoint]) -> int:
     return points[len(points) // 2].impacts
 
 
-def _places(points: Sequence[BranchPoint], parameters: tuple[str, str]) -> Floats:
-    return np.array([[getattr(point, name) for name in parameters] for point in points])
-
-
-def _special(drawn: Sequence[Curve], parameters: tuple[str, str]) -> dict[PointType, list[Place]]:
+def _special(drawn: Sequence[Curve], plane: Plane) -> dict[PointType, list[Place]]:
     """Return the places of points of codimension two, each once."""
-    positions: dict[PointType, list[Place]] = {}
+    positions: dict[PointType, list[Place]] = {kind: [] for kind in MARKS}
     for _, points in drawn:
         for point in points:
             if point.type in CODIMENSION_TWO:
-                x, y = (round(getattr(point, name), 7) for name in parameters)
-                places = positions.setdefault(point.type, [])
-                if (x, y) not in places:
-                    places.append((x, y))
-    return positions
+                x, y = np.round(plane.places([point])[0], 7).tolist()
+                if (x, y) not in positions[point.type]:
+                    positions[point.type].append((x, y))
+    return {kind: places for kind, places in positions.items() if places}
 
 
-def _drawn_points(
-    axes: "Axes", drawn: Sequence[Curve], parameters: tuple[str, str]
-) -> list["Line2D"]:
-    """Mark points of codimension two and return the entries of the legend."""
-    inks, handles = inks_of(axes), []
-    special = _special(drawn, parameters)
-    for kind, marker in MARKS.items():
-        if kind in special:
-            (line,) = axes.plot(
-                *zip(*special[kind], strict=True),
-                marker=marker,
-                ms=4.6 * line_scale(axes),
-                mfc=inks.paper,
-                mec=inks.ink,
-                mew=0.9,
-                ls="none",
-                zorder=4.0,
-                label=name_of(kind),
-            )
-            handles.append(line)
-    return handles
+def _mark(kind: PointType, axes: "Axes") -> dict[str, Any]:
+    """Return the look of a point of codimension two."""
+    inks, size = inks_of(axes), 4.6 * line_scale(axes)
+    look = {"mfc": inks.paper, "mec": inks.ink, "mew": 0.9, "ls": "none"}
+    return {"marker": MARKS[kind], "ms": size, **look}
+
+
+def _entries(
+    axes: "Axes", drawn: Sequence[Curve], special: Iterable[PointType]
+) -> dict[PointType, "Line2D"]:
+    """Return the entry of the legend of each kind of line and point."""
+    from matplotlib.lines import Line2D
+
+    lines = {kind for kind, _ in drawn}
+    looks: dict[PointType, dict[str, Any]] = {
+        kind: {"color": inks_of(axes).limit, "ls": dash, "lw": 1.4 * line_scale(axes)}
+        for kind, dash in CURVES.items()
+        if kind in lines
+    }
+    looks |= {kind: _mark(kind, axes) for kind in special}
+    return {kind: Line2D([], [], label=name_of(kind), **look) for kind, look in looks.items()}
 
 
 def _written(
     axes: "Axes",
     curves: object,
     drawn: Sequence[Curve],
-    parameters: tuple[str, str],
-) -> None:
-    """Name points, lines and regions."""
-    inks = inks_of(axes)
-    special = _special(drawn, parameters)
-    words = Words(axes, [_places(points, parameters) for _, points in drawn])
+    plane: Plane,
+    special: dict[PointType, list[Place]],
+) -> set[PointType]:
+    """Name points, lines and regions; return the kinds all of which have their names."""
+    words = Words(axes, [plane.places(points) for _, points in drawn])
     for places in special.values():
         words.take(places, 4.0)
-    words.along(_names(drawn), [colour_of(CURVES[kind][0], inks) for kind, _ in drawn])
+    names, ink = _names(drawn), inks_of(axes).ink
+    written = words.along(names, [ink] * len(names))
+    nameless = {kind for (kind, _), name in zip(drawn, names, strict=True) if name not in written}
     for kind, places in special.items():
-        for place in places:
-            words.beside(place, name_of(kind))
-    if isinstance(curves, BifurcationCurves):
-        order = [curves.parameters.index(name) for name in parameters if name in curves.parameters]
-        if len(order) < 2:
-            return
-        regions: dict[str, list[tuple[float, Place]]] = {}
-        for region in curves.regions:
-            axis, low, high = region.extent
-            share = (high - low) / (curves.within[axis][1] - curves.within[axis][0])
-            place = (region.place[order[0]], region.place[order[1]])
-            text = "\nand ".join(region.motions)
-            if len(region.motions) == 1:
-                text = text.replace(", ", "\n")
-            regions.setdefault(f"stable:\n{text}", []).append((share, place))
-        for text, listed in sorted(regions.items(), key=lambda each: -max(each[1])[0]):
-            words.inside([place for _, place in sorted(listed, reverse=True)], text)
+        there = [words.beside(place, name_of(kind)) for place in places]
+        nameless |= set() if all(there) else {kind}
+    if isinstance(curves, BifurcationCurves) and set(plane.names) <= set(curves.parameters):
+        _name_regions(words, curves, plane)
+    return {*special, *(kind for kind, _ in drawn)} - nameless
+
+
+def _name_regions(words: Words, curves: BifurcationCurves, plane: Plane) -> None:
+    """Name the motions that are stable in each region, the widest first."""
+    order = [curves.parameters.index(name) for name in plane.names]
+    regions: dict[str, list[tuple[float, Place]]] = {}
+    for region in curves.regions:
+        axis, low, high = region.extent
+        share = (high - low) / (curves.within[axis][1] - curves.within[axis][0])
+        x, y = (
+            scale.factor * region.place[k] for scale, k in zip(plane.scales, order, strict=True)
+        )
+        text = "\nand ".join(region.motions)
+        if len(region.motions) == 1:
+            text = text.replace(", ", "\n")
+        regions.setdefault(f"stable:\n{text}", []).append((share, (x, y)))
+    for text, listed in sorted(regions.items(), key=lambda each: -max(each[1])[0]):
+        words.inside([place for _, place in sorted(listed, reverse=True)], text)
 
 
 def _names(drawn: Sequence[Curve]) -> list[str]:
@@ -287,8 +309,3 @@ def _names(drawn: Sequence[Curve]) -> list[str]:
 def _motion(points: Sequence[BranchPoint]) -> tuple[int, int]:
     point = points[len(points) // 2]
     return point.period, point.impacts
-
-
-def colour_of(number: int | None, inks: Inks) -> str:
-    """Return a line colour, or ink where there is no number."""
-    return inks.ink if number is None else inks.lines[number]
