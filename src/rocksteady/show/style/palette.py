@@ -6,8 +6,11 @@ shades of the same hues.
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from contextvars import ContextVar
 from threading import RLock
 from typing import Any
+
+from rocksteady.show.style import tokens
 
 REST = "#fcfaf3"
 SYMMETRIC = "#76c6fe"
@@ -108,8 +111,11 @@ LABELS = {
     "period": "period  $T$ [s]",
     "pseudo_acceleration": "pseudo-acceleration [g]",
     "base": r"base  $a/(\alpha g)$",
+    "base_g": "base  $a$ [g]",
     "base_velocity": r"velocity of the base  $vp/(\alpha g)$",
     "base_displacement": r"displacement of the base  $dp^2/(\alpha g)$",
+    "base_velocity_m_s": "velocity of the base [m/s]",
+    "base_displacement_m": "displacement of the base [m]",
     "position_m": "position [m]",
     "ground_m": "position on the ground [m]",
     "ground_radius": "position on the ground  $x/R$",
@@ -240,6 +246,36 @@ _TURN = RLock()
 """The settings are global: two threads that took turns out of order would restore each other's."""
 
 
+_PAPER = ContextVar("paper", default=tokens.LIGHT)
+
+
+@contextmanager
+def on_paper(inks: tokens.Inks) -> Iterator[None]:
+    """Draw and save figures in the house style on another paper, inside a ``with`` block.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> with on_paper(tokens.DARK), style():
+    ...     tokens.inks_of(Figure().add_subplot()).dark
+    True
+    """
+    token = _PAPER.set(inks)
+    try:
+        yield
+    finally:
+        _PAPER.reset(token)
+
+
+def _settings_on(inks: tokens.Inks) -> dict[str, Any]:
+    """Return the settings that differ from `STYLE` on dark paper."""
+    if not inks.dark:
+        return {}
+    parts = ("axes.edgecolor", "axes.labelcolor", "text.color", "xtick.color", "ytick.color")
+    papers = dict.fromkeys(("figure.facecolor", "axes.facecolor"), inks.paper)
+    return papers | dict.fromkeys(parts, inks.ink) | {"grid.color": inks.hair}
+
+
 @contextmanager
 def style() -> Iterator[None]:
     """Apply the house style inside a ``with`` block, and leave the user's own settings alone.
@@ -249,7 +285,7 @@ def style() -> Iterator[None]:
     """
     _, default = _settings()
     look = {name: default[name] for name in default if name.partition(".")[0] not in _NO_LOOK}
-    with _applied(look | STYLE):
+    with _applied(look | STYLE | _settings_on(_PAPER.get())):
         yield
 
 
