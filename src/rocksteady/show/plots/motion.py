@@ -1,17 +1,17 @@
 """Plots of time histories: angle, base motion and phase portrait."""
 
 import math
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -24,41 +24,84 @@ from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.show.plots.records import Quantity, plot_integrated_record, refuse_unknown
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.legends import (
+    SMALL,
+    LegendPlace,
+    draw_legend,
+    figure_of,
+    place_of,
+    size_of,
+    text_size,
+)
+from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 HEADROOM = 0.15
-"""Part of the height of a time history that is left free above it for the legend."""
-AT_REST = "at rest throughout:\nno angle, no velocity"
+"""Part of the height of a time history that is left free above it for words and the legend."""
+AT_REST = "rests throughout:\nno tilt, no velocity"
 """In the phase plane of a block that never moves."""
 WALL_SHARE = 0.08
 """Of the angles above 0: how much of the wall is shown below it."""
 CROWD = 150
 """Number of impacts from which on their marks shrink."""
+LEAST_FOR_FAR_AXES = (200.0, 110.0)
+"""Width and height of axes [points] that have room for axes on the far side."""
+LEAST_FOR_WORDS = 100.0
+"""Height of axes [points] that have room for the words of an end."""
 
 
-def time_axis(shown: Trajectory | Motion) -> tuple[float, str]:
-    """Return by what pivot time is multiplied for the time axis, and the axis's label."""
+class TimeScale(NamedTuple):
+    """How time is drawn.
+
+    Attributes
+    ----------
+    factor
+        By which pivot times are multiplied before they are drawn.
+    label
+        Label of the axis, with its unit.
+    unit
+        What follows a time in words.
+    far
+        Scale of the axis on the far side.
+    """
+
+    factor: float
+    label: str
+    unit: str
+    far: Scale
+
+    def words(self, pt: float) -> str:
+        """Return a pivot time in words."""
+        return f"{pt * self.factor:.3g}{self.unit}"
+
+
+def time_scale(shown: Trajectory | Motion) -> TimeScale:
+    """Return how time is drawn: in seconds for a block of known size, else in forcing periods."""
     motion = shown.motion if isinstance(shown, Trajectory) else shown
+    periods, pivot = palette.LABELS["periods"], palette.LABELS["pivot_time"]
+    turns = 0.0
     if isinstance(motion, PeriodicMotion):
-        return motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
+        turns = motion.frequency_ratio / (2.0 * math.pi)
     if isinstance(shown, Trajectory) and isinstance(shown.block, Block):
-        return 1.0 / shown.block.p, palette.LABELS["seconds"]
-    return 1.0, palette.LABELS["pivot_time"]
+        p = shown.block.p
+        far = Scale(1.0 / (p * turns), "", periods) if turns else Scale(1.0 / p, "", pivot)
+        return TimeScale(1.0 / p, palette.LABELS["seconds"], " s", far)
+    if turns:
+        return TimeScale(turns, periods, " periods", Scale(1.0, ""))
+    return TimeScale(1.0, pivot, "/p", Scale(1.0, ""))
 
 
-def label_of(trajectory: Trajectory, name: str) -> str:
-    """Return the label of an axis; where the block's sides differ it names whose alpha it is."""
+def sided(trajectory: Trajectory, name: str) -> Scale:
+    """Return the scale of a quantity, whose alpha is the positive side's where the sides differ."""
+    scale = scale_of(name, trajectory.block)
     negative, positive = trajectory.balances
-    text = palette.LABELS[name]
-    return (
-        text
-        if trajectory.block.one_sided or -negative == positive
-        else text.replace(r"\alpha", r"\alpha_+")
-    )
+    if trajectory.block.one_sided or -negative == positive:
+        return scale
+    label, far = (text.replace(r"\alpha", r"\alpha_+") for text in (scale.label, scale.far))
+    return Scale(scale.factor, label, far)
 
 
 @checked
@@ -70,11 +113,10 @@ def plot_trajectory(
     key: bool = True,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw angle against time with every impact, and the rest or overturning that ends it.
+    """Draw tilt against time with every impact, and the rest or fall that ends it.
 
-    Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.  Each
-    line is at the alpha of its side; the unit is that of the positive one.  A wall behind the block
-    is hatched, below angle 0.
+    Between the dashed lines, |theta| = alpha, a block left alone rocks back onto its base.  Each
+    line is at the alpha of its side.  A wall behind the block is below angle 0.
 
     Parameters
     ----------
@@ -92,102 +134,237 @@ def plot_trajectory(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: time in forcing periods of harmonic shaking, else in seconds or, without a block,
-        pivot time; the angle in units of alpha.
+        The axes: seconds and degrees for a `rocksteady.Block`; without a size the angle in units of
+        alpha over forcing periods of harmonic shaking, or over pivot time.  Where there is room,
+        the dimensionless scales of a `rocksteady.Block` stand on the far sides.
 
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+    >>> from rocksteady import Block, DimensionlessBlock, Harmonic, simulate
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
-    >>> axes = plot_trajectory(run, Figure().add_subplot())
-    >>> axes.get_xlabel()
-    'time [forcing periods]'
+    >>> for block in (DimensionlessBlock(restitution=0.8), Block.rectangle(width=0.4, height=2.0)):
+    ...     axes = plot_trajectory(simulate(block, shaking, cycles=10), Figure().add_subplot())
+    ...     print(axes.get_xlabel())
+    time [forcing periods]
+    time [s]
     """
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "inside" if key else "none")
-    scale, label = time_axis(trajectory)
+    time, angle = time_scale(trajectory), sided(trajectory, "angle")
     motion = trajectory(trajectory.times(span=span))
     start, end = float(motion.pt[0]), float(motion.pt[-1])
-    axes.axhspan(*trajectory.balances, color=palette.SYMMETRIC, alpha=0.12, lw=0)
-    for level in trajectory.balances:
-        axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
+    path = motion.pt * time.factor, motion.angle * angle.factor
+    axes.set(
+        xlabel=time.label,
+        ylabel=angle.label,
+        ylim=angle_limits(
+            trajectory, path[1], angle.factor, headroom=HEADROOM if place == "inside" else 0.0
+        ),
+        xlim=time_limits(trajectory, start * time.factor, end * time.factor),
+    )
     if trajectory.block.one_sided:
         draw_wall(axes, "y")
-    axes.plot(motion.pt * scale, motion.angle, color=inks.lines[0])
-    impacts = trajectory.impacts.pt
-    impacts = impacts[(impacts >= start) & (impacts <= end)]
-    if len(impacts) > 0:
-        axes.plot(
-            impacts * scale,
-            np.zeros(len(impacts)),
-            ls="none",
-            marker="o",
-            ms=1.6 if len(impacts) > CROWD else 3.0,
-            color=inks.impact,
-            label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
-        )
-    overturn, rest = trajectory.overturn_time_pt, trajectory.rest_time_pt
-    if overturn is not None and start <= overturn <= end:
-        axes.plot(
-            overturn * scale,
-            trajectory(overturn).angle,
-            marker="X",
-            ms=8,
-            mec=inks.paper,
-            mew=0.8,
-            color=inks.ink,
-            ls="none",
-            label="overturns",
-        )
-    elif rest is not None and rest > 0.0 and start <= rest <= end:
-        axes.axvline(rest * scale, color=inks.faint, lw=0.8, label="at rest")
-    axes.set(
-        xlabel=label,
-        ylabel=label_of(trajectory, "angle"),
-        ylim=angle_limits(
-            trajectory, motion.angle, headroom=HEADROOM if place == "inside" else 0.0
-        ),
-        xlim=time_limits(trajectory, start * scale, end * scale),
-    )
+    axes.plot(*path, color=inks.motion)
+    _draw_impacts(axes, trajectory, (start, end), time)
     corner = "upper left"
-    if trajectory.status is Status.OVERTURNED:
+    if _draw_end(axes, trajectory, (start, end), time) < 0.5:
+        corner = "upper right"
+    elif trajectory.status is Status.OVERTURNED:
         size = extent(axes, width=160.0, height=22.0)
-        corner = emptiest_corner(axes, (motion.pt * scale, motion.angle), size)
-    drawn = draw_legend(axes, place, corner=corner, columns=2)
-    for entry in drawn.get_lines() if drawn is not None else ():
-        if entry.get_marker() == "o":
-            entry.set_markersize(3.0)
+        corner = emptiest_corner(axes, path, size)
+    _draw_tipping_angles(axes, trajectory, path, angle.factor)
+    draw_legend(axes, place, corner=corner)
+    draw_far_axes(axes, x=time.far, y=angle)
     return axes
 
 
-def angle_limits(
-    trajectory: Trajectory, angle: NDArray[np.float64], *, headroom: float = HEADROOM
-) -> tuple[float, float]:
-    """Return the ends of the angle axis: what is there, the band of balance, and headroom."""
-    lowest, highest = float(angle.min()), float(angle.max())
+def draw_far_axes(axes: "Axes", *, x: Scale, y: Scale) -> None:
+    """Draw the dimensionless axes on the far sides, where there is room for them."""
+    wide, high = size_of(axes)
+    narrow = 72.0 * figure_of(axes).get_figwidth() < SMALL
+    if narrow or wide < LEAST_FOR_FAR_AXES[0] or high < LEAST_FOR_FAR_AXES[1]:
+        return
+    draw_far_axis(axes, "x", x)
+    draw_far_axis(axes, "y", y)
+
+
+def _draw_impacts(
+    axes: "Axes", trajectory: Trajectory, span: tuple[float, float], time: TimeScale
+) -> None:
+    """Draw a tick at angle 0 for each impact."""
+    impacts = trajectory.impacts.pt
+    impacts = impacts[(impacts >= span[0]) & (impacts <= span[1])]
+    if len(impacts) == 0:
+        return
+    many = len(impacts) > CROWD
+    axes.plot(
+        impacts * time.factor,
+        np.zeros(len(impacts)),
+        ls="none",
+        marker="|",
+        ms=4.0 if many else 7.0,
+        mew=0.6 if many else 1.3,
+        color=inks_of(axes).impact,
+        zorder=2.5,
+        label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
+    )
+
+
+def _draw_end(
+    axes: "Axes", trajectory: Trajectory, span: tuple[float, float], time: TimeScale
+) -> float:
+    """Mark when the block rests or falls, and return where: 0 at the left end, 1 at the right.
+
+    Without a mark it is 1.
+    """
+    overturn, rest = trajectory.overturn_time_pt, trajectory.rest_time_pt
+    if overturn is not None:
+        at = overturn
+        words = f"falls at {time.words(at)}" if at > 0.0 else "falls from the start"
+    elif rest is not None and rest > 0.0:
+        at, words = rest, f"rests from {time.words(rest)}"
+    else:
+        return 1.0
+    if not span[0] <= at <= span[1]:
+        return 1.0
+    inks, x = inks_of(axes), at * time.factor
+    axes.axvline(x, color=inks.ink, lw=0.8, zorder=1.8)
+    low, high = axes.get_xlim()
+    part = (x - low) / (high - low)
+    if size_of(axes)[1] >= LEAST_FOR_WORDS:
+        axes.annotate(
+            words,
+            (x, 1.0),
+            (3.0 if part < 0.5 else -3.0, -3.0),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+            ha="left" if part < 0.5 else "right",
+            va="top",
+            fontsize=text_size(axes, 8.0),
+            color=inks.ink,
+        )
+    return part
+
+
+def _draw_tipping_angles(
+    axes: "Axes", trajectory: Trajectory, path: tuple[Floats, Floats], factor: float
+) -> None:
+    """Draw the angles at which the block balances, named where they are seen."""
     negative, positive = trajectory.balances
+    differ = not trajectory.block.one_sided and -negative != positive
+    low, high = axes.get_ylim()
+    seen = []
+    for level, name in ((positive, r"$\alpha_+$"), (negative, r"$-\alpha_-$")):
+        if level == 0.0:  # a wall is there
+            continue
+        axes.axhline(level * factor, color=inks_of(axes).limit, lw=0.9, ls=DASHED, zorder=1.9)
+        if low < level * factor < high:
+            seen.append((level * factor, f"tipping angle {name}" if differ else "tipping angle"))
+    for level, name in seen if differ else seen[:1]:
+        name_level(axes, level, name, path)
+
+
+def name_level(axes: "Axes", level: float, name: str, path: tuple[Floats, Floats]) -> None:
+    """Write the name of a horizontal line above or below it, where it hides least of a curve.
+
+    Parameters
+    ----------
+    axes
+        With their final limits, on linear scales.
+    level
+        Ordinate of the line.
+    name
+        Its name.
+    path
+        Abscissas and ordinates of the curve.
+    """
+    inks, size = inks_of(axes), text_size(axes, 8.0)
+    wide, high = extent(axes, width=0.6 * size * len(name.replace("$", "")), height=size + 2.0)
+    (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
+    across, up = (path[0] - x0) / (x1 - x0), (path[1] - y0) / (y1 - y0)
+    line = (level - y0) / (y1 - y0)
+
+    def hidden(choice: tuple[bool, float]) -> int:
+        above, left = choice
+        foot = line if above else line - high
+        if foot < 0.0 or foot + high > 1.0:
+            return len(across) + 1
+        inside = (across > left) & (across < left + wide) & (up > foot) & (up < foot + high)
+        return int(inside.sum())
+
+    lefts = np.linspace(0.01, max(0.01, 0.99 - wide), 24).tolist()
+    above, left = min(((side, x) for side in (True, False) for x in lefts), key=hidden)
+    axes.annotate(
+        name,
+        (left, level),
+        (0.0, 1.5 if above else -1.5),
+        xycoords=("axes fraction", "data"),
+        textcoords="offset points",
+        ha="left",
+        va="bottom" if above else "top",
+        fontsize=size,
+        color=inks.ink,
+        bbox={"fc": inks.paper, "ec": "none", "alpha": 0.75, "pad": 0.3},
+        zorder=2.4,
+    )
+
+
+def angle_limits(
+    trajectory: Trajectory, angle: Floats, factor: float = 1.0, *, headroom: float = HEADROOM
+) -> tuple[float, float]:
+    """Return the ends of the angle axis: what is there, the tipping angles, and headroom.
+
+    Parameters
+    ----------
+    trajectory
+        The run.
+    angle
+        What is drawn of it.
+    factor
+        By which angles are multiplied before they are drawn.
+    headroom
+        Part of the height that is left free above.
+    """
+    lowest, highest = float(angle.min()), float(angle.max())
+    negative, positive = (factor * level for level in trajectory.balances)
     if trajectory.status is Status.OVERTURNED and (lowest < negative or highest > positive):
-        high = max(1.15 * positive, 1.1 * highest)
+        room = 1.0 + headroom
+        high = max(1.15 * positive, 1.1 * highest) * room
         wall = trajectory.block.one_sided
         return -WALL_SHARE * high if wall else min(1.15 * negative, 1.1 * lowest), high
     # A block that hardly rocks fills the picture; one that does not move has no scale of its own.
+    peak = factor * trajectory.peak
     least = 0.0 if 0.0 < trajectory.peak < 0.6 else max(positive, -negative)
     reach = 1.12 * max(-lowest, highest, least)
     if reach == 0.0:  # at rest in this part of the run
-        reach = 1.12 * trajectory.peak
+        reach = 1.12 * peak
     if trajectory.block.one_sided:
         return -WALL_SHARE * reach, reach * (1.0 + headroom)
     return -reach, reach * (1.0 + 2.0 * headroom)
 
 
 def draw_wall(axes: "Axes", angles: Literal["x", "y"]) -> None:
-    """Draw the wall at the negative angles of an axis, its face at 0."""
+    """Draw the wall at the negative angles of an axis, its face at 0, named where that fits."""
     inks = inks_of(axes)
+    low, high = axes.get_ylim() if angles == "y" else axes.get_xlim()
     span, line = (axes.axhspan, axes.axhline) if angles == "y" else (axes.axvspan, axes.axvline)
-    span(-2.0, 0.0, facecolor=inks.grid, edgecolor=inks.faint, hatch="////", lw=0, alpha=0.6)
+    span(2.0 * low, 0.0, facecolor=inks.soil, lw=0, zorder=0.8)
     line(0.0, color=inks.ink, lw=1.2)
+    size = text_size(axes, 7.0)
+    if size_of(axes)[1 if angles == "y" else 0] * -low / (high - low) < size + 1.0:
+        return
+    middle = (0.985, 0.5 * low) if angles == "y" else (0.5 * low, 0.985)
+    axes.text(
+        *middle,
+        "wall",
+        transform=axes.get_yaxis_transform() if angles == "y" else axes.get_xaxis_transform(),
+        rotation=0.0 if angles == "y" else 90.0,
+        ha="right" if angles == "y" else "center",
+        va="center_baseline" if angles == "y" else "top",
+        fontsize=size,
+        color=inks.ink,
+    )
 
 
 def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float, float]:
@@ -195,6 +372,25 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
     if start == end:
         return start - 0.5, end + 0.5
     return (-0.02 * end if start == 0.0 and trajectory.overturn_time_pt == 0.0 else start), end
+
+
+def base_scale(trajectory: Trajectory, quantity: Quantity) -> Scale:
+    """Return the scale of what the base does, in units of alpha g, alpha g/p or alpha g/p^2."""
+    block = trajectory.block
+    key = "base" if quantity == "acceleration" else f"base_{quantity}"
+    text = palette.LABELS[key]
+    negative, positive = trajectory.balances
+    if not (block.one_sided or -negative == positive):
+        text = text.replace(r"\alpha", r"\alpha_+")
+    if not isinstance(block, Block):
+        return Scale(1.0, text)
+    unit = block.uplift_acceleration
+    factor, name = {
+        "acceleration": (unit / STANDARD_GRAVITY, "base_g"),
+        "velocity": (unit / block.p, "base_velocity_m_s"),
+        "displacement": (unit / block.p**2, "base_displacement_m"),
+    }[quantity]
+    return Scale(factor, palette.LABELS[name], text)
 
 
 @checked
@@ -207,8 +403,7 @@ def plot_base(
 ) -> "Axes":
     """Draw a base motion against time, with the acceleration that lifts a block at rest.
 
-    Vertical motion under a block has an axis of its own, in g, to the right; both axes have one
-    scale.  Of an endless motion without a block the first 3 periods are drawn.
+    Of an endless motion without a block the first 3 periods are drawn.
 
     Parameters
     ----------
@@ -225,20 +420,22 @@ def plot_base(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: time as in `plots.trajectory`, the acceleration in units of alpha g; dashed where
-        a block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
-        their own alpha, of one against a wall at 1 alone.  Impulses are arrows without a scale.
-        Of a record without a block seconds, and g, m/s or m.
+        The axes: time as in `plots.trajectory`; g, m/s or m under a `rocksteady.Block`, and else
+        the acceleration in units of alpha g; dashed where a block at rest lifts off: at -alpha g
+        and alpha g in the linear model, of a block whose sides differ at their own alpha, of one
+        against a wall at alpha g alone.  Impulses are arrows without a scale.  Of a record without
+        a block seconds, and g, m/s or m.
 
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+    >>> from rocksteady import Block, DimensionlessBlock, Harmonic, simulate
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
-    >>> axes = plot_base(run, Figure().add_subplot())
-    >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
+    >>> for block in (DimensionlessBlock(restitution=0.8), Block.rectangle(width=0.4, height=2.0)):
+    ...     axes = plot_base(simulate(block, shaking, cycles=10), Figure().add_subplot())
+    ...     print(f"{axes.lines[0].get_ydata().max():.3f}")
     2.000
+    0.395
     >>> axes = plot_base(shaking, Figure().add_subplot(), quantity="velocity")
     >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
     0.500
@@ -255,41 +452,64 @@ def plot_base(
         if motion.vertical is not None:
             _draw_component(axes, motion.vertical, quantity, place)
         return axes
-    scale, label = time_axis(motion)
-    key = "base" if quantity == "acceleration" else f"base_{quantity}"
+    time = time_scale(motion)
     if isinstance(motion, Trajectory):
-        table, uplifts, text = motion.segments, motion.uplifts, label_of(motion, key)
+        table, uplifts, scale = motion.segments, motion.uplifts, base_scale(motion, quantity)
         times = base_motion.base_course(table, motion.times())[0]
         course = course_at(table, times, swings=isinstance(motion.motion, PeriodicMotion))
-        limits = time_limits(motion, times[0] * scale, times[-1] * scale)
+        limits = time_limits(motion, times[0] * time.factor, times[-1] * time.factor)
     else:
-        table, uplifts, text = segment_table(motion), (-1.0, 1.0), palette.LABELS[key]
+        key = "base" if quantity == "acceleration" else f"base_{quantity}"
+        table, uplifts, scale = segment_table(motion), (-1.0, 1.0), Scale(1.0, palette.LABELS[key])
         course = motion_course(motion)
         times = course.pt
-        limits = 0.0, times[-1] * scale
-    values = getattr(course, quantity)
-    axes.plot(times * scale, values, color=inks.base, lw=1.0, label="horizontal")
-    axes.set(xlabel=label, ylabel=text, xlim=limits)
-    if quantity != "acceleration":
-        return axes
-    struck, velocities = base_motion.impulses(table)
-    height = 1.5 * max(1.0, float(np.abs(values).max()))
-    for sign, marker in ((1.0, "^"), (-1.0, "v")):
-        at = struck[(sign * velocities > 0.0) & (struck <= times[-1])] * scale
-        if len(at) > 0:
-            axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
-            heads = np.full(len(at), sign * height)
-            axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
-    for level in filter(math.isfinite, uplifts):
-        axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
-    if (
-        isinstance(motion, Trajectory)
-        and motion.vertical is not None
-        and isinstance(motion.block, Block)
-    ):
-        upwards = base_motion.lift(table, times)
-        _draw_vertical(axes, times * scale, upwards, motion.block.alpha, place)
+        limits = 0.0, times[-1] * time.factor
+    path = times * time.factor, getattr(course, quantity) * scale.factor
+    axes.plot(*path, color=inks.base, lw=1.0, label="horizontal")
+    axes.set(xlabel=time.label, ylabel=scale.label, xlim=limits)
+    if quantity == "acceleration":
+        _draw_impulses(axes, table, float(times[-1]), time.factor)
+        levels = [level * scale.factor for level in uplifts if math.isfinite(level)]
+        for level in levels:
+            axes.axhline(level, color=inks.limit, lw=0.9, ls=DASHED, zorder=1.9)
+        if (
+            isinstance(motion, Trajectory)
+            and motion.vertical is not None
+            and isinstance(motion.block, Block)
+        ):
+            upwards = base_motion.lift(table, times) * motion.block.gravity / STANDARD_GRAVITY
+            _draw_vertical(axes, path[0], upwards, place)
+        axes.set_ylim(axes.get_ylim())
+        name_level(axes, levels[-1], "lifts off", path)
+    draw_far_axes(axes, x=time.far, y=scale)
     return axes
+
+
+def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float) -> None:
+    """Draw impulses as arrows, which have no scale."""
+    inks = inks_of(axes)
+    struck, velocities = base_motion.impulses(table)
+    low, high = axes.get_ylim()
+    height = max(-low, high, 1e-9)
+    first = True
+    for sign, marker in ((1.0, "^"), (-1.0, "v")):
+        at = struck[(sign * velocities > 0.0) & (struck <= end)] * factor
+        if len(at) == 0:
+            continue
+        axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
+        heads = np.full(len(at), sign * height)
+        axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
+        if first:
+            axes.annotate(
+                "impulse, without a scale",
+                (at[0], 0.9 * sign * height),
+                (5.0, 0.0),
+                textcoords="offset points",
+                va="center",
+                fontsize=text_size(axes, 8.0),
+                color=inks.base,
+            )
+            first = False
 
 
 def _draw_component(
@@ -307,38 +527,24 @@ def _draw_component(
     across, up = (
         max(each.lines, key=lambda line: np.size(line.get_xdata())) for each in (axes, beside)
     )
-    (drawn,) = axes.plot(*up.get_data(), color=inks_of(axes).impact, lw=0.6, label="vertical")
+    x, y = (np.asarray(values, dtype=np.float64) for values in up.get_data())
     ends = [*axes.get_xlim(), *beside.get_xlim()], [*axes.get_ylim(), *beside.get_ylim()]
-    axes.set(xlim=(min(ends[0]), max(ends[0])), ylim=(min(ends[1]), 1.3 * max(ends[1])))
+    axes.set(xlim=(min(ends[0]), max(ends[0])), ylim=(min(ends[1]), max(ends[1])))
     across.set_label("horizontal")
-    draw_legend(axes, place, handles=[across, drawn], corner="upper right", columns=2)
+    _draw_vertical(axes, x, y, place)
 
 
-def _draw_vertical(
-    axes: "Axes",
-    times: NDArray[np.float64],
-    upwards: NDArray[np.float64],
-    alpha: float,
-    place: LegendPlace,
-) -> None:
-    """Draw the vertical acceleration of the base on an axis in g."""
-    inks = inks_of(axes)
+def _draw_vertical(axes: "Axes", times: Floats, upwards: Floats, place: LegendPlace) -> None:
+    """Draw the vertical component over the horizontal one, in the unit of the axes."""
+    horizontal, vertical = inks_of(axes).series("base", 2)
+    across = max(axes.lines, key=lambda line: np.size(line.get_xdata()))
+    across.set(color=horizontal, label="horizontal")
+    (drawn,) = axes.plot(times, upwards, color=vertical, lw=0.7, label="vertical")
     low, high = axes.get_ylim()
-    reach = 1.08 * float(np.abs(upwards).max(initial=0.0)) / alpha
-    low, high = min(low, -reach), max(high, reach)
     if place == "inside":  # above the curves
         high += 0.25 * (high - low)
-    beside = axes.twinx()
-    (drawn,) = beside.plot(times, upwards, color=inks.impact, lw=0.6, label="vertical")
-    # One scale: where both curves are equally high both accelerations are.
     axes.set_ylim(low, high)
-    beside.set(ylim=(low * alpha, high * alpha), ylabel="vertical [g]")
-    beside.grid(visible=False)
-    beside.spines["right"].set_visible(True)
-    beside.tick_params(colors=inks.impact)
-    beside.yaxis.label.set_color(inks.impact)
-    draw_legend(axes, place, handles=[axes.lines[0], drawn], corner="upper right", columns=2,
-                gap=44.0)  # fmt: skip
+    draw_legend(axes, place, handles=[across, drawn], corner="upper right", columns=2)
 
 
 @checked
@@ -349,7 +555,7 @@ def plot_phase_portrait(
     mark: Literal["start", "impacts"] = "start",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw velocity against angle; impacts are the steps at angle 0, where a wall is hatched.
+    """Draw velocity against tilt; impacts are the steps at angle 0, where a wall ends the plane.
 
     For a block that never moves there is a text instead of a curve.
 
@@ -368,7 +574,8 @@ def plot_phase_portrait(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha, and du/ds over pivot time s = p t.
+        The axes: degrees and degrees a second of a `rocksteady.Block`, with u = theta/alpha and
+        du/d(pt) on the far sides where there is room; these alone without a size.
 
     Examples
     --------
@@ -381,23 +588,33 @@ def plot_phase_portrait(
     ['start']
     """
     axes = axes_or_new(ax)
+    across, up = sided(trajectory, "angle"), sided(trajectory, "velocity")
     angle, velocity = trajectory.phase_path(100 if mark == "start" else 400)
+    angle, velocity = angle * across.factor, velocity * up.factor
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
-    axes.set(xlabel=label_of(trajectory, "angle"), ylabel=label_of(trajectory, "velocity"))
+    axes.set(xlabel=across.label, ylabel=up.label)
+    hollow = {
+        "marker": "o",
+        "ms": 5.0,
+        "mfc": inks.paper,
+        "mec": inks.ink,
+        "mew": 1.2,
+        "ls": "none",
+    }
     if not (np.any(angle) or np.any(velocity)):
-        axes.plot(0.0, 0.0, "o", ms=4, color=inks.ink, ls="none", label="start")
+        axes.plot(0.0, 0.0, label="start", **hollow)
         axes.set(xlim=(-1.0, 1.0), ylim=(-1.0, 1.0))
         axes.text(0.0, 0.12, AT_REST, ha="center", va="bottom", color=inks.ink)
         return axes
-    axes.plot(angle, velocity, color=inks.lines[0], lw=0.8, alpha=0.8)
+    axes.plot(angle, velocity, color=inks.motion, lw=0.8)
     if trajectory.block.one_sided:
         widest = float(angle.max())
-        draw_wall(axes, "x")
         axes.set_xlim(-WALL_SHARE * widest, 1.05 * widest)
+        draw_wall(axes, "x")
     if mark == "start":
-        axes.plot(angle[0], velocity[0], "o", ms=4, color=inks.ink, ls="none", label="start")
+        axes.plot(angle[0], velocity[0], label="start", **hollow)
     else:
-        after = trajectory.impacts.velocity_after
+        after = trajectory.impacts.velocity_after * up.factor
         axes.plot(
             np.zeros(len(after)),
             after,
@@ -416,4 +633,5 @@ def plot_phase_portrait(
         low, high = float(velocity.min()), float(velocity.max())
         axes.set_ylim(low - 0.05 * (high - low), high + HEADROOM * (high - low))
     draw_legend(axes, place, corner=corner)
+    draw_far_axes(axes, x=across, y=up)
     return axes

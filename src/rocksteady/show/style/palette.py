@@ -118,6 +118,8 @@ LABELS = {
     "base_g": "base  $a$ [g]",
     "base_velocity": r"velocity of the base  $vp/(\alpha g)$",
     "base_displacement": r"displacement of the base  $dp^2/(\alpha g)$",
+    "base_velocity_m_s": "velocity of the base [m/s]",
+    "base_displacement_m": "displacement of the base [m]",
     "position_m": "position [m]",
     "ground_m": "position on the ground [m]",
     "ground_radius": "position on the ground  $x/R$",
