@@ -2,7 +2,6 @@
 
 import json
 import re
-from itertools import pairwise
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -12,7 +11,7 @@ from hypothesis import strategies as st
 
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.explorer._palette import page_theme
-from rocksteady.show.style.tokens import DARK, LIGHT, luminance
+from rocksteady.show.style.tokens import DARK, LIGHT, contrast
 from tests.explorer.in_node import InNode
 
 ONCE = settings(
@@ -360,18 +359,19 @@ def test_tiles_have_the_fills_of_plots_beneath_their_patterns(ratio: int, in_nod
 
 
 @pytest.mark.parametrize("look", ["light", "dark"])
-def test_ways_to_fall_are_told_apart_by_hatch_and_lightness(look: str, in_node: InNode) -> None:
+def test_ways_to_fall_are_told_apart_by_their_hatch_alone(look: str, in_node: InNode) -> None:
     lines = f"""
     const inks = theme({json.dumps(look == "dark")}, {json.dumps(page_theme())});
-    answer([0, 1, 2].map((impacts) => [1, -1].map((side) => fallLook(inks, side, impacts))));
+    const looks = [0, 1, 2].map((impacts) => [1, -1].map((side) => fallLook(inks, side, impacts)));
+    answer({{ looks, map: classLook(inks, 'overturned') }});
     """
     found = in_node(IMPORTS + lines)
     inks = DARK if look == "dark" else LIGHT
-    assert found[0][0]["fill"] == inks.falls
-    for left, right in found:
+    for left, right in found["looks"]:
+        assert left["fill"] == right["fill"] == inks.falls
+        assert contrast(left["mark"], inks.falls) > 2.0
         assert (left["kind"], right["kind"]) == ("rising", "falling")
-        assert left["fill"] == right["fill"]
-        assert left["mark"] != left["fill"]
-    shades = [luminance(left["fill"]) for left, _ in found]
-    assert shades == sorted(shades)
-    assert all(high > low + 0.03 for low, high in pairwise(shades))
+        assert left["every"] == right["every"]
+    every = [left["every"] for left, _ in found["looks"]]
+    assert every == sorted(set(every), reverse=True)
+    assert found["map"] == found["looks"][1][0]

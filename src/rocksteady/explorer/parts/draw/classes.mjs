@@ -38,7 +38,7 @@ export function classLook(theme, name) {
     case 'subharmonic': return { ...half(theme.subharmonic, onRocks), kind: 'upright', every: 4 };
     case 'aperiodic':
       return { ...half(theme.aperiodic, onFalls), kind: 'dots', every: 4, size: 0.55 };
-    case 'overturned': return fallLook(theme, 1, 0);
+    case 'overturned': return fallLook(theme, 1, 1);
     case 'undecided': return { ...half(theme.undecided, onRocks), kind: 'crossed', every: 8 };
     case 'no-start': return { fill: paper, mark: edge, kind: 'falling', every: 8, size: 0.8 };
     case 'not-computed': return { fill: paper, mark: edge, kind: 'dots', every: 6, size: 0.6 };
@@ -48,17 +48,15 @@ export function classLook(theme, name) {
 }
 
 /**
- * Return how a fall looks: hatched to its side, paler with each impact before it.
+ * Return how a fall looks: hatched to its side, closer with each impact before it.
  * @param {Theme} theme
  * @param {number} side  1 to the left, -1 to the right
  * @param {number} impacts
  * @returns {Look}
  */
-export function fallLook({ falls, edge, quiet, dark, onFalls }, side, impacts) {
-  const pale = Math.min(impacts, 2);
-  const fill = pale ? mixed(falls, onFalls, dark ? 0.24 * pale : 0.12 + 0.16 * pale) : falls;
-  const mark = mixed(dark ? edge : quiet, onFalls, 0.25 * pale);
-  return { fill, mark, kind: side < 0 ? 'falling' : 'rising', every: 6 };
+export function fallLook({ falls, edge, quiet, dark }, side, impacts) {
+  const every = [12, 6, 4][Math.min(impacts, 2)];
+  return { fill: falls, mark: dark ? edge : quiet, kind: side < 0 ? 'falling' : 'rising', every };
 }
 
 /**

@@ -22,7 +22,7 @@ import { impactWords, sideWords, unitsOf } from './words.mjs';
 
 const PULSE_KEYS = /** @type {const} */ ({ x: ['pw0', 'pw1'], y: ['pa0', 'pa1'] });
 const PULSE_GRID = { columns: 384, rows: 288 };
-const PULSE_MODES = ['falls at once', 'falls after one impact', 'after two or more'];
+const PULSE_MODES = ['falls without an impact', 'falls after one impact', 'falls after two or more'];
 /** @type {MotionClass[]} */
 const PULSE_CLASSES = ['rocking', 'rest', 'undecided'];
 const PULSE_LOOK = { stands: 0, rests: 1, undecided: 2, first: 3 }; // then modes, each side
