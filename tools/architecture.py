@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import grimp
 
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -256,7 +257,7 @@ LANE = 0.085
 """Between two lines at the right."""
 ROOMS = 5.6
 """Width that rooms may take before the lines at the right."""
-BAND, FLOW = "#f1eee5", palette.LINK
+BAND, FLOW = LIGHT.page, LIGHT.quiet
 KEYS = (
     "At the right: a layer (▲) uses those with a dot (●) on its line.",
     (
@@ -299,7 +300,7 @@ def draw(tree: Tree) -> "Figure":
         at += tall[-1] + BETWEEN
     height = at + KEY
     with palette.style():
-        figure = Figure(figsize=(WIDTH, height), facecolor="white")
+        figure = Figure(figsize=(WIDTH, height), facecolor=LIGHT.paper)
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set(xlim=(0.0, WIDTH), ylim=(height, 0.0))
@@ -308,7 +309,7 @@ def draw(tree: Tree) -> "Figure":
             _draw_layer(axes, layer, top, band)
         _draw_lanes(axes, tree, [top + 0.5 * HEAD for top in tops])
         for k, words in enumerate(KEYS):
-            _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=palette.NUMBER)
+            _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=LIGHT.quiet)
     return figure
 
 
@@ -316,13 +317,13 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
     """Draw a layer: its band, its words, its rooms and the arrows between them."""
     from matplotlib.patches import Rectangle
 
-    look: dict[str, Any] = {"fc": BAND, "ec": BAND, "lw": 0.0}
+    look: dict[str, Any] = {"fc": BAND, "ec": LIGHT.hair, "lw": 0.6}
     if layer.name == NAMESPACE:
-        look = {"fc": "white", "ec": palette.FAINT, "lw": 0.6, "ls": (0, (3, 2))}
+        look = {"fc": LIGHT.paper, "ec": LIGHT.edge, "lw": 0.6, "ls": (0, (3, 2))}
     axes.add_patch(Rectangle((MARGIN, top), WIDTH - 2.0 * MARGIN, tall, **look))
     left, line = MARGIN + PAD, top + 0.5 * HEAD
     _write(axes, left, line, layer.name, size=NAME, weight="bold")
-    _write(axes, left + 0.86, line, layer.sentence, color=palette.NUMBER)
+    _write(axes, left + 0.86, line, layer.sentence, color=LIGHT.quiet)
 
     wide = _widths(layer)
     corner = {
@@ -354,7 +355,7 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
         axes.plot(xs[-1] - 0.028, middle[-1], ">", color=FLOW, ms=3.4, mew=0.0)
     for room in layer.rooms:
         x, y = corner[room]
-        look = {"fc": "white", "ec": palette.INK, "lw": 0.6, "zorder": 3, "gid": "room"}
+        look = {"fc": LIGHT.paper, "ec": LIGHT.ink, "lw": 0.6, "zorder": 3, "gid": "room"}
         axes.add_patch(Rectangle((x, y), box[room], HIGH, **look))
         look = {"size": ROOM, "ha": "center", "zorder": 4, "gid": "room"}
         _write(axes, x + 0.5 * box[room], y + 0.5 * HIGH, room, **look)

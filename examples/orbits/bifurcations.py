@@ -2,10 +2,10 @@
 How does a motion lose its symmetry?
 ====================================
 
-Lines are periodic motions over the frequency, solid where stable and dashed where unstable; dots
-are what sweeps up and down meet. Towards low frequencies a motion that leans to one side branches
-off; its high and its low flights part, its period doubles again and again, and the block falls.
-See :doc:`/theory/continuation`.
+Lines are periodic motions over the frequency, solid where stable and dashed where unstable;
+triangles are what sweeps up and down meet. Towards low frequencies a motion that leans to one side
+branches off; its high and its low flights part, its period doubles again and again, and the block
+falls. See :doc:`/theory/continuation`.
 """
 
 import rocksteady as rs

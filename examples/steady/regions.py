@@ -2,10 +2,10 @@
 Where is there steady symmetric rocking?
 ========================================
 
-Below the solid curve no motion with one impact a half cycle exists (4); above it there are two (3,
-1), and above the dotted curve one (2). The dashed curve is where the first of them changes from in
-phase to out of phase with the shaking. Above the red curve it is unstable; above the chained curve
-the border of the states that fall is fractal. See :doc:`/theory/steady`.
+Below the lowest curve no motion with one impact a half cycle exists (4); above it there are two (3,
+1), and above the sign curve one (2). At the kind curve the first of them changes from in phase to
+out of phase with the shaking. Above "symmetry breaking" it is unstable; above "heteroclinic" the
+border of the states that fall is fractal. See :doc:`/theory/steady`.
 """
 
 import numpy as np

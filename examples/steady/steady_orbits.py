@@ -3,9 +3,9 @@ Which symmetric steady motions exist?
 =====================================
 
 A full cycle of each symmetric motion of one block under the same shaking. That of order 1 repeats
-in each period of the shaking and comes in two branches, of which the smaller is unstable; that of
-order 3 takes three periods and rises four times as high. The block may rest as well, since the
-amplitude is below 1. See :doc:`/theory/steady`.
+in each period of the shaking and comes in two branches, of which the smaller is unstable (dashed);
+that of order 3 takes three periods and rises four times as high. The block may rest as well, since
+the amplitude is below 1. See :doc:`/theory/steady`.
 """
 
 import matplotlib.pyplot as plt

@@ -226,7 +226,8 @@ def test_regions_are_fills_of_their_role_and_every_boundary_is_a_named_limit(dar
     inks = DARK if dark else LIGHT
     figure = Figure(figsize=(8.0, 5.0), facecolor=inks.paper)
     axes = plots.steady_regions(curves(), figure.add_subplot(facecolor=inks.paper))
-    fills = {to_hex(fill.get_facecolor()[0]) for fill in axes.collections}  # type: ignore[index]
+    colours: list[Any] = [np.ravel(fill.get_facecolor()).tolist() for fill in axes.collections]
+    fills = {to_hex(colour) for colour in colours}
     assert fills == set(inks.rocks_ramp[:2]), "and paper where there is no motion"
     assert {line.get_color() for line in axes.lines} == {inks.limit}
     assert len({str(line._unscaled_dash_pattern) for line in axes.lines}) == 5  # type: ignore[attr-defined]

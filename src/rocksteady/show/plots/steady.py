@@ -202,6 +202,7 @@ def draw_regions(
 ) -> None:
     """Draw the regions over acceleration and frequency, in the units of a block."""
     from matplotlib.lines import Line2D
+    from matplotlib.patheffects import withStroke
 
     inks = inks_of(axes)
     across, up = scale_of("frequency_ratio", block), scale_of("amplitude", block)
@@ -253,7 +254,14 @@ def draw_regions(
     for region, where in centres.items():
         size = text_size(axes, 9.5)
         axes.annotate(
-            str(region), where, ha="center", va="center", fontsize=size, color=inks.ink, zorder=4.0
+            str(region),
+            where,
+            ha="center",
+            va="center",
+            fontsize=size,
+            color=inks.ink,
+            path_effects=[withStroke(linewidth=2.5, foreground=inks.paper)],
+            zorder=4.0,
         )
     words.take([*centres.values()], 6.0)
     if point is not None:

@@ -32,7 +32,7 @@ STRAIGHT = 2.5
 """Largest distance of a line from the chord under its word [points]."""
 MOST_NAMES = 2
 """Names in one word on a bundle of lines; for a larger one the first alone is written."""
-MOST_SHIFT = 2.5
+MOST_SHIFT = 6.0
 """Distance of a name from the end of its line at which it is no longer there [heights of text]."""
 MOST_ROOM = 40.0
 """Distance from other lines beyond which more of it is no better [points]."""
@@ -203,10 +203,11 @@ class Words:
         outer = [k for k in ends if ends[k][0] > self.size[0] - 2.0 * SPACING]
         outer.sort(key=lambda k: float(ends[k][1]))
         wanted = np.array([ends[k][1] for k in outer])
+        heights = _apart(wanted, 1.15 * size, 0.5 * size)
         written = set()
-        for k, height, there in zip(outer, _apart(wanted, 1.15 * size), wanted, strict=True):
-            if abs(height - there) < MOST_SHIFT * size:
-                self._annotate(ends[k], (6.0, height - there), names[k], colours[k], ha="left")
+        if np.abs(heights - wanted).max(initial=0.0) < MOST_SHIFT * size:
+            for k, up in zip(outer, heights - wanted, strict=True):
+                self._annotate(ends[k], (6.0, up), names[k], colours[k], ha="left")
                 written.add(names[k])
         back = self.axes.transAxes + self.axes.transData.inverted()
         for k in ends.keys() - {*outer}:
@@ -378,8 +379,9 @@ class Words:
     def _room(self, shape: Floats, without: Sequence[int] = ()) -> float:
         """Return the distance of a word from lines and dots, those of some lines left out."""
         room = MOST_ROOM
-        for place, near in zip(shape, self.tree.query_ball_point(shape, MOST_ROOM), strict=True):
-            others = np.array([k for k in near if self.owners[k] not in without], dtype=int)
+        for place in shape:
+            near = self.tree.query_ball_point(place, MOST_ROOM)
+            others = [k for k in near if self.owners[k] not in without]
             room = min(room, self._far(self.points[others], place))
         return room
 
@@ -400,13 +402,15 @@ class Words:
         )
 
 
-def _apart(heights: Floats, least: float) -> Floats:
+def _apart(heights: Floats, least: float, lowest: float) -> Floats:
     """Return ascending heights moved as little as possible until they are far enough apart.
 
     Examples
     --------
-    >>> _apart(np.array([0.0, 1.0, 9.0]), 4.0)
-    array([-1.5,  2.5,  9. ])
+    >>> _apart(np.array([2.0, 3.0, 9.0]), 4.0, 0.0)
+    array([0.5, 4.5, 9. ])
+    >>> _apart(np.array([2.0, 3.0, 9.0]), 4.0, 2.0)
+    array([ 2.,  6., 10.])
     """
     steps = least * np.arange(len(heights))
     groups: list[list[float]] = []
@@ -414,7 +418,6 @@ def _apart(heights: Floats, least: float) -> Floats:
         groups.append([float(height)])
         while len(groups) > 1 and np.mean(groups[-2]) > np.mean(groups[-1]):
             groups[-2:] = [groups[-2] + groups[-1]]
-    moved: Floats = steps + np.concatenate(
-        [np.zeros(0), *(np.full(len(each), np.mean(each)) for each in groups)]
-    )
-    return moved
+    moved = [np.full(len(each), np.mean(each)) for each in groups]
+    apart: Floats = steps + np.maximum(np.concatenate([np.zeros(0), *moved]), lowest)
+    return apart

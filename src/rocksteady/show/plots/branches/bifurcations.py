@@ -172,6 +172,7 @@ class _Diagram:
         sweeps: Sequence[AttractorSweep],
     ) -> None:
         self.branches, self.resting, self.sweeps = branches, resting, sweeps
+        self.everything: list[Branch | RestingBranch | AttractorSweep]
         self.everything = [*branches, *resting, *sweeps]
         self.parameter = _parameter(self.everything)
         self.block = shared_size(each.block for each in self.everything)
@@ -212,7 +213,8 @@ class _Diagram:
             axes.set_xlim(float(ends.min()), float(ends.max()))
         plain_ticks(axes)
         if top is None:  # above what is drawn there is room for the bars
-            drawn = [branch.peaks.ravel() for branch in (*self.branches, *self.resting)]
+            drawn = [branch.peaks.ravel() for branch in self.branches]
+            drawn += [branch.peaks.ravel() for branch in self.resting]
             drawn += [peaks for sweep in self.sweeps for peaks in sweep.peaks]
             highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
             top = max(highest, 1.0 if highest > NEAR_TIPPING else 0.0)

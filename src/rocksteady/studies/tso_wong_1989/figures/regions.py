@@ -19,6 +19,8 @@ HIGHEST_FREQUENCY, HIGHEST_AMPLITUDE = 14.0, 6.0
 """Ends of the paper's axes."""
 FREQUENCIES = np.linspace(0.05, HIGHEST_FREQUENCY, 1396)
 """Frequency ratios of the curves, .01 apart; below the first one every curve is near 0."""
+PASSING = "++"
+"""Hatch over motions that pass through the floor, which no kind of motion has."""
 GRID = 240
 """Points on either axis of the map of admissible motions."""
 
@@ -106,13 +108,14 @@ class Plane:
 
         from rocksteady.show.style import palette
         from rocksteady.show.style.legends import draw_legend
+        from rocksteady.show.style.tokens import LIGHT
 
         states = self.states
         assert states.admissible is not None
         with palette.style():
             figure = Figure(figsize=(7.2, 4.2))
             axes = plots.steady_regions(
-                self.curves, figure.add_subplot(), top=HIGHEST_AMPLITUDE, legend="right"
+                self.curves, figure.add_subplot(), top=HIGHEST_AMPLITUDE, legend="below"
             )
             axes.set_xlim(0.0, HIGHEST_FREQUENCY)
             through = (states.region != 4) & ~states.admissible[0]
@@ -123,14 +126,15 @@ class Plane:
                     np.where(through, 1.0, 0.0),
                     levels=[0.5, 1.5],
                     colors="none",
-                    hatches=["////"],
+                    hatches=[PASSING],
                 )
-                hatched.set_edgecolor(palette.FAINT)
+                hatched.set_edgecolor(LIGHT.edge)
                 hatched.set_linewidth(0.0)
-                handles, words = axes.get_legend_handles_labels()
-                handles.append(Patch(fc="none", ec=palette.FAINT, hatch="////"))
-                words.append("branch 1 passes\nthrough the floor")
-                draw_legend(axes, "right", handles=handles, labels=words)
+                legend = axes.get_legend()
+                handles = [] if legend is None else [*legend.legend_handles]
+                words = "branch 1 passes through the floor"
+                handles.append(Patch(fc="none", ec=LIGHT.edge, lw=0.0, hatch=PASSING, label=words))
+                draw_legend(axes, "below", handles=handles)
             axes.set_title(
                 f"Fig. {self.id}  Symmetric {motion_name(self.order)}, δ = {self.restitution:g}"
             )
