@@ -51,12 +51,13 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         for place, row in enumerate(rows)
     ]
     colours: dict[str, int] = facts["colours"].value
-    over, target = f"{colours['red']:,} of {len(rows):,}", chance(table.target_probability)
+    answer = description.answer
+    assert answer is not None
     values: dict[str, Any] = {
-        "above": f"{over} objects are more likely to fall than the target of {target}.",
+        "above": answer.sentence,
         "caveats": [greek(sentence) for sentence in CAVEATS],
         "counts": [
-            {"badge": badge(*BADGES[each]), "colour": each, "count": f"{count:,}"}
+            {"badge": badge(*BADGES[each]), "count": f"{count:,}"}
             for each, count in colours.items()
             if count
         ],
@@ -66,7 +67,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
-        "target": target,
+        "target": chance(table.target_probability),
     }
     return render(__package__, "objects.html.j2", **cleaned(values))
 

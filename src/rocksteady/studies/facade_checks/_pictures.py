@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from rocksteady import plots
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend, line_scale, text_size
-from rocksteady.show.style.line_colours import inks_of
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of
 from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE, CheckedWalls
 from rocksteady.studies.facade_checks._findings import CLASSES
 from rocksteady.studies.facade_checks._worked_walls import WorkedWall
@@ -20,25 +20,21 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FILLS = {
-    7: palette.REST,
-    6: palette.SYMMETRIC,
-    5: palette.UNSYMMETRIC,
-    3: palette.ROCKING,
-    4: palette.SWEEPS[0],
-    2: palette.LINES[0],
-    1: palette.APERIODIC,
-    0: "#4a4a4c",
+    7: ("page", ""),
+    6: ("hair", "||||"),
+    5: ("hair", "----"),
+    3: ("hair", "++"),
+    4: ("edge", "++"),
+    2: ("edge", "----"),
+    1: ("edge", "||||"),
+    0: ("quiet", ""),
 }
-"""Of the combinations of verdicts."""
+"""Role and pattern of the combinations of verdicts: the darker the more refuse, with the pattern of
+the check that stands alone."""
 EDGES: tuple[Any, ...] = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)))
 """Borders of the three checks."""
-STEPS = (0.25, 0.5, 0.7, 1.0, 1.4, 2.0, 4.0)
+STEPS = (0.5, 1.0, 2.0, 4.0)
 """Borders of the fills of a ratio."""
-RATIO_FILLS = (
-    "#f4f9fe", "#d5e9fb", "#b3d7f5", "#8cc2ee", "#f6d2b4", "#e9a878", "#cf7a45", "#8a3f10",
-)  # fmt: skip
-"""Below 1 blue, above 1 brown: each darker than the one before it."""
-BEYOND = "#4a4a4c"
 WIDE = 7.2
 TOP = 1.12
 """Where the mark of a run beyond d0 stands, over d0."""
@@ -72,7 +68,13 @@ def verdict_figure(
             axes.set_ylabel(LABEL_Y if stacked or level == 0 else "")
         inks = inks_of(panels[0])
         handles: list[Any] = [
-            Patch(facecolor=FILLS[kind], edgecolor=inks.ink, lw=0.4, label=words)
+            Patch(
+                facecolor=getattr(inks, FILLS[kind][0]),
+                hatch=FILLS[kind][1],
+                edgecolor=inks.ink,
+                lw=0.4,
+                label=words,
+            )
             for kind, words in CLASSES.items()
             if (checked.classes == kind).any()
         ]
@@ -90,24 +92,40 @@ def verdict_figure(
 
 def draw_verdicts(checked: CheckedWalls, level: int, axes: "Axes") -> None:
     """Draw the combinations of verdicts at a level, and the borders of the checks."""
-    from matplotlib.colors import BoundaryNorm, ListedColormap
-
-    kinds = sorted(FILLS)
     x, y = _edges(checked.plane.slendernesses), _edges(checked.plane.heights_m)
-    axes.pcolormesh(
-        x, y, checked.classes[level], cmap=ListedColormap([FILLS[kind] for kind in kinds]),
-        norm=BoundaryNorm(np.arange(len(kinds) + 1) - 0.5, len(kinds)), edgecolors="face", lw=0.3,
-    )  # fmt: skip
     inks = inks_of(axes)
+    for kind, (role, hatch) in FILLS.items():
+        _fill(axes, (x, y), checked.classes[level] == kind, getattr(inks, role), hatch)
     for (_, ratio), dash in zip(checked.ratios.items(), EDGES, strict=True):
         path = _border(x, y, ratio[level] <= 1.0)
         # On any fill: light beneath, dark above.
-        axes.plot(*path, color="#ffffff", lw=2.6 * line_scale(axes), solid_capstyle="butt")
-        axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes), ls=dash)
+        axes.plot(*path, color=inks.paper, lw=2.6 * line_scale(axes), solid_capstyle="butt")
+        axes.plot(*path, color=inks.limit, lw=1.2 * line_scale(axes), ls=dash)
     axes.grid(visible=False)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     axes.locator_params(axis="y", integer=True)
     axes.set_title(f"PGA {checked.plane.levels_g[level]:g} g", color=inks.ink)
+
+
+def _fill(
+    axes: "Axes",
+    edges: tuple[NDArray[np.float64], NDArray[np.float64]],
+    chosen: NDArray[np.bool_],
+    colour: str,
+    hatch: str = "",
+) -> None:
+    """Fill the chosen cells."""
+    from matplotlib.colors import ListedColormap
+
+    if not chosen.any():
+        return
+    cells = np.ma.masked_array(np.zeros(chosen.shape), ~chosen)
+    style: dict[str, Any] = {"cmap": ListedColormap([colour]), "zorder": 0.9}
+    axes.pcolormesh(*edges, cells, edgecolors="face", lw=0.3, **style)
+    if hatch:
+        inks = inks_of(axes)
+        ink = inks.on_falls if colour == inks.falls else inks.ink
+        axes.pcolor(*edges, cells, edgecolors=ink, lw=0.0, hatch=hatch, **style)
 
 
 def _edges(points: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -160,11 +178,12 @@ def _joined(across: list[float], up: list[float]) -> tuple[list[float], list[flo
 
 def _mark(axes: "Axes", checked: CheckedWalls, wall: WorkedWall, number: int) -> None:
     """Write the number of a worked wall into its cell."""
+    inks = inks_of(axes)
     axes.annotate(
         str(number),
         (checked.plane.slendernesses[wall.column], checked.plane.heights_m[wall.row]),
-        ha="center", va="center_baseline", fontsize=text_size(axes, 8.0), color=palette.INK,
-        bbox={"boxstyle": "circle,pad=0.25", "fc": "#ffffff", "ec": palette.INK, "lw": 0.9},
+        ha="center", va="center_baseline", fontsize=text_size(axes, 8.0), color=inks.ink,
+        bbox={"boxstyle": "circle,pad=0.25", "fc": inks.paper, "ec": inks.ink, "lw": 0.9},
         zorder=6.0, annotation_clip=False,
     )  # fmt: skip
 
@@ -195,10 +214,15 @@ def ratio_figure(checked: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
             f"{low} to {top}" if low and top else f"below {top}" if top else f"above {low}"
             for low, top in pairwise(bounds)
         ]
-        fills = [*zip(RATIO_FILLS, labels, strict=True), (BEYOND, "a run beyond $d_0$")]
+        fills = [*zip(inks.rocks_ramp, labels, strict=True), (inks.falls, "a run beyond $d_0$")]
         figure.legend(
-            handles=[Patch(facecolor=fill, edgecolor=inks.ink, lw=0.4, label=words)
-                     for fill, words in fills],
+            handles=[
+                Patch(
+                    facecolor=fill, edgecolor=inks.edge, lw=0.4, label=words,
+                    hatch=HATCHES["falls"] if fill == inks.falls else "",
+                )
+                for fill, words in fills
+            ],
             title="demand over capacity", loc="outside lower left", ncols=3 if narrow else 5,
             fontsize=text_size(panels[0, 0], 8.0), title_fontsize=text_size(panels[0, 0], 8.0),
             frameon=False, labelcolor=inks.ink, handlelength=1.6, columnspacing=1.2,
@@ -209,19 +233,16 @@ def ratio_figure(checked: CheckedWalls, *, page: Page = SCREEN) -> "Figure":
 
 def draw_ratio(checked: CheckedWalls, ratio: NDArray[np.float64], axes: "Axes") -> None:
     """Draw demand over capacity of one check at one level."""
-    from matplotlib.colors import BoundaryNorm, ListedColormap
-
     x, y = _edges(checked.plane.slendernesses), _edges(checked.plane.heights_m)
+    inks, infinite = inks_of(axes), np.isinf(ratio)
     # A ratio of exactly 1 is accepted.
-    place = np.where(np.isinf(ratio), len(STEPS) + 1, np.searchsorted(STEPS, ratio, side="left"))
-    colours = [*RATIO_FILLS, BEYOND]
-    axes.pcolormesh(
-        x, y, place, cmap=ListedColormap(colours),
-        norm=BoundaryNorm(np.arange(len(colours) + 1) - 0.5, len(colours)),
-        edgecolors="face", lw=0.3,
-    )  # fmt: skip
+    place = np.searchsorted(STEPS, ratio, side="left")
+    for step, colour in enumerate(inks.rocks_ramp):
+        _fill(axes, (x, y), (place == step) & ~infinite, colour)
+    _fill(axes, (x, y), infinite, inks.falls, HATCHES["falls"])
     path = _border(x, y, ratio <= 1.0)
-    axes.plot(*path, color=palette.INK, lw=1.2 * line_scale(axes))
+    axes.plot(*path, color=inks.paper, lw=2.6 * line_scale(axes), solid_capstyle="butt")
+    axes.plot(*path, color=inks.limit, lw=1.2 * line_scale(axes), ls=DASHED)
     axes.grid(visible=False)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
     axes.locator_params(axis="y", integer=True)
@@ -245,8 +266,14 @@ def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
         name = palette.shortened(wall.runs.records[wall.governing], 24)
         third.set_title(f"Run under {name}, {wall.direction}")
         third.set_ylabel(r"$\theta/\theta_0 = d/d_0$")
-        third.axhline(SHARE, color=inks_of(third).lines[1], lw=0.9, ls=(0, (6, 2)))
+        third.axhline(SHARE, color=inks_of(third).limit, lw=0.9, ls=DASHED)
         third.set_ylim(top=min(third.get_ylim()[1], 1.6))
+        if third.get_ylim()[1] > SHARE:
+            third.annotate(
+                r"$d_{\mathrm{SLV}}$", (1.0, SHARE), (3.0, 0.0), xycoords=("axes fraction", "data"),
+                textcoords="offset points", va="center", color=inks_of(third).limit,
+                fontsize=text_size(third, 8.0), annotation_clip=False,
+            )  # fmt: skip
     return figure
 
 
@@ -268,17 +295,23 @@ def draw_records(wall: WorkedWall, axes: "Axes") -> None:
     spectral, share = wall.spectra_m / d0, runs.share.max(axis=1)
     over = share > 1.0
     axes.set_title("Record by record", pad=15.0)
-    axes.axvline(SHARE, color=inks.ink, lw=0.9, ls=palette.DASHES[1])
-    axes.axhline(SHARE, color=inks.ink, lw=0.9, ls=palette.DASHES[1])
-    axes.axhline(1.0, color=inks.ink, lw=0.9, ls=palette.DASHES[2])
+    axes.axvline(SHARE, color=inks.limit, lw=0.9, ls=DASHED)
+    for limit, words in ((SHARE, r"$d_{\mathrm{SLV}}$"), (1.0, "$d_0$")):
+        axes.axhline(limit, color=inks.limit, lw=0.9, ls=DASHED)
+        axes.annotate(
+            words, (1.0, limit), (3.0, 0.0), xycoords=("axes fraction", "data"),
+            textcoords="offset points", va="center", color=inks.limit,
+            fontsize=text_size(axes, 8.0), annotation_clip=False,
+        )  # fmt: skip
     axes.plot(
-        spectral[~over], share[~over], "o", ms=4.0 * scale, color=inks.lines[0], ls="none",
+        spectral[~over], share[~over], "o", ms=4.0 * scale, color=inks.quiet, ls="none",
         label="record that comes back",
     )  # fmt: skip
     if over.any():  # no artist without points: it would take the layout out of its bounds
         axes.plot(
-            spectral[over], np.full(int(over.sum()), TOP), "^", ms=6.5 * scale, color=inks.impact,
-            ls="none", label="record with a run beyond $d_0$", clip_on=False, zorder=4.0,
+            spectral[over], np.full(int(over.sum()), TOP), "^", ms=6.5 * scale, color=inks.falls,
+            mec=inks.edge, ls="none", label="record with a run beyond $d_0$", clip_on=False,
+            zorder=4.0,
         )  # fmt: skip
     axes.plot(
         spectral[wall.governing], min(share[wall.governing], TOP), "o", ms=10.0 * scale,
@@ -287,7 +320,7 @@ def draw_records(wall: WorkedWall, axes: "Axes") -> None:
     )  # fmt: skip
     mean = float(share.mean())
     axes.plot(
-        spectral.mean(), min(mean, TOP), "D", ms=6.0 * scale, color=inks.paper, mec=inks.lines[1],
+        spectral.mean(), min(mean, TOP), "D", ms=6.0 * scale, color=inks.paper, mec=inks.ink,
         mew=1.5, ls="none", zorder=4.5, clip_on=False,
         label="means" if np.isfinite(mean) else r"means; that of the runs is $\infty$",
     )  # fmt: skip

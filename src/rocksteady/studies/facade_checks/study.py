@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady import Execution, Record, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
-from rocksteady.show.report import PHONE, picture_address, render
+from rocksteady.show.report import render, twins
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.studies.facade_checks import _tables
 from rocksteady.studies.facade_checks._checked_walls import (
@@ -169,10 +169,7 @@ class FacadeChecks:
             for kind in ("png", "svg", "pdf"):
                 data = figure_bytes(figure, kind, command=command)
                 (stage / f"{name}.{kind}").write_bytes(data)
-            pictures[name] = {
-                "source": picture_address(figure),
-                "narrow": picture_address(self.figure(name, page=PHONE)),
-            }
+            pictures[name] = twins(lambda page, name=name: self.figure(name, page=page), "")
             done(name)
         text = json_text(SCHEMA, self.values(), indent=1) + "\n"
         save_text("out", stage / "facade-checks.json", text)

@@ -92,7 +92,8 @@ def plot_facade_capacity(
     periods = {"SLV": mechanism.t_slv_s, "SLC": mechanism.t_slc_s}
     for k, (state, limit) in enumerate(limits.items()):
         axes.axvline(limit, color=inks.limit, lw=1.0 * scale, ls=DASHED, zorder=2.0)
-        _draw_period(axes, words, (state, periods[state]), inks)
+        crossed = [*limits.values(), *(demand for *_, demand in demands)]
+        _draw_period(axes, words, (state, periods[state]), crossed, inks)
         colour = inks.series("base", len(STATES))[k]
         handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
         axes.annotate(
@@ -131,16 +132,22 @@ def _accelerations(check: FacadeCheck) -> list[tuple[LimitStateCheck, float]]:
     ]
 
 
-def _draw_period(axes: "Axes", words: Language, state: tuple[str, float], inks: Inks) -> None:
-    """Draw the line of a period through the origin, with its name near its end."""
+def _draw_period(
+    axes: "Axes", words: Language, state: tuple[str, float], crossed: list[float], inks: Inks
+) -> None:
+    """Draw the line of a period through the origin, with its name clear of what crosses it."""
     name, period = state
     slope = (2.0 * math.pi / period) ** 2 / STANDARD_GRAVITY / MM
     (right, top), size = (axes.get_xlim()[1], axes.get_ylim()[1]), text_size(axes, 8.0)
     axes.plot([0.0, right], [0.0, slope * right], color=inks.quiet, lw=0.8, ls=DOTTED, zorder=1.9)
     end = min(right, top / slope)
     text = words("period_of", symbol=symbol(f"T_{name}"), period=words.quantity(period, "s"))
+    at = max(
+        np.linspace(0.5, 0.92, 43) * end,
+        key=lambda x: min(abs(x - place) for place in (*crossed, right)),
+    )
     axes.text(
-        0.88 * end, 0.88 * slope * end, text, ha="center", va="center", color=inks.quiet,
+        at, slope * at, text, ha="center", va="center", color=inks.quiet,
         fontsize=size, zorder=2.1, bbox={"facecolor": inks.paper, "lw": 0.0, "pad": 1.0},
     )  # fmt: skip
 
