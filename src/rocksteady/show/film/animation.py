@@ -15,7 +15,7 @@ from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
 from rocksteady.show.film._playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.film._scene import BlockScene
-from rocksteady.show.plots.motion import plot_trajectory, time_axis
+from rocksteady.show.plots.motion import plot_trajectory, time_scale
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.palette import shortened
@@ -85,7 +85,7 @@ class Film:
     def _draw_history(self, axes: "Axes") -> None:
         """Draw the angle over the span of the film, and the mark that moves along it."""
         start, end = float(self.reel.times[0]), float(self.reel.times[-1])
-        self.scale, _ = time_axis(self.trajectory)
+        self.scale = time_scale(self.trajectory).factor
         impacts = self.trajectory.impacts.pt
         self.shown_impacts = impacts[(impacts >= start) & (impacts <= end)]
         plot_trajectory(self.trajectory, axes, span=(start, end), legend="none")

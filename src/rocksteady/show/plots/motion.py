@@ -1,6 +1,8 @@
 """Plots of time histories: angle, base motion and phase portrait."""
 
 import math
+import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
@@ -23,7 +25,7 @@ from rocksteady.seismic.measures.motion_course import course_at, motion_course
 from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.show.plots.records import Quantity, plot_integrated_record, refuse_unknown
 from rocksteady.show.style import palette
-from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
+from rocksteady.show.style.layout import CORNERS, Corner, axes_or_new, emptiest_corner, extent
 from rocksteady.show.style.legends import (
     SMALL,
     LegendPlace,
@@ -45,12 +47,18 @@ AT_REST = "rests throughout:\nno tilt, no velocity"
 """In the phase plane of a block that never moves."""
 WALL_SHARE = 0.08
 """Of the angles above 0: how much of the wall is shown below it."""
+LINE = 20.0
+"""Height of a line of words or of a legend at the top [points]."""
 CROWD = 150
 """Number of impacts from which on their marks shrink."""
 LEAST_FOR_FAR_AXES = (200.0, 110.0)
 """Width and height of axes [points] that have room for axes on the far side."""
-LEAST_FOR_WORDS = 100.0
+LEAST_FOR_WORDS = 60.0
 """Height of axes [points] that have room for the words of an end."""
+
+
+Box = tuple[float, float, float, float]
+"""Left and lower end, width and height, in parts of the axes."""
 
 
 class TimeScale(NamedTuple):
@@ -155,25 +163,28 @@ def plot_trajectory(
     motion = trajectory(trajectory.times(span=span))
     start, end = float(motion.pt[0]), float(motion.pt[-1])
     path = motion.pt * time.factor, motion.angle * angle.factor
+    headroom = max(HEADROOM, LINE / size_of(axes)[1]) if place == "inside" else 0.0
     axes.set(
         xlabel=time.label,
         ylabel=angle.label,
-        ylim=angle_limits(
-            trajectory, path[1], angle.factor, headroom=HEADROOM if place == "inside" else 0.0
-        ),
+        ylim=angle_limits(trajectory, path[1], angle.factor, headroom=headroom),
         xlim=time_limits(trajectory, start * time.factor, end * time.factor),
     )
     if trajectory.block.one_sided:
         draw_wall(axes, "y")
     axes.plot(*path, color=inks.motion)
     _draw_impacts(axes, trajectory, (start, end), time)
-    corner = "upper left"
-    if _draw_end(axes, trajectory, (start, end), time) < 0.5:
-        corner = "upper right"
-    elif trajectory.status is Status.OVERTURNED:
-        size = extent(axes, width=160.0, height=22.0)
-        corner = emptiest_corner(axes, path, size)
-    _draw_tipping_angles(axes, trajectory, path, angle.factor)
+    corner: Corner = "upper left"
+    size, taken = extent(axes, width=7.6 * text_size(axes, 9.0), height=LINE), []
+    words = _draw_end(axes, trajectory, (start, end), time)
+    if words is not None:
+        taken.append(words)
+        if words[0] + words[2] < 1.0 - words[0]:  # there is more room beyond them
+            corner = "upper right"
+    if place == "inside" and len(trajectory.impacts):
+        right, upper = CORNERS[corner]
+        taken.append((right * (1.0 - size[0]), upper * (1.0 - size[1]), *size))
+    _draw_tipping_angles(axes, trajectory, path, angle.factor, taken)
     draw_legend(axes, place, corner=corner)
     draw_far_axes(axes, x=time.far, y=angle)
     return axes
@@ -213,11 +224,8 @@ def _draw_impacts(
 
 def _draw_end(
     axes: "Axes", trajectory: Trajectory, span: tuple[float, float], time: TimeScale
-) -> float:
-    """Mark when the block rests or falls, and return where: 0 at the left end, 1 at the right.
-
-    Without a mark it is 1.
-    """
+) -> Box | None:
+    """Mark when the block rests or falls, and return where the words on that stand, if any."""
     overturn, rest = trajectory.overturn_time_pt, trajectory.rest_time_pt
     if overturn is not None:
         at = overturn
@@ -225,47 +233,60 @@ def _draw_end(
     elif rest is not None and rest > 0.0:
         at, words = rest, f"rests from {time.words(rest)}"
     else:
-        return 1.0
+        return None
     if not span[0] <= at <= span[1]:
-        return 1.0
-    inks, x = inks_of(axes), at * time.factor
+        return None
+    inks, x, size = inks_of(axes), at * time.factor, text_size(axes, 8.0)
     axes.axvline(x, color=inks.ink, lw=0.8, zorder=1.8)
+    if size_of(axes)[1] < LEAST_FOR_WORDS:
+        return None
     low, high = axes.get_xlim()
     part = (x - low) / (high - low)
-    if size_of(axes)[1] >= LEAST_FOR_WORDS:
-        axes.annotate(
-            words,
-            (x, 1.0),
-            (3.0 if part < 0.5 else -3.0, -3.0),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            ha="left" if part < 0.5 else "right",
-            va="top",
-            fontsize=text_size(axes, 8.0),
-            color=inks.ink,
-        )
-    return part
+    wide, tall = extent(axes, width=0.58 * size * len(words) + 5.0, height=size + 5.0)
+    before = part > wide
+    axes.annotate(
+        words,
+        (x, 1.0),
+        (-3.0 if before else 3.0, -3.0),
+        xycoords=("data", "axes fraction"),
+        textcoords="offset points",
+        ha="right" if before else "left",
+        va="top",
+        fontsize=size,
+        color=inks.ink,
+    )
+    return part - wide if before else part, 1.0 - tall, wide, tall
 
 
 def _draw_tipping_angles(
-    axes: "Axes", trajectory: Trajectory, path: tuple[Floats, Floats], factor: float
+    axes: "Axes",
+    trajectory: Trajectory,
+    path: tuple[Floats, Floats],
+    factor: float,
+    taken: Sequence[Box],
 ) -> None:
     """Draw the angles at which the block balances, named where they are seen."""
     negative, positive = trajectory.balances
     differ = not trajectory.block.one_sided and -negative != positive
     low, high = axes.get_ylim()
     seen = []
-    for level, name in ((positive, r"$\alpha_+$"), (negative, r"$-\alpha_-$")):
+    for level, name in ((positive, r"$\alpha_+$"), (negative, r"$\alpha_-$")):
         if level == 0.0:  # a wall is there
             continue
         axes.axhline(level * factor, color=inks_of(axes).limit, lw=0.9, ls=DASHED, zorder=1.9)
         if low < level * factor < high:
             seen.append((level * factor, f"tipping angle {name}" if differ else "tipping angle"))
     for level, name in seen if differ else seen[:1]:
-        name_level(axes, level, name, path)
+        name_level(axes, level, name, path, taken)
 
 
-def name_level(axes: "Axes", level: float, name: str, path: tuple[Floats, Floats]) -> None:
+def name_level(
+    axes: "Axes",
+    level: float,
+    name: str,
+    path: tuple[Floats, Floats],
+    taken: Sequence[Box] = (),
+) -> None:
     """Write the name of a horizontal line above or below it, where it hides least of a curve.
 
     Parameters
@@ -278,20 +299,26 @@ def name_level(axes: "Axes", level: float, name: str, path: tuple[Floats, Floats
         Its name.
     path
         Abscissas and ordinates of the curve.
+    taken
+        Where words and legends stand.
     """
     inks, size = inks_of(axes), text_size(axes, 8.0)
-    wide, high = extent(axes, width=0.6 * size * len(name.replace("$", "")), height=size + 2.0)
+    letters = len(re.sub(r"\$[^$]*\$", "xx", name))
+    wide, tall = extent(axes, width=0.56 * size * letters + 2.0, height=size + 3.0)
     (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
     across, up = (path[0] - x0) / (x1 - x0), (path[1] - y0) / (y1 - y0)
     line = (level - y0) / (y1 - y0)
 
-    def hidden(choice: tuple[bool, float]) -> int:
+    def hidden(choice: tuple[bool, float]) -> float:
         above, left = choice
-        foot = line if above else line - high
-        if foot < 0.0 or foot + high > 1.0:
-            return len(across) + 1
-        inside = (across > left) & (across < left + wide) & (up > foot) & (up < foot + high)
-        return int(inside.sum())
+        foot = line if above else line - tall
+        inside = (across > left) & (across < left + wide) & (up > foot) & (up < foot + tall)
+        clashes = sum(
+            left < x + w and x < left + wide and foot < y + h and y < foot + tall
+            for x, y, w, h in taken
+        )
+        outside = foot < 0.0 or foot + tall > 1.0
+        return float(inside.mean()) + clashes + 2.0 * outside
 
     lefts = np.linspace(0.01, max(0.01, 0.99 - wide), 24).tolist()
     above, left = min(((side, x) for side in (True, False) for x in lefts), key=hidden)
@@ -329,10 +356,10 @@ def angle_limits(
     lowest, highest = float(angle.min()), float(angle.max())
     negative, positive = (factor * level for level in trajectory.balances)
     if trajectory.status is Status.OVERTURNED and (lowest < negative or highest > positive):
-        room = 1.0 + headroom
-        high = max(1.15 * positive, 1.1 * highest) * room
+        high = max(1.15 * positive, 1.1 * highest)
         wall = trajectory.block.one_sided
-        return -WALL_SHARE * high if wall else min(1.15 * negative, 1.1 * lowest), high
+        low = -WALL_SHARE * high if wall else min(1.15 * negative, 1.1 * lowest)
+        return low, high + headroom * (high - low)
     # A block that hardly rocks fills the picture; one that does not move has no scale of its own.
     peak = factor * trajectory.peak
     least = 0.0 if 0.0 < trajectory.peak < 0.6 else max(positive, -negative)
@@ -491,7 +518,7 @@ def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float) -> No
     struck, velocities = base_motion.impulses(table)
     low, high = axes.get_ylim()
     height = max(-low, high, 1e-9)
-    first = True
+    words: tuple[float, float] | None = None
     for sign, marker in ((1.0, "^"), (-1.0, "v")):
         at = struck[(sign * velocities > 0.0) & (struck <= end)] * factor
         if len(at) == 0:
@@ -499,17 +526,18 @@ def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float) -> No
         axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
         heads = np.full(len(at), sign * height)
         axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
-        if first:
-            axes.annotate(
-                "impulse, without a scale",
-                (at[0], 0.9 * sign * height),
-                (5.0, 0.0),
-                textcoords="offset points",
-                va="center",
-                fontsize=text_size(axes, 8.0),
-                color=inks.base,
-            )
-            first = False
+        if words is None or at[-1] > words[0]:
+            words = float(at[-1]), 0.7 * sign * height
+    if words is not None:
+        axes.annotate(
+            "impulse, without a scale",
+            words,
+            (6.0, 0.0),
+            textcoords="offset points",
+            va="center",
+            fontsize=text_size(axes, 8.0),
+            color=inks.base,
+        )
 
 
 def _draw_component(
@@ -545,6 +573,17 @@ def _draw_vertical(axes: "Axes", times: Floats, upwards: Floats, place: LegendPl
         high += 0.25 * (high - low)
     axes.set_ylim(low, high)
     draw_legend(axes, place, handles=[across, drawn], corner="upper right", columns=2)
+
+
+def covered(
+    axes: "Axes", corner: Corner, size: tuple[float, float], path: tuple[Floats, Floats]
+) -> bool:
+    """Return whether a curve passes through a corner of a size in parts of the axes."""
+    places = axes.transAxes.inverted().transform(axes.transData.transform(np.column_stack(path)))
+    right, upper = CORNERS[corner]
+    across = places[:, 0] > 1.0 - size[0] if right else places[:, 0] < size[0]
+    up = places[:, 1] > 1.0 - size[1] if upper else places[:, 1] < size[1]
+    return bool((across & up).any())
 
 
 @checked
@@ -624,14 +663,16 @@ def plot_phase_portrait(
             ls="none",
             label="after an impact",
         )
-    corner = "upper left"
+    corner: Corner = "upper left"
+    full = True  # a closed curve leaves no corner free
     if mark == "start":
-        size = extent(axes, width=52.0, height=22.0)
+        size = extent(axes, width=56.0, height=LINE)
         corner = emptiest_corner(axes, (angle, velocity), size)
-    elif place == "inside":
-        # A closed curve leaves no corner free: the legend goes above it.
+        full = covered(axes, corner, size, (angle, velocity))
+    if place == "inside" and full:  # the legend goes above the curve
         low, high = float(velocity.min()), float(velocity.max())
-        axes.set_ylim(low - 0.05 * (high - low), high + HEADROOM * (high - low))
+        room = max(HEADROOM, LINE / size_of(axes)[1])
+        axes.set_ylim(low - 0.05 * (high - low), high + room * (high - low))
     draw_legend(axes, place, corner=corner)
     draw_far_axes(axes, x=across, y=up)
     return axes

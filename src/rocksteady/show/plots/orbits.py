@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.attractor import Attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, put_beside
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
-from rocksteady.show.style.line_colours import Inks, inks_of
+from rocksteady.show.style.scales import Scale, scale_of
+from rocksteady.show.style.tokens import DASHED, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,6 +35,8 @@ MOST_NUMBERS = 100
 """Orbits that are numbered."""
 MOST_CROWDED = 90.0
 """Diameter of the unit circle [points] below which it has fewer ticks."""
+LEAST_NAMED = 66.0
+"""Diameter of the unit circle [points] from which on its name fits in."""
 MARKERS = {1: "^", -1: "v"}
 """Of the side to which the block goes."""
 
@@ -47,7 +52,7 @@ def plot_poincare_section(
     """Draw the Poincare section just after impact: speed against the phase of the shaking.
 
     Of orbits, every state: stable ones filled, unstable ones hollow, neutral ones half filled, with
-    the colour of their period and a triangle that points to the side to which the block goes.
+    the colour of their kind and a triangle that points to the side to which the block goes.
     Several orbits have numbers, in the order in which they come, at their first state.  An uplift
     from rest is a state with speed 0.  Solutions that pass through the floor are left out.
 
@@ -69,7 +74,8 @@ def plot_poincare_section(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: phase of the shaking, 0 to 2 pi, and |d(theta/alpha)/d(p t)| after the impact.
+        The axes: phase of the shaking, 0 to 2 pi, and speed after the impact: degrees a second of
+        a `rocksteady.Block`, else |d(theta/alpha)/d(p t)|.
 
     Raises
     ------
@@ -96,11 +102,17 @@ def plot_poincare_section(
     axes = axes_or_new(ax)
     if isinstance(motions, Trajectory):
         labels: list[tuple[str, float, float]] = []
-        handles, phase, speed = _draw_impacts(axes, motions, since)
+        scale = _speed_scale(motions.block)
+        handles, phase, speed = _draw_impacts(axes, motions, since, scale.factor)
     else:
         numbered = _numbered(motions)
-        handles, phase, speed = _draw_states(axes, [orbit for _, orbit in numbered])
-        labels = [(text, orbit.states[0].phase, orbit.states[0].speed) for text, orbit in numbered]
+        orbits = [orbit for _, orbit in numbered]
+        scale = _speed_scale(orbits[0].block if orbits else None)
+        handles, phase, speed = _draw_states(axes, orbits, scale.factor)
+        labels = [
+            (text, orbit.states[0].phase, scale.factor * orbit.states[0].speed)
+            for text, orbit in numbered
+        ]
     top = float(speed.max(initial=0.0))
     columns = 1 if len(handles) < 4 else 2
     place = place_of(axes, legend, "inside", width=115.0 * columns)
@@ -108,7 +120,7 @@ def plot_poincare_section(
     room = size[1] if place == "inside" else 0.0
     axes.set(
         xlabel=palette.LABELS["phase"],
-        ylabel=palette.LABELS["speed"],
+        ylabel=scale.label,
         xlim=(0.0, 2.0 * math.pi),
         # A legend inside goes above what is drawn.
         ylim=(-0.04 * top, top / max(0.3, 0.95 - room)) if top > 0.0 else (0.0, 1.0),
@@ -138,7 +150,8 @@ def plot_multipliers(
     ax
         Axes to draw on; default: axes of a new figure.
     legend
-        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+        "inside" the axes, to their "right", "below" them or "none"; by default inside, or
+        below narrow ones.
 
     Returns
     -------
@@ -160,34 +173,34 @@ def plot_multipliers(
     from matplotlib.patches import Circle
 
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=145.0)
     numbered = [each for each in _numbered(orbits) if not _grazes(each[1])]
     values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
     largest = float(np.abs(values).max(initial=0.0))
     decades = math.ceil(math.log10(largest) - 1e-9) if largest > LINEAR_REACH else 0
-    axes.add_patch(Circle((0.0, 0.0), 1.0, fc=palette.SYMMETRIC, alpha=0.12, lw=0))
-    axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, ec=inks.ink, lw=1.0))
+    axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, ec=inks.limit, lw=1.0, ls=DASHED))
     step = max(1, math.ceil(decades / MOST_RINGS))
     rings = [*range(step, decades + 1, step)]
     axes.grid(visible=False)
     for line in (axes.axhline, axes.axvline):
-        line(0.0, color=inks.grid, lw=0.7, zorder=0.5)
+        line(0.0, color=inks.hair, lw=0.7, zorder=0.5)
     for ring in rings:
         radius = 1.0 + ring / decades
-        axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=inks.grid, lw=0.7))
+        axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=inks.hair, lw=0.7))
         axes.annotate(
             "10" if ring == 1 else f"$10^{{{ring}}}$",
             (radius * math.cos(RINGS_AT), radius * math.sin(RINGS_AT)),
             ha="center",
             va="center",
             fontsize=text_size(axes, 7.5),
-            color=inks.number,
+            color=inks.quiet,
             bbox={"fc": inks.paper, "ec": "none", "pad": 0.8},
         )
     places = np.array([[_place(complex(m), decades) for m in pair] for pair in values])
     places = places.reshape(-1, 2)
+    colours = _colours((orbit for _, orbit in numbered), inks)
     for (_, orbit), pair in zip(numbered, places, strict=True):
-        style = _style(orbit, inks)
+        style = _style(orbit, colours[_kind(orbit)], inks)
         axes.plot(pair.real, pair.imag, "o", ms=5.0, ls="none", clip_on=False, **style)
     reach = 2.2 if decades else max(1.35, 1.15 * largest)
     axes.set(
@@ -197,7 +210,19 @@ def plot_multipliers(
         ylim=(-reach, reach),
         aspect="equal",
     )
-    roomy = min(size_of(axes)) * 2.0 / (2.0 * reach) > MOST_CROWDED
+    diameter = min(size_of(axes)) / reach
+    roomy = diameter > MOST_CROWDED
+    if diameter > LEAST_NAMED:
+        axes.annotate(
+            "stable inside",
+            (0.0, -0.97),
+            (0.0, 3.0),
+            textcoords="offset points",
+            ha="center",
+            fontsize=text_size(axes, 7.5),
+            color=inks.ink,
+            bbox={"fc": inks.paper, "ec": "none", "alpha": 0.75, "pad": 0.3},
+        )
     ticks = [-1.0, -0.5, 0.0, 0.5, 1.0] if roomy else [-1.0, 0.0, 1.0]
     axes.set_xticks(ticks)
     axes.set_yticks(ticks)
@@ -210,7 +235,7 @@ def plot_multipliers(
             textcoords="offset points",
             ha="right",
             fontsize=text_size(axes, 7.5),
-            color=inks.number,
+            color=inks.quiet,
         )
     handles = _handles([orbit for _, orbit in numbered], "o", inks)
     size = extent(axes, width=62.0, height=12.0 * len(handles) + 12.0)
@@ -244,25 +269,37 @@ def _grazes(orbit: Orbit) -> bool:
     return bool(np.isnan(orbit.multipliers[0]))
 
 
-def _style(orbit: Orbit, inks: Inks) -> dict[str, Any]:
+def _kind(orbit: Orbit) -> tuple[str, str, int]:
+    """Return the words for the kind of an orbit, the role of its colour, and its period."""
+    if orbit.period > 1:
+        return f"subharmonic, period {orbit.period}", "subharmonic_line", orbit.period
+    return ("symmetric", "motion", 1) if orbit.symmetric else ("unsymmetric", "unsymmetric_line", 1)
+
+
+def _colours(orbits: Iterable[Orbit], inks: Inks) -> dict[tuple[str, str, int], str]:
+    """Return the colour of each kind of orbit: subharmonic ones are darker the shorter they are."""
+    kinds = sorted({_kind(orbit) for orbit in orbits}, key=lambda kind: (kind[2], kind[0]))
+    long = [kind for kind in kinds if kind[2] > 1]
+    steps = dict(zip(long, inks.series("subharmonic_line", max(len(long), 1)), strict=False))
+    return {kind: steps.get(kind) or getattr(inks, kind[1]) for kind in kinds}
+
+
+def _style(orbit: Orbit, colour: str, inks: Inks) -> dict[str, Any]:
     """Return how the marks of an orbit look."""
-    colour = inks.lines[(orbit.period - 1) % len(inks.lines)]
     fill = "full" if orbit.stable else ("left" if orbit.neutral else "none")
     fill = "top" if _grazes(orbit) else fill
     return {"color": colour, "fillstyle": fill, "mew": 1.0, "markerfacecoloralt": inks.paper}
 
 
 def _handles(orbits: Sequence[Orbit], marker: str, inks: Inks) -> list["Line2D"]:
-    """Return the entries of a legend: what there is of periods and of stability."""
+    """Return the entries of a legend: what there is of kinds and of stability."""
     from matplotlib.lines import Line2D
 
     handles = []
-    for period in sorted({orbit.period for orbit in orbits}):
-        colour = inks.lines[(period - 1) % len(inks.lines)]
-        label = f"period {period}"
-        handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=label))
+    for (words, _, _), colour in _colours(orbits, inks).items():
+        handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=words))
     worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"), ("grazes", "top"))
-    seen = {_style(orbit, inks)["fillstyle"] for orbit in orbits}
+    seen = {_style(orbit, inks.ink, inks)["fillstyle"] for orbit in orbits}
     for label, fill in worths:
         if fill in seen:
             handles.append(
@@ -292,32 +329,33 @@ def _side_handles(styles: dict[int, dict[str, Any]]) -> list["Line2D"]:
 
 
 def _draw_states(
-    axes: "Axes", orbits: Sequence[Orbit]
+    axes: "Axes", orbits: Sequence[Orbit], factor: float
 ) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
     """Draw the states of orbits; return entries of the legend, phases and speeds."""
     inks = inks_of(axes)
+    colours = _colours(orbits, inks)
     for orbit in orbits:
         for side, marker in MARKERS.items():
             states = [state for state in orbit.states if state.side == side]
             axes.plot(
                 [state.phase for state in states],
-                [state.speed for state in states],
+                [factor * state.speed for state in states],
                 marker=marker,
                 ms=6.0,
                 ls="none",
                 clip_on=False,
                 zorder=3.0 if orbit.stable else 2.5,
-                **_style(orbit, inks),
+                **_style(orbit, colours[_kind(orbit)], inks),
             )
-    sides = {side: {"marker": marker, "color": inks.faint} for side, marker in MARKERS.items()}
+    sides = {side: {"marker": marker, "color": inks.edge} for side, marker in MARKERS.items()}
     handles = [*_handles(orbits, "^", inks), *(_side_handles(sides) if orbits else ())]
     states = [state for orbit in orbits for state in orbit.states]
     phase = np.array([state.phase for state in states])
-    return handles, phase, np.array([state.speed for state in states])
+    return handles, phase, factor * np.array([state.speed for state in states])
 
 
 def _draw_impacts(
-    axes: "Axes", trajectory: Trajectory, since: float
+    axes: "Axes", trajectory: Trajectory, since: float, factor: float
 ) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
     """Draw the impacts of a trajectory; return entries of the legend, phases and speeds."""
     _ = trajectory.frequency_ratio  # refuses every other base motion
@@ -325,14 +363,21 @@ def _draw_impacts(
     impacts = trajectory.impacts
     late = impacts.pt >= since
     phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
-    after = impacts.velocity_after[late]
+    after = factor * impacts.velocity_after[late]
     size = 3.0 if len(after) < 300 else 1.6
     styles: dict[int, dict[str, Any]] = {}
-    for side, colour in ((1, inks.lines[0]), (-1, inks.lines[1])):
+    for side, colour in zip((1, -1), inks.series("motion", 2), strict=True):
         styles[side] = {"marker": MARKERS[side], "color": colour, "mew": 0.0}
         mask = np.sign(after) == side
         axes.plot(phase[mask], np.abs(after[mask]), ms=size, ls="none", **styles[side])
     return _side_handles(styles), phase, np.abs(after)
+
+
+def _speed_scale(block: Block | DimensionlessBlock | None) -> Scale:
+    """Return the scale of speeds after impacts: in degrees a second for a block of known size."""
+    factor = scale_of("velocity", block).factor
+    sized = isinstance(block, Block)
+    return Scale(factor, palette.LABELS["speed_deg_s" if sized else "speed"])
 
 
 def _place(multiplier: complex, decades: int) -> complex:

@@ -13,8 +13,8 @@ from rocksteady.seismic.measures.time_course import IntegratedRecord
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,6 +27,8 @@ PEAKS = {"acceleration": "PGA", "velocity": "PGV", "displacement": "PGD"}
 LEGEND_HOLDS = 6
 """Spectra that have a legend entry each; more are drawn alike."""
 
+LONGEST_NAME = 0.3
+"""Length of a name at the end of a line, in parts of the axes, that leaves these wide enough."""
 LEAST_SHOWN = 3.0e-4
 """Smallest ordinate over the largest that an axis of powers shows."""
 
@@ -75,9 +77,9 @@ def plot_integrated_record(
     }[quantity]
     values, size = values / scale, peak.value / scale
     inks = inks_of(axes)
-    axes.axhline(0.0, color=inks.faint, lw=0.6)
+    axes.axhline(0.0, color=inks.edge, lw=0.6)
     axes.plot(course.t_s, values, color=inks.base, lw=0.8)
-    axes.plot(peak.t_s, size, "o", ms=4.5, color=inks.impact, mec=inks.paper, mew=0.6, zorder=3.0)
+    axes.plot(peak.t_s, size, "o", ms=4.5, color=inks.base, mec=inks.paper, mew=0.6, zorder=3.0)
     late = peak.t_s > 0.6 * float(course.t_s[-1])
     axes.annotate(
         f"{PEAKS[quantity]} = {abs(size):.3g} {unit}",
@@ -87,7 +89,7 @@ def plot_integrated_record(
         ha="right" if late else "left",
         va="center",
         fontsize=text_size(axes, 8.0),
-        color=inks.impact,
+        color=inks.ink,
     )
     low, high = min(float(values.min()), size, 0.0), max(float(values.max()), size, 0.0)
     room = 0.08 * (high - low)
@@ -145,24 +147,34 @@ def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
     """
     axes = axes_or_new(ax)
     begin, most, end = (course.time_of_arias(part) for part in (0.05, 0.75, 0.95))
-    axes.axvspan(begin, end, color=palette.SYMMETRIC, alpha=0.18, lw=0)
-    inks = inks_of(axes)
+    inks, small = inks_of(axes), text_size(axes, 8.0)
     axes.plot(course.t_s, course.husid, color=inks.base)
     parts = [0.05, 0.75, 0.95]
-    axes.plot([begin, most, end], parts, "o", ms=4.0, color=inks.impact, mec=inks.paper)
+    axes.plot([begin, most, end], parts, "o", ms=4.5, color=inks.base, mec=inks.paper, mew=0.6)
+    for at, part in zip((begin, most, end), parts, strict=True):
+        early = at < 0.15 * float(course.t_s[-1])
+        axes.annotate(
+            f"{100.0 * part:.0f} %",
+            (at, part),
+            (6.0 if early else -5.0, 0.0),
+            textcoords="offset points",
+            ha="left" if early else "right",
+            va="center" if early else "bottom",
+            fontsize=small,
+            color=inks.ink,
+        )
     words = (
         f"Arias intensity {float(course.arias_m_s[-1]):.3g} m/s\n"
         f"5 to 75 %: {most - begin:.3g} s\n5 to 95 %: {end - begin:.3g} s"
     )
-    # The curve rises: below its end the paper is white.
-    small = text_size(axes, 8.0)
+    # The curve rises: below its end nothing is drawn.
     style: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": small, "color": inks.ink}
     axes.text(0.98, 0.06, words, transform=axes.transAxes, **style)
     axes.set(
         xlabel=palette.LABELS["seconds"],
         ylabel=palette.LABELS["husid"],
         xlim=(0.0, float(course.t_s[-1])),
-        ylim=(0.0, 1.0),
+        ylim=(-0.03, 1.03),
     )
     return axes
 
@@ -176,6 +188,8 @@ def plot_response_spectra(
 ) -> "Axes":
     """Draw pseudo-acceleration against period, with the geometric mean of several records.
 
+    Up to six records have their names at the ends of their lines, where these are short enough.
+
     Parameters
     ----------
     spectra
@@ -183,8 +197,8 @@ def plot_response_spectra(
     ax
         Axes to draw on; default: axes of a new figure.
     legend
-        Legend of several records: "inside" the axes, the default, to their "right", "below" them or
-        "none".
+        Legend of several records: "inside" the axes, to their "right", "below" them or "none"; by
+        default inside, or below narrow ones.
 
     Returns
     -------
@@ -224,24 +238,28 @@ def plot_response_spectra(
         [spectrum.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for spectrum in spectra]
     )
     few = len(spectra) <= LEGEND_HOLDS
-    inks, place = inks_of(axes), place_of(axes, legend, "inside")
-    handles: list[Line2D] = []
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=150.0)
+    colours = inks.series("base", len(spectra)) if few else [inks.base] * len(spectra)
+    lines: list[Line2D] = []
     for number, (spectrum, row) in enumerate(zip(spectra, values, strict=True)):
-        (line,) = axes.plot(
+        name = spectrum.record.name or f"record {number + 1}"
+        lines += axes.plot(
             periods,
             row,
-            color=inks.lines[number] if few else inks.faint,
-            ls=palette.DASHES[number] if few else "-",
-            lw=1.2 if few else 0.6,
-            alpha=1.0 if few else 0.6,
-            label=literal(palette.shortened(spectrum.record.name or f"record {number + 1}", 40)),
+            color=colours[number],
+            lw=1.0 if few else 0.6,
+            alpha=1.0 if few else 0.4,
+            label=literal(palette.shortened(name, 40)),
         )
-        handles += [line] if few else []
+    handles = lines
     if len(spectra) > 1:
         mean = np.exp(np.log(values).mean(axis=0))
-        handles += axes.plot(
-            periods, mean, color=inks.ink, lw=2.0, label="geometric mean", zorder=3.0
+        drawn = axes.plot(
+            periods, mean, color=inks.base, lw=2.4, label="geometric mean", zorder=3.0
         )
+        if not few:
+            lines[0].set_label(f"{len(spectra)} records")
+        handles = [*(lines if few else lines[:1]), *drawn]
     if spaced_by_ratio(periods):
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -256,9 +274,47 @@ def plot_response_spectra(
         xlim=(float(periods.min()), float(periods.max())) if len(periods) > 1 else None,
     )
     damping = f"{100.0 * spectra[0].damping:g} % damping"
-    if len(spectra) > 1:
+    small = text_size(axes, 8.0)
+    if few and len(spectra) > 1 and legend is None and name_ends(axes, handles):
+        handles = []
+    if len(spectra) > 1 and handles:
         draw_legend(axes, place, handles=handles, corner="lower left", title=damping)
     else:
-        style: dict[str, Any] = {"fontsize": text_size(axes, 8.0), "color": inks.ink}
-        axes.text(0.98, 0.94, damping, transform=axes.transAxes, ha="right", va="top", **style)
+        style: dict[str, Any] = {"fontsize": small, "color": inks.ink}
+        axes.text(0.98, 0.96, damping, transform=axes.transAxes, ha="right", va="top", **style)
     return axes
+
+
+def name_ends(axes: "Axes", lines: "Sequence[Line2D]") -> bool:
+    """Write the name of each line at its right end, and return whether there was room for that."""
+    size = text_size(axes, 8.0)
+    names = [str(line.get_label()) for line in lines]
+    wide, high = size_of(axes)
+    if max(map(len, names)) * 0.56 * size > LONGEST_NAME * wide:
+        return False
+    ends = [
+        (float(np.ravel(x)[-1]), float(np.ravel(y)[-1])) for x, y in (li.get_data() for li in lines)
+    ]
+    places = axes.transAxes.inverted().transform(axes.transData.transform(ends))[:, 1]
+    order = np.argsort(places)
+    step = 1.25 * size / high
+    spread = places[order].copy()
+    for _ in range(50):  # neighbours push each other apart
+        for k in range(1, len(spread)):
+            short = step - (spread[k] - spread[k - 1])
+            if short > 1e-9:
+                spread[k] += 0.5 * short
+                spread[k - 1] -= 0.5 * short
+    for k, place in zip(order.tolist(), spread.tolist(), strict=True):
+        axes.annotate(
+            names[k],
+            (1.0, place),
+            (4.0, 0.0),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            va="center",
+            fontsize=size,
+            color=lines[k].get_color(),
+            annotation_clip=False,
+        )
+    return True
