@@ -1,4 +1,4 @@
-"""A writer for each kind of output, which writes the old content or the new; pictures unrendered."""
+"""A writer for each kind of output, old content or new; figures that are saved unrendered."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
