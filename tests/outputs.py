@@ -1,13 +1,16 @@
-"""A writer for each kind of output, which writes the old content or the new."""
+"""A writer for each kind of output, old content or new; figures that are saved unrendered."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 import matplotlib as mpl
 
 mpl.use("Agg")
 
 import numpy as np
+import pytest
 import xarray
 from matplotlib.figure import Figure
 
@@ -16,6 +19,24 @@ from rocksteady.show.export.dataset import write_dataset
 from rocksteady.show.export.files import save_csv, save_figure, save_text, save_whole
 
 Writer = Callable[[Path, float], object]
+
+
+EMPTY = b'<?xml version="1.0"?><svg xmlns="http://www.w3.org/2000/svg"/>'
+
+
+@contextmanager
+def unrendered() -> Iterator[None]:
+    """Save each figure as an empty picture, where a test looks at what stands around it.
+
+    A figure is put together all the same, and rendering it takes longer than all else on a page.
+    """
+
+    def savefig(_: Figure, stream: BinaryIO, **__: object) -> None:
+        stream.write(EMPTY)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Figure, "savefig", savefig)
+        yield
 
 
 def _figure(value: float) -> Figure:

@@ -47,13 +47,22 @@ def modules() -> dict[str, ast.Module]:
     return {name_of(file): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
 
 
+@cache
+def imports() -> dict[str, list[ast.Import | ast.ImportFrom]]:
+    """Return what each module imports, wherever it does so."""
+    return {
+        name: [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+        for name, tree in modules().items()
+    }
+
+
 def imported(name: str) -> set[str]:
-    """Return the modules of the package that a module imports, wherever it does so."""
+    """Return the modules of the package that a module imports."""
     found = set()
-    for node in ast.walk(modules()[name]):
+    for node in imports()[name]:
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
+        else:
             found |= {str(node.module), *(f"{node.module}.{alias.name}" for alias in node.names)}
     return found & NAMES
 
@@ -124,8 +133,8 @@ def test_every_folder_says_what_it_answers() -> None:
 def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
     """The namespaces of the package and of a study are there to pass names on."""
     passed_on = []
-    for name, tree in modules().items():
-        for node in ast.walk(tree):
+    for name, nodes in imports().items():
+        for node in nodes:
             if not isinstance(node, ast.ImportFrom) or node.module not in NAMES - OPEN:
                 continue
             passed_on += [
@@ -136,6 +145,7 @@ def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
     assert passed_on == []
 
 
+@cache
 def defined_in(name: str) -> set[str]:
     """Return the names that a module itself defines."""
     found: set[str] = set()
@@ -180,13 +190,12 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
         for file in FILES
         if file.stem != "__init__"
     }
+    layers = {(folder.parts[:1], stem) for folder, stem in stems}
     misplaced = [
-        file.relative_to(tests).as_posix()
-        for file in tests.rglob("test_*.py")
-        for folder, stem in stems
-        if stem == file.stem.removeprefix("test_")
-        and folder.parts[:1] == file.relative_to(tests).parts[:1]
-        and (file.relative_to(tests).parent, stem) not in stems
+        place.as_posix()
+        for place in (file.relative_to(tests) for file in tests.rglob("test_*.py"))
+        for stem in [place.stem.removeprefix("test_")]
+        if (place.parts[:1], stem) in layers and (place.parent, stem) not in stems
     ]
     assert misplaced == []
 

@@ -22,6 +22,7 @@ import pytest
 import xarray
 
 import rocksteady as rs
+from tests.outputs import unrendered
 from tests.public import junk
 from tests.public.calls import Call, calls, close_pictures, public_callables
 from tests.public.things import things
@@ -45,6 +46,9 @@ HOLD_NAN = {
     "RestingBranches", "RestingBranch", "RestingPoint", "RestingGap",
 }  # fmt: skip
 """Results: NaN in one says that there is no such value, and their constructors let it pass."""
+
+REFUSED_LATER = {"follow_bifurcation"}
+"""Calls that succeed, and whose points are refused: the fold is made up, and no curve leaves it."""
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -103,8 +107,11 @@ def no_hanging() -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-def foreign(call: Call, changed: dict[str, Any]) -> str | None:
-    """Return what is wrong with how a call ends; None if nothing is."""
+def foreign(call: Call, changed: dict[str, Any], *, valid: bool = False) -> str | None:
+    """Return what is wrong with how a call ends; None if nothing is.
+
+    A refusal is wrong where all that is given is `valid`.
+    """
     try:
         with warnings.catch_warnings(), no_hanging():
             warnings.simplefilter("error")
@@ -115,7 +122,9 @@ def foreign(call: Call, changed: dict[str, Any]) -> str | None:
                 found = list(islice(found, 50))
     except rs.RocksteadyError as error:
         long = "\n" in str(error) or len(str(error)) > 2000
-        return f"a message of more than a line: {str(error)[:300]!r}" if long else None
+        if long:
+            return f"a message of more than a line: {str(error)[:300]!r}"
+        return f"refused: {error}" if valid else None
     except BaseException as error:
         if isinstance(error, KeyboardInterrupt):
             raise
@@ -208,9 +217,10 @@ def test_every_public_callable_has_a_valid_call() -> None:
 
 def test_every_valid_call_succeeds() -> None:
     wrong = {}
-    for label, call in calls().items():
-        wrong[label] = foreign(call, {}) or refused(call)
-        close_pictures()
+    with unrendered():  # pages have tests of their own
+        for label, call in calls().items():
+            wrong[label] = foreign(call, {}, valid=label not in REFUSED_LATER)
+            close_pictures()
     assert {label: what for label, what in wrong.items() if what} == {}
 
 
@@ -233,8 +243,8 @@ def test_valid_numbers_of_every_type_are_taken() -> None:
             others = relatives(value)
             for other in others[len(wrong) % 2 :: 2] or others:
                 changed = {name: other}
-                wrong[f"{label}: {changed}"] = foreign(call, changed) or refused(
-                    call._replace(arguments={**call.arguments, **changed})
+                wrong[f"{label}: {changed}"] = foreign(
+                    call, changed, valid=label not in REFUSED_LATER
                 )
                 close_pictures()
     assert {label: what for label, what in wrong.items() if what} == {}

@@ -80,12 +80,18 @@ def without_files(words: list[str]) -> list[str]:
 
 def flags_of(words: list[str]) -> set[str]:
     """Return the flags of the command that a line calls."""
-    found: Any = typer.main.get_command(app.app)
+    found: Any = program()
     for word in words:
         if word not in getattr(found, "commands", {}):
             break
         found = found.commands[word]
     return {name for parameter in found.params for name in parameter.opts}
+
+
+@cache
+def program() -> Any:
+    """Return the program with all its commands."""
+    return typer.main.get_command(app.app)
 
 
 @cache
@@ -144,7 +150,7 @@ def paths() -> list[str]:
     """Return the path of every command, groups included."""
     found: list[str] = [""]
     for path in found:
-        group: Any = typer.main.get_command(app.app)
+        group: Any = program()
         for word in path.split():
             group = group.commands[word]
         found += [f"{path} {name}".strip() for name in getattr(group, "commands", {})]

@@ -33,7 +33,7 @@ AXES = {"amplitude": AMPLITUDES, "frequency_ratio": RATIOS}
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=3.0)
 RECTANGLE = Block.rectangle(width=0.4, height=1.2, restitution=0.9)
 RING = Block.general(mass=1.0, inertia=2.0, radius=1.0, alpha=0.3, restitution=0.9)
-CASES = 120
+CASES = 60
 """Maps of random axes."""
 
 

@@ -32,7 +32,7 @@ from tests.every import every
 BLOCK = DimensionlessBlock(restitution=0.8)
 AXES = {"amplitude": np.linspace(0.4, 6.0, 23), "frequency_ratio": np.linspace(0.6, 8.0, 19)}
 START = State(angle=0.0, velocity=0.3)
-CASES = 120
+CASES = 60
 """Maps of random axes."""
 CYCLES = 30
 

@@ -17,7 +17,7 @@ from rocksteady.kernels.elementary.circular import NEAR
 Floats = NDArray[np.float64]
 Draw = Callable[[np.random.Generator, int], Floats]
 
-COUNT = 100_000
+COUNT = 30_000
 MANY = 500_000
 CHUNK = 100_000
 LARGEST = np.finfo(np.float64).max

@@ -81,7 +81,7 @@ def test_impacts_lie_where_fifty_digits_put_them(
     case: tuple[float, float, float, float, float],
 ) -> None:
     amplitude, frequency, restitution, phase, velocity = case
-    cycles = sample_size(40, 12)
+    cycles = sample_size(20, 12)
     ran = run(
         harmonic(amplitude, frequency, phase),
         both_sides(restitution),

@@ -50,7 +50,7 @@ def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
     factors = [0.45 / compute_measure(each, Measure("pgv_m_s")) for each in SUITE]
     rows = {row["name"]: row for row in table.rows}
     fallen = 0
-    for described in objects():
+    for described in objects()[::2]:
         signs = [False] if described.block.symmetric else [False, True]
         band = RestitutionBand(draws=2).ratios(described.block).tolist()
         statuses = [
@@ -64,7 +64,7 @@ def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
         assert row["fell"] == statuses.count(Status.OVERTURNED), described.name
         assert row["counted"] == row["fell"] / row["trials"]
         fallen += row["fell"]
-    assert fallen > 10
+    assert fallen > 5
 
 
 def test_the_curve_is_near_the_count_and_the_closed_form_stands_beside(table: ObjectsTable) -> None:
@@ -257,10 +257,12 @@ def test_objects_without_an_answer_stand_before_those_that_are_safe() -> None:
     made = [
         *(DescribedObject(values={"name": f"safe {n}", "geometry": wide}) for n in range(3)),
         *(
-            DescribedObject(values={"name": f"slides {n}", "geometry": slim, "friction": 0.05})
+            DescribedObject(
+                values={"name": f"slides {n}", "geometry": slim, "friction": 0.05, **FEW}
+            )
             for n in range(30)
         ),
-        DescribedObject(values={"name": "falls", "geometry": slim}),
+        DescribedObject(values={"name": "falls", "geometry": slim, **FEW}),
     ]
     table = assess_objects(made, SUITE, pga_g=0.4, pgv_m_s=0.45)
     (shown,) = table.describe().tables

@@ -8,6 +8,7 @@ import pytest
 
 from rocksteady.errors import InputError
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
+from rocksteady.risk.assess import assessment
 from rocksteady.risk.assess._probability import onset_of
 from rocksteady.risk.assess.assessment import assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
@@ -25,6 +26,12 @@ PEAKS = {"pga_g": 0.24, "pgv_m_s": 0.6}
 GREENER = ("green", "amber", "red", "grey")
 
 
+@pytest.fixture
+def no_remedies(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out the search for remedies, which takes half of an assessment, and no part here."""
+    monkeypatch.setattr(assessment, "find_remedies", lambda _: ())
+
+
 def described(name: str = "cabinet", **keys: Any) -> DescribedObject:
     values: dict[str, Any] = {"name": name, "friction": 0.9, "geometry": CABINET, "demand": PEAKS}
     return DescribedObject(values={**values, "assessment": FEW, **keys})
@@ -34,6 +41,7 @@ def never_falls(values: list[Any]) -> bool:
     return all(after >= before for before, after in pairwise(values))
 
 
+@pytest.mark.usefixtures("no_remedies")
 def test_vertical_motion_makes_the_cabinet_safer_by_no_door() -> None:
     """Of the file, the table, two numbers and the screens: it was 73 % and red, then green."""
     first: list[Any] = []
@@ -141,6 +149,7 @@ def test_the_mirror_image_and_the_reversed_records_have_the_same_probability() -
     assert rows[0]["probability"] > 0.0
 
 
+@pytest.mark.usefixtures("no_remedies")
 def test_a_file_and_a_row_of_a_table_give_one_object_one_answer(tmp_path: Any) -> None:
     """To the bit, alone and among others, with a store and without."""
     objects = [

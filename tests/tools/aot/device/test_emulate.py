@@ -103,6 +103,7 @@ def test_no_bit_depends_on_who_takes_a_cell_and_when(name: str, emulated: Emulat
             assert np.array_equal(bits(mine), bits(theirs))
 
 
+@pytest.mark.slow
 def test_nothing_is_taken_where_there_are_no_cells(emulated: Emulated) -> None:
     form = FORMS["lane_fates"]
     none, nothing = np.empty(0), np.empty(0, dtype=np.int64)
