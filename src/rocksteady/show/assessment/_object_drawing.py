@@ -10,6 +10,7 @@ from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.assess.described.schema import Range
 from rocksteady.seismic.measures.free_sides import first_side
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DOTTED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +27,8 @@ SMALL = 8.0
 def draw_object(described: DescribedObject) -> "Figure":
     """Draw an object on its two edges, in metres or millimetres.
 
-    Where the outline is not given, a dashed line stands for it, twice as high as the mass centre.
+    Where the outline is not given, a dotted line stands for it, twice as high as the mass centre,
+    and says so.
     """
     from matplotlib.figure import Figure
 
@@ -41,20 +43,21 @@ def draw_object(described: DescribedObject) -> "Figure":
     with palette.style():
         figure = Figure(figsize=(WIDTH, min(TALLEST, max(LOWEST, 0.9 * WIDTH * up / across))))
         axes = figure.add_subplot()
-        _draw_body(axes, factor * width, factor * height, dashed=not known)
+        inks = inks_of(axes)
+        _draw_body(axes, factor * width, factor * height, known=known)
         _draw_ground(axes, factor * (0.5 * width + margin), factor * size)
         half = 0.5 * factor * (left + right)
         x, y = factor * centre[0], factor * centre[1]
         for edge in (-half, half):
-            axes.plot([edge, x], [0.0, y], color=palette.INK, lw=0.8, zorder=3.0)
-        axes.plot([-half, half], [0.0, 0.0], "^", ms=7.0, color=palette.INK, zorder=4.0)
-        axes.plot([x, x], [0.0, y], color=palette.NUMBER, lw=0.7, ls=(0, (4, 3)), zorder=2.9)
-        axes.plot([x], [y], "o", ms=7.0, mfc="white", mec=palette.INK, mew=1.3, zorder=4.0)
+            axes.plot([edge, x], [0.0, y], color=inks.ink, lw=0.8, zorder=3.0)
+        axes.plot([-half, half], [0.0, 0.0], "^", ms=7.0, color=inks.ink, zorder=4.0)
+        axes.plot([x, x], [0.0, y], color=inks.quiet, lw=0.7, zorder=2.9)
+        axes.plot([x], [y], "o", ms=7.0, mfc=inks.paper, mec=inks.ink, mew=1.3, zorder=4.0)
         _write_angle(axes, described, (half, x, y))
         axes.annotate(
             f"mass centre\n{length(centre[1])} up", (x, y),
             (factor * (0.5 * width + 0.04 * size), y), va="center", fontsize=SMALL,
-            arrowprops={"arrowstyle": "-", "color": palette.NUMBER, "lw": 0.6, "shrinkB": 5.0},
+            arrowprops={"arrowstyle": "-", "color": inks.quiet, "lw": 0.6, "shrinkB": 5.0},
         )  # fmt: skip
         axes.set_aspect("equal")
         axes.set(
@@ -80,24 +83,30 @@ def _outline(described: DescribedObject, base: float, high: float) -> tuple[floa
     return width, height, True
 
 
-def _draw_body(axes: "Axes", width: float, height: float, *, dashed: bool) -> None:
+def _draw_body(axes: "Axes", width: float, height: float, *, known: bool) -> None:
     """Draw the outline."""
     from matplotlib.patches import Rectangle
 
+    inks = inks_of(axes)
     axes.add_patch(
         Rectangle(
-            (-0.5 * width, 0.0), width, height, facecolor=palette.tinted(palette.BLOCK, 0.6),
-            edgecolor=palette.INK, lw=1.1, ls=(0, (5, 3)) if dashed else "-", zorder=2.0,
+            (-0.5 * width, 0.0), width, height, facecolor=inks.rest,
+            edgecolor=inks.ink, lw=1.1, ls="-" if known else DOTTED, zorder=2.0,
         )
     )  # fmt: skip
+    if not known:
+        axes.annotate(
+            "outline not given", (0.0, height), (0.0, 3.0), textcoords="offset points",
+            ha="center", va="bottom", fontsize=SMALL, color=inks.quiet,
+        )  # fmt: skip
 
 
 def _draw_ground(axes: "Axes", half: float, size: float) -> None:
     """Draw the ground with its hatching."""
-    deep = 0.035 * size
-    axes.plot([-half, half], [0.0, 0.0], color=palette.INK, lw=1.1, zorder=2.2)
+    inks, deep = inks_of(axes), 0.035 * size
+    axes.plot([-half, half], [0.0, 0.0], color=inks.ink, lw=1.1, zorder=2.2)
     for place in np.arange(-half + deep, half, deep):
-        axes.plot([place, place - 0.7 * deep], [0.0, -0.7 * deep], color=palette.FAINT, lw=0.6)
+        axes.plot([place, place - 0.7 * deep], [0.0, -0.7 * deep], color=inks.edge, lw=0.6)
 
 
 def _write_angle(
@@ -106,7 +115,7 @@ def _write_angle(
     """Draw the slenderness of the side that lifts first, between edge, mass centre and vertical."""
     from matplotlib.patches import Arc
 
-    half, x, y = place
+    (half, x, y), inks = place, inks_of(axes)
     side = first_side(described.block)
     sign = -1.0 if side.distance == described.block.positive.distance else 1.0
     reach = 0.55 * y
@@ -114,12 +123,12 @@ def _write_angle(
     ends = (270.0 - degrees, 270.0) if sign < 0.0 else (270.0, 270.0 + degrees)
     axes.add_patch(
         Arc((x, y), 2 * reach, 2 * reach, theta1=ends[0], theta2=ends[1],
-            color=palette.LINES[0], lw=1.3, zorder=3.2)
+            color=inks.ink, lw=1.3, zorder=3.2)
     )  # fmt: skip
     angle = 0.5 * side.alpha
     at = (x + sign * reach * math.sin(angle), y - reach * math.cos(angle))
     axes.annotate(
         f"α = {number(degrees)}°", at, (-half - 0.1 * y, at[1]), ha="right", va="center",
-        fontsize=SMALL, color=palette.LINES[0],
-        arrowprops={"arrowstyle": "-", "color": palette.LINES[0], "lw": 0.6, "shrinkB": 0.0},
+        fontsize=SMALL, color=inks.ink,
+        arrowprops={"arrowstyle": "-", "color": inks.ink, "lw": 0.6, "shrinkB": 0.0},
     )  # fmt: skip

@@ -10,6 +10,7 @@ from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import in_range
 
 ALPHA = 0.2
@@ -81,14 +82,24 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
 
     Raises
     ------
+    InputError, ModelError
+        As for `shape_of_block`.
+    """
+    return shape_of_block(trajectory.block, alpha)
+
+
+def shape_of_block(block: Block | DimensionlessBlock, alpha: float | None = None) -> Shape:
+    """Return the shape of a block; `alpha` is for a dimensionless one.
+
+    Raises
+    ------
     InputError
         If alpha is outside (0, pi/2), or so large that the other side's is.
     ModelError
         If it is given for a block that has its own.
     """
-    block = trajectory.block
     if not isinstance(block, Block):
-        lean = 1.0 if block.one_sided else -trajectory.balances[0]
+        lean = 1.0 if block.one_sided else block.alpha_ratio
         widest = max(lean, 1.0)  # the alpha of either side stays below a right angle
         hint = "give the slenderness in radians of the rectangle to draw"
         slenderness = in_range(

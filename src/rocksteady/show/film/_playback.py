@@ -81,10 +81,14 @@ def reel_of(
     span: tuple[float, float] | None,
     speed: float | None,
     fps: float,
+    until: float,
 ) -> Reel:
-    """Return the frames of a film; the parameters and errors are those of `animate`."""
+    """Return the frames of a film, which lasts until a pivot time without a span.
+
+    The other parameters and the errors are those of `animate`.
+    """
     rate = in_range("fps", fps, 1.0, 60.0, "[]", hint="give frames a second; 25 is usual")
-    start, end = _validated_span(trajectory, span)
+    start, end = (0.0, until) if span is None else _validated_span(trajectory, span)
     unit, length = speed_unit(trajectory), end - start
     period = shortest_period(trajectory, start, end)
     longest = period / FEWEST_A_PERIOD  # between two frames
@@ -122,12 +126,8 @@ def reel_of(
     return Reel(times=times, speed=step * rate / unit, fps=rate, period=period)
 
 
-def _validated_span(
-    trajectory: Trajectory, span: tuple[float, float] | None
-) -> tuple[float, float]:
+def _validated_span(trajectory: Trajectory, span: tuple[float, float]) -> tuple[float, float]:
     """Return the pivot times between which the film runs."""
-    if span is None:
-        return 0.0, trajectory.shown_to_pt
     hint = "give span=(start, end) in pivot time p t"
     valid = f"it must be two times, 0 <= start < end <= {trajectory.end_time_pt:.10g}"
     start, end = (finite("span", time, hint=hint) for time in span)

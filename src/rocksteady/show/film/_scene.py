@@ -2,19 +2,20 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.history.base_motion import largest_acceleration
+from rocksteady.dynamics.history.fall import Fall
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.show.film._geometry import LYING, shape_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import figure_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of, mixed
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -33,6 +34,8 @@ THICKNESS = 0.36
 """Of the ground, in half-diagonals; the arrow of its acceleration has to fit in."""
 MARGIN = 1.1
 """Ground to either side of the block's base, in half-diagonals."""
+PATTERN = 0.3
+"""Part of white in the pattern over what falls."""
 LINE = 14.0
 """Distance of the two lines of text above the block [points]."""
 
@@ -52,6 +55,8 @@ class BlockScene:
         Slenderness [rad] to draw a dimensionless block with.
     glow
         Pivot time for which an impact is seen.
+    fall
+        What follows the end of the trajectory; without, the times end there.
 
     Attributes
     ----------
@@ -71,8 +76,9 @@ class BlockScene:
         *,
         alpha: float | None = None,
         glow: float = GLOW,
+        fall: Fall | None = None,
     ) -> None:
-        self.axes, self.trajectory, self.glow = axes, trajectory, glow
+        self.axes, self.trajectory, self.glow, self.fall = axes, trajectory, glow, fall
         self.inks = inks_of(axes)
         self.shape = shape_of(trajectory, alpha)
         self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
@@ -92,8 +98,11 @@ class BlockScene:
         """Return the rotation [rad] as it is drawn: no further than lying on the ground."""
         # A flight begins and ends at 0 only to rounding; its side decides about the pivot.
         times = np.asarray(s, dtype=np.float64)
-        turned = np.maximum(self.trajectory(times).angle * self.side(times), 0.0)
-        return np.minimum(turned * self.shape.alpha, LYING) * self.side(times)
+        end = self.trajectory.end_time_pt
+        angle = self.trajectory(np.minimum(times, end)).angle
+        turned = np.maximum(angle * self.side(times), 0.0)
+        theta = np.minimum(turned * self.shape.alpha, LYING) * self.side(times)
+        return theta if self.fall is None else np.where(times > end, self.fall(times), theta)
 
     def side(self, s: ArrayLike) -> Floats:
         """Return 1 where the block stands on its left corner, -1 on its right one, 0 on both."""
@@ -115,7 +124,9 @@ class BlockScene:
         self.travelled = high - low
         still = high - low <= 2.0 * FAR * radius
         self.margin = self.shape.half_width + MARGIN * radius
-        reach = max(float(np.abs(corners[..., 0]).max()), self.margin) + 0.15 * radius
+        # A block that lies has ground beneath it.
+        self.wide = max(float(np.abs(corners[..., 0]).max()) + 0.15 * radius, self.margin)
+        reach = max(self.wide, self.margin + 0.15 * radius)
         reach += 0.5 * (high - low) if still else 0.0
         floor = -(THICKNESS + 0.02) * radius
         top = max(float(corners[..., 1].max()), self.shape.height) + 0.06 * radius
@@ -150,7 +161,7 @@ class BlockScene:
         seen = "ground" if self.camera == "riding" else "position"
         axes.set_xlabel(palette.LABELS[f"{seen}_{self.shape.unit}"])
         if self.camera == "following":  # past these the ground moves
-            axes.grid(axis="x", color=self.inks.faint, lw=0.8)
+            axes.grid(axis="x", color=self.inks.edge, lw=0.8)
 
     def _draw(self) -> None:
         """Make the artists, the block standing and the ground at 0."""
@@ -159,30 +170,31 @@ class BlockScene:
 
         axes, shape = self.axes, self.shape
         r, b, h = shape.radius, shape.half_width, shape.height
-        wide = self.margin if self.camera == "fixed" else 3.0 * self.half
+        wide = self.wide if self.camera == "fixed" else 3.0 * self.half
         self._shift, self._turn = Affine2D(), Affine2D()
         ground = self._shift + axes.transData
         block = self._turn + ground
         deep = THICKNESS * r
-        axes.add_patch(
-            Rectangle(
-                (-b, 0.0),
-                2.0 * b,
-                20.0 * r,
-                transform=ground,
-                color=palette.SYMMETRIC,
-                alpha=0.18,
-                lw=0,
-                zorder=1.0,
-            )
-        )
+        # Where the mass centre is above the edge that it turns about, |theta| = alpha.
+        for side, across in ((1, shape.left), (-1, shape.right)):
+            if side > 0 or not self.one_sided:
+                top = 1.12 * math.hypot(across, 0.5 * h)
+                axes.plot(
+                    [-side * b, -side * b],
+                    [0.0, top],
+                    color=self.inks.limit,
+                    lw=0.9,
+                    ls=DASHED,
+                    transform=ground,
+                    zorder=3.6,
+                )
         axes.add_patch(
             Rectangle(
                 (-wide, -deep),
                 2.0 * wide,
                 deep,
                 transform=ground,
-                facecolor=palette.GROUND,
+                facecolor=self.inks.soil,
                 lw=0,
                 zorder=2.0,
             )
@@ -193,24 +205,28 @@ class BlockScene:
         strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
         hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
         self._draw_edge(surface, hatching, ground)
-        self.body = Polygon(
-            [(-b, 0.0), (b, 0.0), (b, h), (-b, h)],
-            closed=True,
-            transform=block,
-            edgecolor=self.inks.ink,
-            lw=1.2,
-            joinstyle="round",
-            zorder=3.0,
+        corners = [(-b, 0.0), (b, 0.0), (b, h), (-b, h)]
+        look: dict[str, Any] = {"closed": True, "transform": block, "joinstyle": "round"}
+        self.body = Polygon(corners, edgecolor=self.inks.ink, lw=1.2, zorder=3.0, **look)
+        # A pattern has the colour of its outline, so that it is a patch of its own.
+        self.pattern = Polygon(
+            corners,
+            facecolor="none",
+            edgecolor=mixed(self.inks.falls, PATTERN),
+            hatch=HATCHES["falls"],
+            lw=0.0,
+            zorder=3.1,
+            **look,
         )
-        axes.add_patch(self.body)
-        (self.lever,) = axes.plot([], [], color=palette.INK, lw=0.8, transform=block, zorder=3.5)
+        for patch in (self.body, self.pattern):
+            axes.add_patch(patch)
+        (self.lever,) = axes.plot([], [], lw=0.8, transform=block, zorder=3.5)
         (self.mass,) = axes.plot(
             [shape.offset],
             [0.5 * h],
             marker="o",
             ms=6.5,
-            mfc="white",
-            mec=palette.INK,
+            mfc=self.inks.paper,
             mew=1.3,
             ls="none",
             transform=block,
@@ -250,7 +266,7 @@ class BlockScene:
             self._written(0, size + 2.0, "right"),
         )
         self.verdict.set_fontweight("bold")
-        self.tilt.set_color(self.inks.lines[0])
+        self.tilt.set_color(self.inks.motion)
         self.push.set_color(self.inks.base)
 
     def _draw_wall(self, ground: "Transform") -> None:
@@ -261,7 +277,7 @@ class BlockScene:
         thick, high = 0.5 * THICKNESS * r, 1.03 * self.shape.height
         axes.add_patch(
             Rectangle(
-                (b, 0.0), thick, high, transform=ground, facecolor=palette.GROUND, lw=0, zorder=2.0
+                (b, 0.0), thick, high, transform=ground, facecolor=self.inks.soil, lw=0, zorder=2.0
             )
         )
         strokes = np.arange(0.11 * r, high, 0.11 * r)
@@ -275,7 +291,7 @@ class BlockScene:
         """Draw the edge of what stands still, and the strokes behind it."""
         from matplotlib.collections import LineCollection
 
-        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (edge, self.inks.ink, 1.2)):
+        for lines, colour, width in ((hatching, self.inks.edge, 0.7), (edge, self.inks.ink, 1.2)):
             drawn = LineCollection(
                 lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
             )
@@ -308,7 +324,7 @@ class BlockScene:
             np.zeros((7, 2)),
             closed=True,
             transform=ground,
-            facecolor=palette.BASE,
+            facecolor=self.inks.base,
             lw=0,
             zorder=2.6,
             visible=self.largest > 0.0,
@@ -320,8 +336,8 @@ class BlockScene:
             axes.plot(
                 [x, x],
                 [self.arrow_y - reach * r, self.arrow_y + reach * r],
-                color=palette.FAINT,
-                lw=0.9,
+                color=self.inks.ink,
+                lw=1.0,
                 transform=ground,
                 zorder=2.5,
                 visible=self.largest > 0.0,
@@ -338,19 +354,25 @@ class BlockScene:
         self._turn.clear().rotate_around(-b if side > 0 else b, 0.0, theta)
         over = self.trajectory.overturn_time_pt
         fallen = over is not None and s >= over
-        self.body.set_facecolor(palette.OVERTURNED if fallen else palette.BLOCK)
-        self.lever.set_color("white" if fallen else palette.INK)
+        state = "falls" if fallen else "rocks" if side else "rest"
+        self.body.set_facecolor(getattr(self.inks, state))
+        self.pattern.set_visible(fallen)
+        line = {"falls": self.inks.on_falls, "rocks": self.inks.on_rocks}.get(state, self.inks.ink)
+        self.lever.set_color(line)
+        self.mass.set_markeredgecolor(line)
         centre = self.shape.offset
         self.lever.set_data(([-side * b, centre], [0.0, 0.5 * h]) if side else ([], []))
         corners = [-side * b] if side else [-b, b]
         self.pivots.set_data(corners, [0.0] * len(corners))
         self._flash(s)
         self._push(float(self.trajectory.base_acceleration(s)))
-        angle = float(self.trajectory(s).angle)
         self.clock.set_text(self._time(s))
-        degrees = math.degrees(angle * self.shape.alpha)
-        self.tilt.set_text(f"θ = {signed(angle, 2)} {self.symbol} = {signed(degrees, 1)}°")
-        self.verdict.set_text("overturned" if fallen else "" if side else "at rest")
+        degrees, part = math.degrees(theta), signed(theta / self.shape.alpha, 2)
+        words = [f"{part} {self.symbol}", f"{signed(degrees, 1)}°"]
+        if isinstance(self.trajectory.block, Block):
+            words.reverse()
+        self.tilt.set_text(f"θ = {' = '.join(words)}")
+        self.verdict.set_text("rests" if state == "rest" else state)
         return self.moving
 
     def _time(self, s: float) -> str:
@@ -388,7 +410,11 @@ class BlockScene:
         x = np.array([0.0, tip - head, tip - head, tip, tip - head, tip - head, 0.0])
         y = np.array([0.024, 0.024, 0.075, 0.0, -0.075, -0.024, -0.024]) * r
         self.arrow.set_xy(np.column_stack([x, self.arrow_y + y]))
-        pushed = f"a = {signed(acceleration, 2)} {self.symbol}g"
+        block, pushed = self.trajectory.block, f"a = {signed(acceleration, 2)} {self.symbol}g"
+        if isinstance(block, Block):
+            pushed = (
+                f"a = {signed(acceleration * block.uplift_acceleration / STANDARD_GRAVITY, 2)} g"
+            )
         self.push.set_text(pushed if self.largest > 0.0 else "")
 
 

@@ -1,24 +1,30 @@
 """Film of a time history: the block on its moving ground, above its angle against time."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.dynamics.history.fall import Fall, fall_to_ground
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Still
+from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.film._scene import BlockScene
-from rocksteady.show.plots.motion import plot_trajectory, time_scale
+from rocksteady.show.plots.motion import plot_trajectory, sided, time_scale
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.palette import shortened
+from rocksteady.show.style.scales import scale_of
+from rocksteady.show.style.tokens import DARK, DARKEST_PAPER, DASHED, Inks, inks_of, luminance
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -46,14 +52,21 @@ class Film:
         The block on its ground.
     reel
         The frames, the hold at the end not counted.
+    fall
+        What follows the end of the trajectory, if the block falls and the film shows it.
+    inks
+        Colours for its paper.
     """
 
-    def __init__(self, trajectory: Trajectory, reel: Reel, alpha: float | None) -> None:
+    def __init__(
+        self, trajectory: Trajectory, reel: Reel, alpha: float | None, fall: Fall | None
+    ) -> None:
         from matplotlib.figure import Figure
 
-        self.trajectory, self.reel = trajectory, reel
+        self.trajectory, self.reel, self.fall = trajectory, reel, fall
         self.frames = len(reel.times) + round(HOLD_SECONDS * reel.fps)
-        with palette.style():
+        self.inks = paper_of_user()
+        with self.style():
             # The margins are fixed: a new layout for each frame would jitter.
             self.figure = Figure(figsize=SIZE, dpi=100.0)
             self.figure.set_layout_engine("none")
@@ -67,6 +80,7 @@ class Film:
                 reel.times,
                 alpha=alpha,
                 glow=min(GLOW_SECONDS * reel.speed * speed_unit(trajectory), 0.4 * reel.period),
+                fall=fall,
             )
             name = literal(title(self.scene))
             self.figure.text(left, 1.0 - 0.12 / high, name, va="top", fontsize=10.5)
@@ -76,58 +90,76 @@ class Film:
                 caption(self.scene, reel),
                 va="top",
                 fontsize=8.0,
-                color=palette.NUMBER,
+                color=self.inks.quiet,
             )
             self._draw_history(self.history)
             self._draw_key(scene)
         self.show(0)
 
+    @contextmanager
+    def style(self) -> Iterator[None]:
+        """Apply the house style on the paper of the film, inside a ``with`` block."""
+        with palette.on_paper(self.inks), palette.style():
+            yield
+
     def _draw_history(self, axes: "Axes") -> None:
-        """Draw the angle over the span of the film, and the mark that moves along it."""
+        """Draw the tilt over the span of the film, and the mark that moves along it."""
         start, end = float(self.reel.times[0]), float(self.reel.times[-1])
+        last = min(end, self.trajectory.end_time_pt)
         self.scale = time_scale(self.trajectory).factor
+        self.degrees = sided(self.trajectory, "angle").factor / self.scene.shape.alpha
         impacts = self.trajectory.impacts.pt
         self.shown_impacts = impacts[(impacts >= start) & (impacts <= end)]
-        plot_trajectory(self.trajectory, axes, span=(start, end), legend="none")
-        self.line = axes.axvline(start * self.scale, color=palette.INK, lw=0.9)
+        plot_trajectory(self.trajectory, axes, span=(start, last), legend="none")
+        if self.fall is not None and end > last:  # the rest of the fall leaves the axes
+            axes.plot(
+                self.fall.pt * self.scale, self.fall.theta * self.degrees, color=self.inks.motion
+            )
+            axes.set_xlim(axes.get_xlim()[0], end * self.scale)
+        self.line = axes.axvline(start * self.scale, color=self.inks.ink, lw=0.9)
         (self.dot,) = axes.plot(
             [],
             [],
             "o",
             ms=5.5,
-            color=palette.LINES[0],
-            mec="white",
+            color=self.inks.motion,
+            mec=self.inks.paper,
             mew=0.8,
-            clip_on=False,
+            clip_on=self.fall is not None,
             zorder=4,
         )
 
     def _draw_key(self, axes: "Axes") -> None:
         """Say what the marks are, above the axes: a block that falls may come anywhere in them."""
         from matplotlib.lines import Line2D
-        from matplotlib.patches import Patch
 
+        inks = self.inks
         looks: list[dict[str, Any]] = [
-            {"marker": "o", "mfc": "white", "mec": palette.INK, "mew": 1.2, "ms": 5.5},
-            {"marker": "^", "mfc": palette.INK, "mec": palette.INK, "ms": 5.0},
-            {"marker": "o", "mfc": "none", "mec": palette.IMPACT, "mew": 1.5, "ms": 7.5},
-            {"marker": (3, 0, -90), "color": palette.BASE, "lw": 3.0, "ms": 6.0, "ls": "-"},
-            {"marker": "|", "mec": palette.FAINT, "mew": 1.0, "ms": 7.0},
+            {"marker": "o", "mfc": inks.paper, "mec": inks.ink, "mew": 1.2, "ms": 5.5},
+            {"color": inks.limit, "lw": 0.9, "ls": DASHED},
+            {"marker": "^", "mfc": inks.ink, "mec": inks.ink, "ms": 5.0},
+            {"marker": "|", "mec": inks.impact, "mew": 1.3, "ms": 7.0},
+            {"marker": "o", "mfc": "none", "mec": inks.impact, "mew": 1.5, "ms": 7.5},
+            {"marker": (3, 0, -90), "color": inks.base, "lw": 3.0, "ms": 6.0, "ls": "-"},
+            {"marker": "|", "mec": inks.ink, "mew": 1.0, "ms": 7.0},
         ]
-        inside = "|θ| < α" if self.scene.symbol == "α" else "−α₋ < θ < α₊"
-        if self.scene.one_sided:
-            inside = "θ < α"
-        words = ["mass centre", "pivot", "impact", "base acceleration a", uplift_words(self.scene)]
+        words = [
+            "mass centre",
+            tipping_words(self.scene),
+            "edge it turns on",
+            "impact",
+            "corner that struck",
+            "base acceleration a",
+            uplift_words(self.scene),
+        ]
         if self.scene.largest == 0.0:
-            looks, words = looks[:3], words[:3]
+            looks, words = looks[:-2], words[:-2]
+        if len(self.trajectory.impacts) == 0:
+            looks, words = looks[:3] + looks[5:], words[:3] + words[5:]
         handles: list[Artist] = [
             Line2D([], [], label=word, **{"ls": "", **look})
             for look, word in zip(looks, words, strict=True)
         ]
-        handles.insert(
-            1,
-            Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label=f"mass centre inside: {inside}"),
-        )
         axes.legend(
             handles=handles,
             loc="lower left",
@@ -137,7 +169,7 @@ class Film:
             labelspacing=0.45,
             handlelength=1.6,
             columnspacing=1.2,
-            ncols=min(3, math.ceil(len(handles) / 2)),
+            ncols=math.ceil(len(handles) / 2),
             fontsize=KEY_SIZE,
         )
 
@@ -150,21 +182,34 @@ class Film:
         s = float(self.reel.times[min(frame, len(self.reel.times) - 1)])
         moved = self.scene.show(s)
         self.line.set_xdata([s * self.scale] * 2)
-        self.dot.set_data([s * self.scale], [float(self.trajectory(s).angle)])
+        self.dot.set_data([s * self.scale], [float(self.scene.theta(s)) * self.degrees])
         return [*moved, self.line, self.dot]
+
+
+def paper_of_user() -> Inks:
+    """Return the colours for the paper of the user's figures: dark where these are."""
+    import matplotlib as mpl
+    from matplotlib.colors import to_hex, to_rgba
+    from matplotlib.figure import Figure
+
+    ground = to_rgba(mpl.rcParams["figure.facecolor"])
+    if ground[3] > 0.0 and luminance(to_hex(ground)) < DARKEST_PAPER:
+        return replace(DARK, paper=to_hex(ground))
+    with palette.style():
+        return inks_of(Figure().add_subplot())
 
 
 def title(scene: BlockScene) -> str:
     """Return what moves, in one line."""
     motion = scene.trajectory.motion
     if isinstance(motion, Pulse):  # its name leaves no room for the block
-        return f"Pulse {motion.shape}, A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"
+        return f"Pulse {motion.shape}, {shaking_words(scene, motion)}"
     if isinstance(motion, Record):  # nor do many of theirs
         name = literal(shortened(motion.name or f"Record of {motion.duration_s:.4g} s"))
         upwards = scene.trajectory.vertical is not None
         return f"{name}, with vertical motion, not drawn" if upwards else name
     if isinstance(motion, PeriodicMotion):
-        parts = [f"A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"]
+        parts = [shaking_words(scene, motion)]
     elif isinstance(motion, Still):
         parts = ["Free rocking"]
     else:
@@ -173,18 +218,40 @@ def title(scene: BlockScene) -> str:
     return ", ".join([*parts, *block_words(scene)])
 
 
+def shaking_words(scene: BlockScene, motion: Pulse | PeriodicMotion) -> str:
+    """Return amplitude and frequency of a motion, in g and Hz for a block of known size."""
+    block, a, w = scene.trajectory.block, motion.amplitude, motion.frequency_ratio
+    if not isinstance(block, Block):
+        return f"A = {a:.4g}, Ω = {w:.4g}"
+    strength = a * scale_of("amplitude", block).factor
+    return f"{strength:.3g} g, {w * scale_of('frequency_ratio', block).factor:.3g} Hz"
+
+
+def tipping_words(scene: BlockScene) -> str:
+    """Return at which tilts the block tips."""
+    if scene.one_sided:
+        return "tips beyond, θ = α"
+    return "tips beyond, |θ| = α" if scene.symbol == "α" else "tips beyond, θ = α₊, −α₋"
+
+
 def uplift_words(scene: BlockScene) -> str:
     """Return which base accelerations lift the block from rest."""
-    nonlinear = isinstance(scene.trajectory.model, Nonlinear)
-    if scene.one_sided:
-        return "a = g tan α: uplift" if nonlinear else "a = αg: uplift"
+    block, lifts = scene.trajectory.block, scene.uplifts
+    if isinstance(block, Block):
+        unit = block.uplift_acceleration / STANDARD_GRAVITY
+        size = [f"{abs(lift) * unit:.3g}" for lift in lifts]
+    else:
+        size = ["αg"] * len(lifts) if scene.symbol == "α" else ["α₋g", "α₊g"]
+    end = " g" if isinstance(block, Block) else ""
+    if len(lifts) == 1:
+        return f"lifts off at {size[0]}{end}"
     if scene.symbol == "α":
-        return "a = ±g tan α: uplift" if nonlinear else "a = ±αg: uplift"
-    return "a = g tan α₊, −g tan α₋: uplift" if nonlinear else "a = α₊g, −α₋g: uplift"
+        return f"lifts off at ±{size[0]}{end}"
+    return f"lifts off at −{size[0]}, {size[1]}{end}"
 
 
 def block_words(scene: BlockScene) -> list[str]:
-    """Return restitution and size of the block."""
+    """Return size and restitution of the block."""
     trajectory, block = scene.trajectory, scene.trajectory.block
     first, second = trajectory.sides[:, 0].tolist()
     parts = [
@@ -196,9 +263,11 @@ def block_words(scene: BlockScene) -> list[str]:
     ]
     if not isinstance(block, Block):
         return [*parts, f"drawn with {scene.symbol} = {scene.shape.alpha:.4g} rad"]
-    if block.symmetric or block.one_sided:
-        return [*parts, f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s"]
-    return [*parts, f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"]
+    alphas = [math.degrees(block.alpha)]
+    if not (block.symmetric or block.one_sided):
+        alphas.append(math.degrees(block.negative.alpha))
+    words = "/".join(f"{alpha:.3g}°" for alpha in alphas)
+    return [f"α = {words}, R = {block.radius:.3g} m", *parts]
 
 
 def caption(scene: BlockScene, reel: Reel) -> str:
@@ -221,7 +290,11 @@ def film_of(
     alpha: float | None = None,
 ) -> Film:
     """Return the film that `animate` plays; its parameters and errors are the same."""
-    return Film(trajectory, reel_of(trajectory, span, speed, fps), alpha)
+    fall = None
+    if span is None:
+        fall = fall_to_ground(trajectory, shape_of(trajectory, alpha).alpha)
+    until = trajectory.shown_to_pt if fall is None else fall.lands_pt
+    return Film(trajectory, reel_of(trajectory, span, speed, fps, until), alpha, fall)
 
 
 @checked
@@ -235,17 +308,20 @@ def animate(
 ) -> "FuncAnimation":
     """Return a film of the block on its moving ground, to scale, above its time history.
 
-    The picture is that of `plots.block`.  A block that overturns turns black when it
-    passes |theta| = alpha for the last time, and is followed to twice alpha.  Where the ground
-    moves further than four half-diagonals the camera goes with it, past lines that stand still.
-    The last picture stays for a second.
+    The picture is that of `plots.block`: the block is pale where it rests, blue while it rocks and
+    black with a hatch from where it passes |theta| = alpha for the last time.  It falls to the
+    ground: from the end of the run on by the full equation of motion, about the same edge, until
+    it lies.  Where the ground moves further than four half-diagonals the camera goes with it, past
+    lines that stand still.  The last picture stays for a second.  The paper is that of the user's
+    figures, light or dark.
 
     Parameters
     ----------
     trajectory
         From `rocksteady.simulate`.
     span
-        Pivot times p t between which the film runs; default: the whole run.
+        Pivot times p t between which the film runs; default: the whole run, and the fall that
+        follows it.
     speed
         What passes in a second of the film: for a `rocksteady.Block` seconds, so that 1 is real
         time; for a dimensionless block forcing periods of harmonic shaking, else pivot time.

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.show.film.animation import Film
-from rocksteady.show.style import palette
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-NEARLY_WHITE = 247
+NEARLY = 8
+"""Difference from the paper, of 255, that is none."""
 SAMPLES = 12
 """Frames from which the colours of all are taken."""
 
@@ -37,17 +37,19 @@ def save_gif(film: Film, file: Path, done: Callable[[str], object] = str) -> Non
     OSError
         If it cannot be written.
     """
+    from matplotlib.colors import to_rgb
     from PIL import Image
 
-    with palette.style():
+    paper = np.round(255.0 * np.array(to_rgb(film.inks.paper)))
+    with film.style():
         draw = _painter(film)
         samples = np.unique(np.linspace(0, film.frames - 1, SAMPLES).round()).astype(int)
         flashes = [film.frame_after(s) for s in film.shown_impacts[:SAMPLES]]
         sheet = np.concatenate([np.asarray(draw(int(k))) for k in [*samples, *flashes]])
         colours = Image.fromarray(sheet).quantize(256, method=Image.Quantize.MEDIANCUT)
-        # The average of near whites would tinge the page.
+        # The average of what is nearly paper would tinge it.
         table = np.array(colours.getpalette()).reshape(-1, 3)
-        table[(table > NEARLY_WHITE).all(axis=1)] = 255
+        table[(np.abs(table - paper) <= NEARLY).all(axis=1)] = paper
         colours.putpalette(table.ravel().tolist())
 
         def frames() -> Iterator[Image.Image]:

@@ -4,15 +4,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, positive
-from rocksteady.model.equations import Linear
-from rocksteady.model.motions.segments import Still
+from rocksteady.show.film._model import draw_model
 from rocksteady.show.film._scene import GLOW, BlockScene
 from rocksteady.show.style.layout import axes_or_new
 
@@ -29,13 +26,17 @@ def plot_block(
     alpha: float | None = None,
     glow: float = GLOW,
 ) -> "Axes":
-    """Draw the block on its ground at one pivot time, to scale.
+    """Draw the block on its ground at one pivot time, or a block alone as a model, to scale.
 
-    The block stands on the corner with the black triangle; its mass centre is the white circle. As
-    long as that is above the blue band between the two corners' verticals, |theta| < alpha.  A ring
-    fades at the corner that has struck last.  A wall behind the block is hatched as the ground is,
-    and its ring is at the top of the block.  The arrow in the ground is the base acceleration; the
-    marks beside its root are alpha g, which lifts a block at rest.
+    The block stands on the corner with the triangle; its mass centre is the circle.  It is pale at
+    rest, blue while it rocks and black with a hatch where it falls: once the mass centre has passed
+    the dashed line above the corner for the last time.  A ring fades at the corner that has struck
+    last.  A wall behind the block stands on the ground, and the ring is at the top of the block.
+    The arrow in the ground is the base acceleration; the marks beside its root are those that lift
+    a block at rest.
+
+    A block alone is drawn as the theory has it: at a small positive tilt, with its edges O and O',
+    its measures, the positive acceleration of the base and the law of impact.
 
     A `rocksteady.Block` is drawn in metres, as the rectangle that it is (or that has its pivots and
     its mass centre); a dimensionless one in units of R, as a homogeneous rectangle.  Beyond
@@ -44,7 +45,7 @@ def plot_block(
     Parameters
     ----------
     trajectory
-        From `rocksteady.simulate`; or a block alone, released at half of its alpha.
+        From `rocksteady.simulate`; or a block alone.
     ax
         Axes to draw on, whose limits are set; default: axes of a new figure.
     pt
@@ -57,8 +58,8 @@ def plot_block(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes, in metres or units of R.  Positive rotation is counterclockwise, about the left
-        corner.
+        The axes, in metres or units of R; a block alone has no ticks.  Positive rotation is
+        counterclockwise, about the left corner.
 
     Raises
     ------
@@ -75,13 +76,14 @@ def plot_block(
     >>> run = simulate(block, Still(), start=State(angle=0.8, velocity=0.0))
     >>> axes = plot_block(run, Figure().add_subplot())
     >>> print(axes.get_xlabel(), axes.texts[1].get_text(), sep=", ")
-    position [m], θ = +0.80 α = +11.2°
+    position [m], θ = +11.2° = +0.80 α
     """
     time = finite("pt", pt, hint="give a pivot time p t")
     lasts = positive("glow", glow, hint="give the pivot time for which an impact is seen")
     if not isinstance(trajectory, Trajectory):
-        start = State(angle=0.5, velocity=0.0)
-        trajectory = simulate(trajectory, Still(), start=start, model=Linear())
+        axes = axes_or_new(ax)
+        draw_model(axes, trajectory, alpha)
+        return axes
     trajectory(time)  # refuses a time outside it
     axes = axes_or_new(ax)
     BlockScene(axes, trajectory, np.array([time]), alpha=alpha, glow=lasts).show(time)

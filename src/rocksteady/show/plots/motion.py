@@ -163,7 +163,10 @@ def plot_trajectory(
     motion = trajectory(trajectory.times(span=span))
     start, end = float(motion.pt[0]), float(motion.pt[-1])
     path = motion.pt * time.factor, motion.angle * angle.factor
+    ends = _end_of(trajectory, (start, end), time)
     headroom = max(HEADROOM, LINE / size_of(axes)[1]) if place == "inside" else 0.0
+    if ends is not None and size_of(axes)[1] >= LEAST_FOR_WORDS:
+        headroom = max(headroom, 0.7 * LINE / size_of(axes)[1])
     axes.set(
         xlabel=time.label,
         ylabel=angle.label,
@@ -176,7 +179,7 @@ def plot_trajectory(
     _draw_impacts(axes, trajectory, (start, end), time)
     corner: Corner = "upper left"
     size, taken = extent(axes, width=7.6 * text_size(axes, 9.0), height=LINE), []
-    words = _draw_end(axes, trajectory, (start, end), time)
+    words = None if ends is None else _draw_end(axes, ends[0] * time.factor, ends[1])
     if words is not None:
         taken.append(words)
         if words[0] + words[2] < 1.0 - words[0]:  # there is more room beyond them
@@ -222,10 +225,10 @@ def _draw_impacts(
     )
 
 
-def _draw_end(
-    axes: "Axes", trajectory: Trajectory, span: tuple[float, float], time: TimeScale
-) -> Box | None:
-    """Mark when the block rests or falls, and return where the words on that stand, if any."""
+def _end_of(
+    trajectory: Trajectory, span: tuple[float, float], time: TimeScale
+) -> tuple[float, str] | None:
+    """Return the pivot time at which the block rests or falls within a span, and words on that."""
     overturn, rest = trajectory.overturn_time_pt, trajectory.rest_time_pt
     if overturn is not None:
         at = overturn
@@ -234,9 +237,12 @@ def _draw_end(
         at, words = rest, f"rests from {time.words(rest)}"
     else:
         return None
-    if not span[0] <= at <= span[1]:
-        return None
-    inks, x, size = inks_of(axes), at * time.factor, text_size(axes, 8.0)
+    return (at, words) if span[0] <= at <= span[1] else None
+
+
+def _draw_end(axes: "Axes", x: float, words: str) -> Box | None:
+    """Mark the rest or the fall of the block, and return where the words on that stand, if any."""
+    inks, size = inks_of(axes), text_size(axes, 8.0)
     axes.axvline(x, color=inks.ink, lw=0.8, zorder=1.8)
     if size_of(axes)[1] < LEAST_FOR_WORDS:
         return None

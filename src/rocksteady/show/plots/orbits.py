@@ -173,7 +173,7 @@ def plot_multipliers(
     from matplotlib.patches import Circle
 
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=145.0)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=160.0)
     numbered = [each for each in _numbered(orbits) if not _grazes(each[1])]
     values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
     largest = float(np.abs(values).max(initial=0.0))
@@ -215,7 +215,7 @@ def plot_multipliers(
     if diameter > LEAST_NAMED:
         axes.annotate(
             "stable inside",
-            (0.0, -0.97),
+            (0.0, -0.86),
             (0.0, 3.0),
             textcoords="offset points",
             ha="center",

@@ -238,7 +238,7 @@ def plot_response_spectra(
         [spectrum.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for spectrum in spectra]
     )
     few = len(spectra) <= LEGEND_HOLDS
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=150.0)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=160.0)
     colours = inks.series("base", len(spectra)) if few else [inks.base] * len(spectra)
     lines: list[Line2D] = []
     for number, (spectrum, row) in enumerate(zip(spectra, values, strict=True)):
