@@ -197,10 +197,7 @@ def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
     assert media.count(dark) == 5
     assert media.count(phone) == media.count(f"{dark} and (max-width: 40rem)") == 2
     assert len(media) == 9
-    assert (
-        len({each["srcset"] for each in page.of("source")} & {each["src"] for each in pictures})
-        == 0
-    )
+    assert not {each["srcset"] for each in page.of("source")} & {each["src"] for each in pictures}
 
 
 def test_the_bar_has_the_probability_and_the_interval_of_the_answer(found: Assessment) -> None:
