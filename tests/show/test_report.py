@@ -15,14 +15,16 @@ from matplotlib.figure import Figure
 
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.report import (
-    COLOURS,
+    ROLES,
     anchor,
     duration,
     prose,
     render,
     svg_data_uri,
 )
+from rocksteady.show.report import picture as drawn_picture
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks, inks_of
 from tests.every import every
 
 PAGE = """{% extends "house/base.html.j2" %}
@@ -32,14 +34,13 @@ PAGE = """{% extends "house/base.html.j2" %}
 
 TEXT_ON_GROUND = [
     ("ink", "paper"),
-    ("ink", "wash"),
+    ("ink", "page"),
     ("quiet", "paper"),
-    ("quiet", "wash"),
-    ("link", "paper"),
-    ("link", "wash"),
-    ("agrees", "paper"),
-    ("open", "paper"),
-    ("paper", "differs"),
+    ("quiet", "page"),
+    ("verdict-green", "paper"),
+    ("paper", "verdict-amber"),
+    ("paper", "verdict-red"),
+    ("paper", "ink"),
 ]
 
 
@@ -123,25 +124,55 @@ def test_the_page_may_fetch_and_run_nothing(page: str) -> None:
     assert not re.search(r"<script|url\(|@import|https?:|\son[a-z]+=|\sstyle=", page)
 
 
-def test_every_colour_of_the_page_is_one_of_the_palette(page: str) -> None:
-    assert set(re.findall(r"#[0-9a-fA-F]{3,8}\b", page)) == set(COLOURS.values())
-    template = Path(palette.__file__).parents[1] / "templates" / "base.html.j2"
-    assert not re.search(r"#[0-9a-fA-F]{3,8}\b", template.read_text(encoding="utf-8"))
-    of_palette = [
-        *(value for value in vars(palette).values() if isinstance(value, str)),
-        *palette.LINES,
-        *palette.REGION_FILLS.values(),
-    ]
-    assert set(COLOURS.values()) <= set(of_palette)
-    used = set(re.findall(r"var\(--([a-z]+)\)", page)) - {"text", "label", "mono"}
-    assert used == set(COLOURS)
+def roles(inks: Inks) -> dict[str, str]:
+    """Colours of a page by the names of their properties."""
+    steps = {f"risk-{step}": colour for step, colour in enumerate(inks.risk_ramp)}
+    return {role.replace("_", "-"): getattr(inks, role) for role in ROLES} | steps
+
+
+def test_every_colour_of_the_page_is_one_of_the_tokens_on_both_papers(page: str) -> None:
+    light, dark = (roles(inks) for inks in (LIGHT, DARK))
+    assert set(re.findall(r"#[0-9a-fA-F]{3,8}\b", page)) == {*light.values(), *dark.values()}
+    folder = Path(palette.__file__).parents[1] / "templates"
+    for file in folder.glob("*.j2"):
+        text = file.read_text(encoding="utf-8")
+        assert not re.search(r"#[0-9a-fA-F]{3,8}\b", text), file
+    used = set(re.findall(r"var\(--([a-z-]+)\)", page)) - {"text", "label", "mono"}
+    assert used <= set(light)
+    on_dark = re.search(
+        r"@media screen and \(prefers-color-scheme: dark\) {\s*:root { (.*?) }", page
+    )
+    assert on_dark is not None
+    assert dict(re.findall(r"--([a-z0-9-]+): (#\w+);", on_dark[1])) == dark
 
 
 def test_every_text_can_be_read_on_its_ground(page: str) -> None:
-    of_text = set(re.findall(r"(?<![a-z-])color: var\(--([a-z]+)\)", page))
+    of_text = set(re.findall(r"(?<![a-z-])color: var\(--([a-z-]+)\)", page))
     assert of_text == {text for text, _ in TEXT_ON_GROUND}
-    for text, ground in TEXT_ON_GROUND:
-        assert contrast(COLOURS[text], COLOURS[ground]) >= 4.5, (text, ground)
+    for inks in (LIGHT, DARK):
+        colours = roles(inks)
+        for text, ground in TEXT_ON_GROUND:
+            assert contrast(colours[text], colours[ground]) >= 4.5, (text, ground)
+
+
+def test_a_picture_is_drawn_on_light_and_dark_paper_without_its_paper() -> None:
+    drawn = drawn_picture(lambda axes: axes.plot([0.0, 1.0], color=inks_of(axes).ink), 2.0, "A.")
+    light, dark = picture(drawn["source"]).decode(), picture(drawn["source_dark"]).decode()
+    assert LIGHT.ink in light
+    assert DARK.ink not in light
+    assert DARK.ink in dark
+    assert LIGHT.ink not in dark
+    for svg, inks in ((light, LIGHT), (dark, DARK)):
+        assert f"fill: {inks.paper}" not in svg
+    assert len({drawn[name] for name in drawn}) == 5
+
+
+def test_a_picture_has_no_digits_that_nobody_sees() -> None:
+    svg = picture(drawn_picture(lambda axes: axes.plot([0.0, 1.0]), 2.0, "A.")["source"]).decode()
+    places = re.findall(r"(?<!scale\()\b\d+\.(\d+)", svg.partition("?>")[2])
+    assert max(map(len, places)) <= 3
+    assert "scale(0.015625)" in svg
+    ET.fromstring(svg)
 
 
 def test_contrast_is_that_of_the_guidelines() -> None:

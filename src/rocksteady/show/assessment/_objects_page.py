@@ -57,7 +57,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "above": answer.sentence,
         "caveats": [greek(sentence) for sentence in CAVEATS],
         "counts": [
-            {"badge": badge(*BADGES[each]), "count": f"{count:,}"}
+            {"badge": badge(*BADGES[each]), "colour": each, "count": f"{count:,}"}
             for each, count in colours.items()
             if count
         ],

@@ -4,6 +4,7 @@ import struct
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -114,6 +115,10 @@ class FacadeChecks:
             return ratio_figure(self.walls, page=page)
         return worked_figure(self.worked[int(name[-1]) - 1], page=page)
 
+    def _on(self, name: str, page: Page) -> "Figure":
+        """Return a picture on a page."""
+        return self.figure(name, page=page)
+
     def save(
         self,
         folder: Path | str,
@@ -169,7 +174,7 @@ class FacadeChecks:
             for kind in ("png", "svg", "pdf"):
                 data = figure_bytes(figure, kind, command=command)
                 (stage / f"{name}.{kind}").write_bytes(data)
-            pictures[name] = twins(lambda page, name=name: self.figure(name, page=page), "")
+            pictures[name] = twins(partial(self._on, name), "")
             done(name)
         text = json_text(SCHEMA, self.values(), indent=1) + "\n"
         save_text("out", stage / "facade-checks.json", text)

@@ -33,7 +33,7 @@ def test_hazard_and_fragility_are_those_of_the_risk() -> None:
     x, y = (np.asarray(values) for values in beside.lines[0].get_data())
     assert y == pytest.approx(ndtr(np.log(x / 0.4653) / 0.592), abs=1e-12)
     assert (axes.get_xlabel(), axes.get_xscale()) == ("PGV [m/s]", "log")
-    assert beside.get_ylim() == (0.0, pytest.approx(1.03))
+    assert beside.get_ylim() == pytest.approx((0.0, 1.03))
     assert beside.get_yticks().tolist() == [0.0, 0.25, 0.5, 0.75, 1.0]
     for each in (axes, beside):
         assert each.yaxis.label.get_color() == each.lines[0].get_color()

@@ -193,12 +193,12 @@ ENGLISH: Final[dict[str, str]] = {
     # Records
     "runs_intro": (
         "{records} records, {signs}: {the} is a rigid block that rocks outwards only, and the "
-        "motion is followed to rest or to overturning. Of each record the larger displacement "
+        "motion is followed to rest or to a fall. Of each record the larger displacement "
         "counts."
     ),
     "runs_intro_two_sided": (
         "{records} records, {signs}: {the} is a rigid block that rocks to both sides, and the "
-        "motion is followed to rest or to overturning. Of each record the larger displacement "
+        "motion is followed to rest or to a fall. Of each record the larger displacement "
         "counts."
     ),
     "signs_2": "both signs",
@@ -210,7 +210,7 @@ ENGLISH: Final[dict[str, str]] = {
     "col_largest": "larger/d₀",
     "status_at-rest": "at rest",
     "status_rocking": "rocking",
-    "status_overturned": "overturns",
+    "status_overturned": "falls",
     "status_lost-contact": "lost contact",
     "status_undecided": "undecided",
     "beyond": "beyond d₀",
@@ -270,7 +270,7 @@ ENGLISH: Final[dict[str, str]] = {
         "The equivalent block is exact where all masses lie in line with the hinge and nothing "
         "else acts; with ties, thrusts and pushing masses it is accurate to the order of θ²."
     ),
-    "assumed_balance": "A run beyond d₀ counts as overturning, even where {the} comes back.",
+    "assumed_balance": "A run beyond d₀ counts as a fall, even where {the} comes back.",
     "assumed_restitution": (
         "The coefficient of restitution is a choice: measured values of masonry scatter, and a "
         "larger one takes less from the motion at each impact."

@@ -75,11 +75,11 @@ def plot_facade_runs(
     count = len(runs.directions)
     thick = 0.74 / count
     handles: list[Any] = []
+    edge: dict[str, Any] = {"edgecolor": inks.edge, "lw": 0.4}
     falls: dict[str, Any] = {"facecolor": inks.falls, "hatch": HATCHES["falls"]}
     for k, sign in enumerate(runs.directions):
         colour = inks.rocks_ramp[(3, 1)[k]]
         at = np.arange(len(names)) + (k - 0.5 * (count - 1)) * thick
-        edge: dict[str, Any] = {"edgecolor": inks.edge, "lw": 0.4}
         lengths = np.where(over[:, k], EDGE, shares[:, k])
         bars = axes.barh(at, lengths, height=0.9 * thick, color=colour, **edge)
         handles.append(Patch(facecolor=colour, label=words[f"sign_{sign}"], **edge))
