@@ -9,10 +9,10 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.model.facts import case_text, peak_unit, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.numbers import number, percent, plural
 
-MOST_BASINS = 5
+MOST_BASINS = 3
 """Basins that an answer lists."""
 FEW = 1e-3
 """Share of undecided states that is no failure: a window may meet states that balance for ever."""
@@ -60,20 +60,15 @@ def basins_answer(basins: Any) -> Answer:
     settle = "without loss motions do not settle" if basins.block.lossless else LONGER
     facts = [
         ("undecided", settle if basins.undecided else ""),
-        ("not listed", f"{len(left)} more with --more: {100.0 * total:.1f} %" if left else ""),
+        *rows,
+        left_out(len(left), f"{100.0 * total:.1f} %"),
         (full.label or "full equations", full.text),
         ("beyond alpha", f"{plural(beyond, 'motion')}: {BEYOND}" if beyond else ""),
         ("starts", f"{basins.label.size:,}: {_window(basins)}"),
-        ("boundary", "not measured: --entropy and --exponent measure it"),
         ("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),
+        ("boundary", "not measured: --entropy and --exponent measure it"),
     ]
-    return Answer(shares_sentence(ends, basins.undecided), _five(facts), rows)
-
-
-def _five(facts: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Return the facts that have words, at most five, the last of them in any case."""
-    kept = [fact for fact in facts if fact[1]]
-    return [*kept[:4], kept[-1]] if len(kept) > 4 else kept
+    return Answer(shares_sentence(ends, basins.undecided), facts)
 
 
 def _window(result: Any) -> str:
@@ -176,7 +171,7 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
     if falls:
         values = len(shares.values)
         at = "" if falls[0]["values"] == values else f" at {falls[0]['values']} of {values} values"
-        sentence = f"Over {over} {_range(falls[0])} of these starts fall{at}"
+        sentence = f"Over {over}, {_range(falls[0])} of these starts fall{at}"
     if shares.undecided > FEW:
         sentence = f"Undecided: {sentence[0].lower()}{sentence[1:]}"
     ranked = sorted(
@@ -188,11 +183,12 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
         rows.append(("rests" if each["name"] == "rest" else each["name"], _range(each) + where))
     left = len(ranked) - len(rows)
     facts = [
-        ("not listed", f"{plural(left, 'smaller basin')} with --more" if left else ""),
+        *rows,
+        left_out(left, "smaller basins"),
         ("starts", f"{shares.label[0].size:,} at each: {_window(shares)}"),
         ("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
     ]
-    return Answer(f"{sentence}.", facts, rows)
+    return Answer(f"{sentence}.", facts)
 
 
 def _where(family: dict[str, Any], symbol: str) -> str:

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rocksteady.results.answer import MOST_ROWS, Answer
+from rocksteady.results.answer import MOST_ROWS, Answer, left_out
 from rocksteady.results.doubts import FEW_RECORDS, misfit_words
 from rocksteady.results.numbers import chance, interval, number, plural, quantity
 from rocksteady.risk.assess._remedies import Remedy, cheapest
@@ -145,7 +145,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     colours = Counter(row["colour"] for row in rows)
     most = min(max(FEWEST_ROWS, colours["red"]), MOST_ROWS)
     target = f"the target of {number(100.0 * result.target_probability)} %"
-    verb = "is" if colours["red"] == 1 else "are"
+    verb = "is" if 1 in (colours["red"], len(rows)) else "are"
     without = f"; {colours['grey']} without an answer" if colours["grey"] else ""
     sentence = (
         f"{colours['red'] or 'None'} of {plural(len(rows), 'object')} {verb} above {target} at "
@@ -161,7 +161,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     if result.pga_g is None:
         few += "; the PGA is taken to lift each object"
     facts = [
-        ("", f"{len(rows) - most:,} more with --more: {kinds}" if left else ""),
+        left_out(sum(left.values()), kinds),
         ("records", f"{result.records:,}{few}"),
     ]
     return Answer(sentence, facts, [(row["name"], _row_words(row)) for row in rows[:most]])

@@ -10,7 +10,7 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.results.numbers import chance, interval, number, percent, plural
@@ -33,6 +33,8 @@ from rocksteady.sweep.run import Execution
 LONGEST_NAME = 20
 """Letters of an object in a table of parameters."""
 Folds = Literal["group", "record", "test", "session"]
+MOST = 3
+"""Rows of an answer."""
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 
 
@@ -262,10 +264,9 @@ class Calibration(Result):
             facts.append(
                 ("prior's limit", f"reached by {', '.join(dict.fromkeys(limits))}: doubt it")
             )
-        if several and len(rows) > 5:
-            facts.append(("", f"{len(rows) - 5} more with --more"))
-        facts.append(("doubt", _first_of(self.warnings)))
-        return Answer(sentence, facts, rows[:5])
+        facts[:0] = [*rows[:MOST], left_out(max(len(rows) - MOST, 0))]
+        facts.append(("doubt", doubt(self.warnings)))
+        return Answer(sentence, facts)
 
     def _table(self) -> Table:
         before = (
@@ -301,12 +302,6 @@ class Calibration(Result):
 def _range(row: Mapping[str, Any], low: str, high: str) -> str:
     """Return two ends of a row in words."""
     return f"{number(row[low])} to {number(row[high])}"
-
-
-def _first_of(warnings: Sequence[str]) -> str:
-    """Return the first warning, and how many more there are."""
-    more = f" ({len(warnings) - 1} more with --more)" if len(warnings) > 1 else ""
-    return f"{warnings[0]}{more}" if warnings else ""
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import MOST_ROWS, Answer
+from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
 from rocksteady.results.numbers import chance, interval, number, plural
@@ -16,6 +16,8 @@ from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
+SHOWN = 4
+"""Tests that an answer lists."""
 LONGEST_NAME = 30
 """Letters of a test in a table."""
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
@@ -134,28 +136,27 @@ class Predictions(Result):
             + interval(None if row["low"] is None else (row["low"], row["high"]), 0.9)
             for row in rows
         ]
-        least, doubt = min(row["effective_draws"] for row in rows), ""
+        least = min(row["effective_draws"] for row in rows)
+        few = least < FEWEST_DRAWS
         sentence = f"{likely or 'None'} of {plural(len(rows), 'test')} more likely fall than not."
         if len(rows) == 1:
             sentence = f"It falls in {rows[0]['test']} with {words[0]}."
-        if least < FEWEST_DRAWS:
+        if few:
             sentence = (
-                f"No answer yet: it rests on {least:.0f} effective draws "
+                f"No answer yet, provisional: {least:.0f} effective draws "
                 f"(at least {FEWEST_DRAWS:g} needed)."
             )
-            doubt = "provisional"
-        most = min(max(5, likely), MOST_ROWS)
-        left = rows[most:]
+        left = rows[SHOWN:]
         falling = sum(row["p"] >= 0.5 for row in left)
         kinds = f"{falling} likely to fall, {len(left) - falling} to stand"
-        facts = [
-            ("", f"{len(left)} more with --more: {kinds}" if left else ""),
-            ("these numbers", doubt),
-            ("doubt", " ".join(self.warnings)),
-        ]
         names = [_shortened(row["test"]) for row in rows]
-        shown = list(zip(names, words, strict=True))[:most]
-        return Answer(sentence, facts, shown if len(rows) > 1 or doubt else [])
+        shown = list(zip(names, words, strict=True))[:SHOWN]
+        facts = [
+            *(shown if len(rows) > 1 or few else ()),
+            left_out(len(left), kinds),
+            ("doubt", doubt(self.warnings)),
+        ]
+        return Answer(sentence, facts)
 
 
 def predictions_of(
