@@ -91,7 +91,7 @@ def _follows(answer: Answer, width: int) -> str:
 def _continued(command: str, width: int) -> str:
     """Return a command in lines that end in a backslash, broken before its flags."""
     lines = [""]
-    for part in re.split(r" (?=-)", command):
+    for part in re.split(r" (?=-(?!m ))", command):
         if lines[-1] and len(lines[-1]) + len(part) + 3 > width:
             lines[-1] += " \\"
             lines.append(f"  {part}")

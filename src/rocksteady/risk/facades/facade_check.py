@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer, doubt, left_out
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
@@ -256,7 +256,7 @@ class FacadeCheck(Result):
         if self.runs is not None and self.runs.refusal is not None:
             refused = [self.runs.refusal]
         sentence += "; no verdict by runs" if refused and decided else ""
-        facts.append(("runs", doubt(refused)))
+        facts.append(("runs", " ".join(refused)))
         if self.runs is not None and self.runs.beyond:
             records = plural(len(self.runs.records), "record")
             facts.append(("beyond d0", f"runs under {len(self.runs.beyond)} of {records}"))
