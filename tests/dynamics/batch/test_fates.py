@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from rocksteady import Status, simulate
+from rocksteady.arrays import Integers
 from rocksteady.dynamics.batch import fates
-from rocksteady.dynamics.batch.fates import ENDS, Integers, batch_size, ends_of
+from rocksteady.dynamics.batch.fates import ENDS, batch_size, ends_of
 from rocksteady.histories import Trajectory
 from rocksteady.kernels.machine_code.device import on_device
 from rocksteady.model.equations import Linear, Model, Nonlinear

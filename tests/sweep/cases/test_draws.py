@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from rocksteady.sweep.cases.draws import Floats, uniform
+from rocksteady.arrays import Floats
+from rocksteady.sweep.cases.draws import uniform
 from tests.every import every
 
 SEEDS = (0, 1, 7, 2**32 - 1, 2**32, 2**64 - 1)

@@ -9,11 +9,11 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
     STEP,
-    Floats,
     LossComponent,
     check_components,
     points_of,

@@ -71,7 +71,7 @@ class Inks:
     aperiodic: str = _role("#7c3b7f", "#783993", "area: aperiodic motion")
     unsymmetric_line: str = _role("#8a6d00", "#e3b717", "line: unsymmetric steady motion")
     subharmonic_line: str = _role("#16785a", "#4fbf9a", "line: subharmonic steady motion")
-    aperiodic_line: str = _role("#7c3b7f", "#c58be0", "dots: aperiodic motion")
+    aperiodic_line: str = _role("#3b0959", "#9b5fe0", "dots: aperiodic motion")
     motion: str = _role("#0956b0", "#729cd3", "the block's own history and orbit")
     base: str = _role("#307d4f", "#85e39e", "what the base does")
     impact: str = _role("#be4d0b", "#de7139", "instants of impact")
@@ -105,7 +105,7 @@ class Inks:
         Examples
         --------
         >>> LIGHT.series("motion", 3)
-        ['#043063', '#155eb4', '#5b8fcb']
+        ['#06366e', '#1861b5', '#6193cc']
         """
         colour: str = getattr(self, role)
         if count == 1:
@@ -167,13 +167,13 @@ def mixed(colour: str, part: float) -> str:
 def _with_contrast(colour: str, wanted: float, paper: str) -> str:
     """Return a colour mixed with white or black until it has a contrast with paper."""
     dark = luminance(paper) < DARKEST_PAPER
-    low, high = -1.0, 1.0
+    low, high, part = -1.0, 1.0, 0.0
     for _ in range(12):
-        part = 0.5 * (low + high)
         if (contrast(mixed(colour, part), paper) < wanted) == dark:
             low = part
         else:
             high = part
+        part = 0.5 * (low + high)
     return mixed(colour, part)
 
 

@@ -6,12 +6,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Floats, Integers
 from rocksteady.dynamics.basins.cells import CELL_ATTRACTOR, found_in_cells
 from rocksteady.dynamics.basins.labels import (
     BasinAttractor,
     Cells,
-    Integers,
     labelled,
     near_state,
 )

@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import re
 
 import matplotlib as mpl
 
@@ -18,8 +19,8 @@ from numpy.typing import NDArray
 from rocksteady import DimensionlessBlock, Harmonic, compute_response_curve, find_orbits, plots
 from rocksteady.measures import compute_response_spectrum
 from rocksteady.seismic.measures.time_course import integrate_record
-from rocksteady.show.style import palette
-from rocksteady.show.style.line_colours import DARK, LIGHT, Inks, inks_of, luminance
+from rocksteady.show.style import tokens
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks, contrast, inks_of, luminance
 from tests.every import every
 from tests.show.drawn_figures import resting, rocking, shock, vertical_too
 from tests.show.drawn_maps import found
@@ -44,6 +45,13 @@ SIGHTS: dict[str, Floats] = {
             [-0.011820, 0.042940, 0.968881],
         ]
     ),
+    "tritanopia": np.array(
+        [
+            [1.255528, -0.076749, -0.178779],
+            [-0.078411, 0.930809, 0.147602],
+            [0.004733, 0.691367, 0.303900],
+        ]
+    ),
 }
 XYZ = np.array(
     [
@@ -52,8 +60,28 @@ XYZ = np.array(
         [0.0193339, 0.1191920, 0.9503041],
     ]
 )
-LEAST = 12.0
-"""CIEDE2000 between any two lines of a picture; A = 2 and A = 5 once had 2.5."""
+LEAST = 9.0
+"""CIEDE2000 between any two colours that meet in a picture."""
+MEET = {
+    "map of fates": ("rest", "rocks", "falls", "undecided"),
+    "map of kinds": (
+        *("rest", "symmetric", "unsymmetric", "subharmonic", "aperiodic", "falls", "undecided"),
+    ),
+    "history": ("motion", "base", "impact", "ink"),
+    "branches": ("motion", "unsymmetric_line", "subharmonic_line", "aperiodic_line", "ink"),
+    "block on its ground": ("rest", "rocks", "falls", "soil", "impact", "base"),
+    "fragility": ("risk", "ink", "paper"),
+    "earthquake": ("risk", "motion", "base", "impact", "ink"),
+}
+"""Roles that meet in one picture."""
+TEXT = ("ink", "quiet", "motion", "base", "impact", "risk", "limit", "observed")
+LINES = (*TEXT, "edge", "unsymmetric_line", "subharmonic_line", "aperiodic_line")
+UPON = {
+    "on_falls": ("falls",),
+    "on_rocks": ("rocks", "symmetric", "unsymmetric"),
+    "ink": ("rest", "soil"),
+}
+"""Labels, and the areas on which they stand."""
 
 
 def lab(colour: str, sight: str) -> Floats:
@@ -93,11 +121,6 @@ def ciede2000(one: Floats, other: Floats) -> float:
     return math.sqrt(sum(part**2 for part in parts) + rotation * parts[1] * parts[2])
 
 
-def contrast(one: str, other: str) -> float:
-    low, high = sorted((luminance(one), luminance(other)))
-    return (high + 0.05) / (low + 0.05)
-
-
 def test_the_difference_of_colours_is_that_of_its_authors() -> None:
     one, other = np.array([50.0, 2.6772, -79.7751]), np.array([50.0, 0.0, -82.7485])
     assert ciede2000(one, other) == pytest.approx(2.0425, abs=5e-5)
@@ -107,39 +130,57 @@ def test_the_difference_of_colours_is_that_of_its_authors() -> None:
 
 @every("inks", [LIGHT, DARK])
 @every("sight", SIGHTS)
-def test_lines_of_one_picture_are_told_apart_by_any_sight(inks: Inks, sight: str) -> None:
-    together = {
-        "curves": (*inks.lines, inks.ink),
-        "branches": (inks.lines[0], inks.lines[4], *inks.subharmonic_lines),
-        "sweeps": inks.sweeps,
-        "base": (inks.base, inks.impact),
-        "history": (inks.lines[0], inks.impact),
-    }
-    for picture, colours in together.items():
-        for one, other in itertools.combinations(colours, 2):
-            far = ciede2000(lab(one, sight), lab(other, sight))
-            assert far > LEAST, (picture, one, other, far)
+@every("picture", MEET)
+def test_colours_that_meet_are_told_apart_by_any_sight(
+    inks: Inks, sight: str, picture: str
+) -> None:
+    for one, other in itertools.combinations(MEET[picture], 2):
+        far = ciede2000(lab(getattr(inks, one), sight), lab(getattr(inks, other), sight))
+        assert far >= LEAST, (one, other, far)
 
 
-@pytest.mark.parametrize("inks", [LIGHT, DARK], ids=["light", "dark"])
-def test_inks_stand_out_from_their_paper(inks: Inks) -> None:
-    for colour in (*inks.lines, *inks.subharmonic_lines, inks.impact, inks.base, inks.faint):
-        assert contrast(colour, inks.paper) >= 3.0, colour
-    for colour in (inks.ink, inks.number):
-        assert contrast(colour, inks.paper) >= 4.5, colour
+@every("inks", [LIGHT, DARK])
+@every("sight", SIGHTS)
+@every("ramp", ["risk_ramp", "rocks_ramp"])
+def test_neighbouring_steps_of_a_ramp_are_told_apart_by_any_sight(
+    inks: Inks, sight: str, ramp: str
+) -> None:
+    colours = getattr(inks, ramp)
+    lightness = [lab(colour, sight)[0] for colour in colours]
+    assert lightness == sorted(lightness, reverse=not inks.dark)
+    for one, other in itertools.pairwise(colours):
+        assert ciede2000(lab(one, sight), lab(other, sight)) >= LEAST, (one, other)
 
 
-def test_every_colour_that_has_a_meaning_is_in_one_module() -> None:
+@every("inks", [LIGHT, DARK])
+def test_roles_stand_out_from_page_and_paper(inks: Inks) -> None:
+    for paper in (inks.page, inks.paper):
+        assert all(contrast(getattr(inks, role), paper) >= 4.5 for role in TEXT)
+        assert all(contrast(getattr(inks, role), paper) >= 3.0 for role in LINES)
+    for label, areas in UPON.items():
+        for area in areas:
+            assert contrast(getattr(inks, label), getattr(inks, area)) >= 4.5, (label, area)
+
+
+@every("inks", [LIGHT, DARK])
+@every("role", ["motion", "base", "risk", "subharmonic_line"])
+@every("count", [1, 2, 3, 6, 9])
+def test_series_are_steps_of_lightness_that_stand_out(inks: Inks, role: str, count: int) -> None:
+    colours = inks.series(role, count)
+    steps = [contrast(colour, inks.paper) for colour in colours]
+    assert len(set(colours)) == count
+    assert steps == sorted(steps, reverse=True)
+    assert steps[-1] >= 3.0
+
+
+def test_every_colour_is_a_token() -> None:
     from pathlib import Path
 
-    folder = Path(palette.__file__).parents[1]
-    allowed = {"palette.py", "line_colours.py"}  # the paper itself, and an example
-    for file in folder.rglob("*.py"):
-        if file.name in allowed:
-            continue
-        for line in file.read_text(encoding="utf-8").splitlines():
-            if '"#' in line:
-                assert "ffffff" in line or "PEAK_COLOURS" in line, (file.name, line)
+    sources = Path(tokens.__file__).parents[2]
+    for file in sorted(sources.rglob("*")):
+        if file.suffix in {".py", ".j2", ".css", ".html", ".mjs"} and file.name != "tokens.py":
+            found = re.findall(r"#[0-9a-fA-F]{6}\b", file.read_text(encoding="utf-8"))
+            assert not found, (file.relative_to(sources), found)
 
 
 def drawings() -> dict[str, object]:
@@ -196,8 +237,8 @@ def test_lines_and_text_are_legible_on_anybodys_paper(name: str, paper: str) -> 
         colour = line.get_color()
         if marker and line.get_linestyle() == "None":
             colour = line.get_markeredgecolor() if line.get_fillstyle() == "none" else colour
-        if line.get_zorder() == 0.5 or to_hex(colour) in (*DARK.sweeps, *LIGHT.sweeps):
-            continue  # a grid, and dots beneath the lines
+        if line.get_zorder() == 0.5:
+            continue  # a grid
         assert contrast(to_hex(colour), to_hex(paper)) > wanted, (line.get_label(), colour)
 
 

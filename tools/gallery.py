@@ -1,0 +1,116 @@
+"""Draw every kind of picture on one page: light, dark, and in a column of a journal.
+
+The page shows too what a terminal and a report look like, and the words of the colours. Run by
+`make gallery`; it is there to be looked at, when anything that is drawn has changed.
+"""
+
+import contextlib
+import html
+import io
+import sys
+from base64 import b64encode
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.style import palette
+from rocksteady.show.style.page import Page
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks, meanings
+from tests.public.calls import calls, close_pictures
+from tools.freeze.results import figures, room
+
+OUT = Path("out/gallery.html").absolute()
+COLUMN = 84.0
+"""Width of a column of a journal [mm]."""
+HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Every picture of rocksteady</title>
+<style>body{{font:14px/1.5 system-ui,sans-serif;margin:20px;background:{light.page};color:{light.ink}}}
+section{{border-top:1px solid {light.hair};padding:12px 0}} h2{{font-size:17px;margin:0 0 8px}}
+div{{display:flex;flex-wrap:wrap;gap:12px;align-items:flex-start}} img{{width:600px;background:{light.paper}}}
+img.column{{width:318px}} img.dark{{background:{dark.paper}}}
+pre{{padding:12px;background:{light.paper};margin:0}} pre.dark{{background:{dark.page};color:{dark.ink}}}
+i{{display:inline-block;width:28px;height:20px;border:1px solid {light.edge};vertical-align:middle}}</style>
+"""
+SCREENS = (
+    "simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
+    "steady --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
+    "overturn --width-m 0.4 --height-m 2 --pulse one-sine",
+    "screens --width-m 0.6 --height-m 2 --pga-g 0.4 --pgv-m-s 0.4",
+)
+"""Commands whose screens are shown."""
+
+
+def pictures() -> Iterator[tuple[str, Callable[[Page], Any]]]:
+    """Yield the name of each picture, and what draws its figure for a page."""
+    yield from ((name, lambda page, draw=draw: draw(page=page)) for name, draw in figures().items())
+    for label, call in calls().items():
+        if call.function.__module__.startswith("rocksteady.show.plots"):
+            yield label, lambda page, call=call: on_page(call, page)
+
+
+def on_page(call: Any, page: Page) -> Any:
+    """Return the figure of a plot on new axes for a page."""
+    with page.figure(6.4, 4.2, "") as figure:
+        call(ax=figure.add_subplot())
+    return figure
+
+
+def shown(draw: Callable[[Page], Any]) -> Iterator[str]:
+    """Yield a picture on light and dark paper, wide and in a column, as HTML."""
+    for inks in (LIGHT, DARK):
+        for page in (Page(), Page(width_mm=COLUMN)):
+            with palette.on_paper(inks):
+                data = figure_bytes(draw(page), "png")
+            look = f"{'dark ' if inks.dark else ''}{'column' if page.width_mm else ''}"
+            yield f'<img class="{look}" src="data:image/png;base64,{b64encode(data).decode()}">'
+            close_pictures()
+
+
+def screen(words: str) -> str:
+    """Return what a command prints."""
+    from rocksteady.cli.entry import main
+
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
+        sys.argv = ["rocksteady", *words.split()]
+        main()
+    return f"$ rocksteady {words}\n{printed.getvalue()}"
+
+
+def swatches(inks: Inks) -> Iterator[str]:
+    """Yield the colour of each role with its meaning, as HTML."""
+    for name, means in meanings():
+        colours = getattr(inks, name)
+        for colour in (colours,) if isinstance(colours, str) else colours:
+            yield f'<i style="background:{colour}"></i> '
+        yield f"{name}: {means}<br>"
+
+
+def main(only: str = "") -> None:
+    """Write the page, or only the pictures whose name has a text in it."""
+    mpl.use("agg")
+    parts = [HEAD.format(light=LIGHT, dark=DARK)]
+    with contextlib.chdir(room()):
+        for name, draw in pictures():
+            if only in name:
+                parts += [
+                    f"<section><h2>{html.escape(name)}</h2><div>",
+                    *shown(draw),
+                    "</div></section>",
+                ]
+        if not only:
+            texts = [html.escape(screen(words)) for words in SCREENS]
+            parts += [
+                f"<section><div><pre>{t}</pre><pre class=dark>{t}</pre></div></section>"
+                for t in texts
+            ]
+            parts += ["<section>", *swatches(LIGHT), *swatches(DARK), "</section>"]
+    OUT.parent.mkdir(exist_ok=True)
+    OUT.write_text("\n".join(parts), encoding="utf-8")
+    print(f"written: {OUT}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:2])
