@@ -10,7 +10,7 @@ from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.model.facts import case_text, peak_unit, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
 from rocksteady.results.answer import Answer, left_out
-from rocksteady.results.numbers import number, percent, plural
+from rocksteady.results.numbers import chance, number, plural
 
 MOST_BASINS = 3
 """Basins that an answer lists."""
@@ -27,7 +27,7 @@ def shares_sentence(ends: Iterable[tuple[str, float]], undecided: float) -> str:
     shares: dict[str, float] = {}
     for verb, share in ends:
         shares[verb] = shares.get(verb, 0.0) + share
-    parts = [f"{percent(share)} {verb}" for verb, share in shares.items() if share]
+    parts = [f"{chance(share)} {verb}" for verb, share in shares.items() if share]
     if len(parts) == 1:
         parts = [f"all {verb}" for verb, share in shares.items() if share]
     words = ", ".join(parts[:-1]) + f" and {parts[-1]}" if len(parts) > 1 else parts[0]
@@ -114,8 +114,8 @@ def fates_answer(fates: Any) -> Answer:
         if part.fate == Status.OVERTURNED
     )
     still = fates.global_integrity
-    safe = f"{percent(still)} of the safe area without the motion"
-    safe += f", {percent(fates.integrity_factor)} of its radius"
+    safe = f"{_left(still)} of the safe area without the motion"
+    safe += f", {_left(fates.integrity_factor)} of its radius"
     facts = [
         ("falls", sides),
         ("left of it", "" if math.isnan(still) else safe),
@@ -140,7 +140,7 @@ def erosion_answer(erosion: Any) -> Answer:
         sentence += f"; half of its radius is lost at {radius}." if radius else "."
     tangency = erosion.heteroclinic
     ends = (erosion.global_integrity[-1], erosion.integrity_factor[-1])
-    area_left, radius_left = (percent(float(end)) if end else "nothing" for end in ends)
+    area_left, radius_left = (_left(float(end)) for end in ends)
     left = f"{area_left} of the area, {radius_left} of the radius"
     return Answer(
         sentence,
@@ -191,6 +191,11 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
     return Answer(f"{sentence}.", facts)
 
 
+def _left(share: float) -> str:
+    """Return what is left of the safe basin of a base at rest."""
+    return chance(share) if 0.0 < share < 1.0 else "all" if share else "nothing"
+
+
 def _where(family: dict[str, Any], symbol: str) -> str:
     """Return between which values a family is met."""
     first, last = number(family["from"], 4), number(family["to"], 4)
@@ -199,5 +204,7 @@ def _where(family: dict[str, Any], symbol: str) -> str:
 
 def _range(family: dict[str, Any]) -> str:
     """Return the least and the largest share of a family."""
-    least, most = percent(family["least"]), percent(family["most"])
+    least, most = chance(family["least"]), chance(family["most"])
+    if not family["least"] and family["most"]:
+        return f"none to {most}"
     return most if least == most else f"{least.removesuffix(' %')} to {most}"

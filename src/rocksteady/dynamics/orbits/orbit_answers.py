@@ -14,7 +14,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, case_text, tilt_text
 from rocksteady.outcomes import AttractorKind
 from rocksteady.results.answer import Answer, aligned, left_out
-from rocksteady.results.numbers import angle, number, percent, plural, quantity
+from rocksteady.results.numbers import angle, number, plural, quantity
 
 MOST_ORBITS = 2
 """Orbits that an answer lists."""
@@ -38,7 +38,7 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
     shrinks, rate = "", attractor.lyapunov
     if orbit is not None:
         left = "vanishes at each rest" if orbit.rest_phases else ""
-        left = left or f"shrinks to {percent(math.exp(rate))} a period"
+        left = left or f"shrinks to {number(100.0 * math.exp(rate), 2)} % a period"
         shrinks = f"a disturbance {left}"
     mirrored = kind is AttractorKind.UNSYMMETRIC and has_mirror_images(block, attractor.motion)
     grown = ""

@@ -13,7 +13,7 @@ from rocksteady.model.equations import Model
 from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number, percent, plural
+from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
@@ -157,7 +157,7 @@ class Calibration(Result):
         scored = (
             "no held-out scores"
             if best is None
-            else f"held-out accuracy {percent(best.accuracy[0])}, "
+            else f"held-out accuracy {chance(best.accuracy[0], best.tests)}, "
             f"Brier score {number(best.brier[0])}"
         )
         effective = {name: each.effective_draws for name, each in self.posteriors.items()}
@@ -234,11 +234,11 @@ class Calibration(Result):
         held = "no score: tests of several groups are needed"
         sentence = f"No answer yet: {held}."
         if best is not None and base is not None:
-            accuracy, low, high = best.accuracy
+            _, low, high = best.accuracy
             band = interval(None if np.isnan(low) else (low, high), 0.9)
-            rate = chance(base.accuracy[0])
-            held = f"{chance(accuracy)} of tests predicted; by the base rate {rate}"
-            sentence = f"{chance(accuracy)} of held-out tests are predicted{band}."
+            share, rate = (chance(each.accuracy[0], each.tests) for each in (best, base))
+            held = f"{share} of tests predicted; by the base rate {rate}"
+            sentence = f"{share} of held-out tests are predicted{band}."
         if not few.identified:
             sentence = (
                 f"No answer yet: it rests on {few.effective_draws:.0f} effective draws of "

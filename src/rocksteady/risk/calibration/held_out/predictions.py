@@ -11,7 +11,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number, plural
+from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -109,7 +109,7 @@ class Predictions(Result):
         )
         likely = int((self.p >= 0.5).sum())
         return Description(
-            headline=f"{plural(len(self.test), 'test')}: {likely} more likely fall than not",
+            headline=self._likely(likely),
             facts=[
                 Fact("tests", len(self.test), "tests"),
                 Fact("mc_error", float(np.max(self.mc_error)), "largest Monte Carlo error"),
@@ -128,6 +128,10 @@ class Predictions(Result):
             answer=self._answer(likely),
         )
 
+    def _likely(self, count: int) -> str:
+        """Return how many tests more likely fall than not."""
+        return f"{counted(count, plural(len(self.test), 'test'), 'more likely fall')} than not"
+
     def _answer(self, likely: int) -> Answer:
         """Return the probabilities, the highest first; provisional of too few draws."""
         rows = sorted(self.rows, key=lambda row: row["p"], reverse=True)
@@ -138,7 +142,8 @@ class Predictions(Result):
         ]
         least = min(row["effective_draws"] for row in rows)
         few = least < FEWEST_DRAWS
-        sentence = f"{likely or 'None'} of {plural(len(rows), 'test')} more likely fall than not."
+        fall = self._likely(likely)
+        sentence = f"{fall[0].upper()}{fall[1:]}."
         if len(rows) == 1:
             sentence = f"It falls in {rows[0]['test']} with {words[0]}."
         if few:
