@@ -1,11 +1,12 @@
 """Answers: at most eight lines, within 80 columns and within the console."""
 
 import io
+import re
 
 import pytest
 from rich.console import Console
 
-from rocksteady.results.answer import MOST_FACTS, Answer
+from rocksteady.results.answer import MOST_FACTS, MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.rendering import print_answer
 
 
@@ -35,10 +36,29 @@ def test_no_more_than_five_facts_are_shown() -> None:
 
 def test_of_too_many_facts_what_was_given_is_left_out_first() -> None:
     facts = [("block", "0.5 x 2 m"), *((f"fact {i}", str(i)) for i in range(MOST_FACTS))]
-    assert [label for label, _ in Answer("It falls.", facts).lines] == [
+    assert [label for label, _ in Answer("It falls.", facts).stated] == [
         f"fact {i}" for i in range(MOST_FACTS)
     ]
-    assert Answer("It falls.", facts[:-1]).lines == facts[:-1]
+    assert Answer("It falls.", facts[:-1]).stated == facts[:-1]
+
+
+def test_eight_lines_hold_the_first_facts_that_fit_whatever_the_console_has() -> None:
+    long = "a reason of many words " * 6
+    facts = [("first", long), ("second", long), ("third", long), ("fourth", "0.5 x")]
+    command = "rocksteady overturn " + "--height-m 1.8 --width-m 0.4 " * 4
+    answer = Answer("It falls.", facts, follow_up=command.strip())
+    lines = printed(answer)
+    assert len(lines) <= MOST_LINES
+    labels = [line.split()[0] for line in lines if re.match(r"  \w", line)]
+    assert labels[:2] == ["first", "fourth"]
+    for width in (40, 200):
+        assert not any("second" in line or "third" in line for line in printed(answer, width))
+
+
+def test_rows_are_beside_the_eight_lines_and_at_most_twelve() -> None:
+    rows = [(f"screen {i}", "passes") for i in range(20)]
+    lines = printed(Answer("It passes.", FACTS, rows))
+    assert len(lines) == 1 + MOST_ROWS + 2
 
 
 def test_words_that_are_computed_are_computed_once_and_only_where_they_are_printed() -> None:

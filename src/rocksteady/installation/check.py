@@ -15,6 +15,7 @@ import numpy as np
 from rocksteady.errors import InputError, with_call_errors
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -53,6 +54,8 @@ class KernelCheck:
         return self.first_difference is None
 
 
+FOLLOW_UP = "rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0"
+"""What a person with a sound installation runs first."""
 RUNNERS = {
     "library": "library, compiled ahead of time",
     "jit": "compiled by numba on this machine",
@@ -175,7 +178,29 @@ class Installation(Result):
             f"  {check.first_difference}"
             for check in wrong
         )
-        return Description(verdict, facts, (Table("checks", rows),), notes)
+        answer = self._answer(len(wrong), runs_on)
+        return Description(verdict, facts, (Table("checks", rows),), notes, answer)
+
+    def _answer(self, wrong: int, runs_on: str) -> Answer:
+        """Return whether every value is the recorded one, and what computes here."""
+        sentence = (
+            f"All {self.values:,} recorded values agree bit for bit: this installation is sound."
+        )
+        if wrong:
+            sentence = (
+                f"{self.differing:,} of {self.values:,} recorded values differ, in "
+                f"{plural(wrong, 'kernel')}: this installation is faulty."
+            )
+        if not self.checks:
+            sentence = "No answer yet: no recorded call was repeated."
+        facts = [
+            ("runs on", f"{runs_on}, {self.cpu_level or self.system}"),
+            ("kernels", RUNNERS[self.kernels]),
+            ("GPU", self.gpu or f"none: {self.no_gpu}"),
+            ("differing", ", ".join(each.name for each in self.checks if not each.equal)),
+        ]
+        follow_up = "rocksteady doctor --more" if wrong else FOLLOW_UP
+        return Answer(sentence, facts, follow_up=follow_up)
 
 
 @with_call_errors

@@ -4,16 +4,21 @@ One sentence with the number that matters, its doubt and its reason; up to five 
 that goes on from here.  Tables, caveats and further facts of the result follow with ``--more``.
 """
 
+import textwrap
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+MOST_LINES: Final = 8
+"""Lines of an answer, beside rows that are the answer."""
 MOST_FACTS: Final = 5
 """Facts of an answer."""
 MOST_ROWS: Final = 12
 """Rows of an answer that consists of rows."""
 GIVEN: Final = "block"
 """Label of what was given, which is left out first where there are too many facts."""
+SHORT: Final = 55
+"""Letters of a doubt on a screen: one line beside its label."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +33,8 @@ class Answer:
         Label and words of each fact, the most important first; words that are computed are a
         function, which is called where the answer is printed.
     rows
-        Label and words of each row, the worst first, where the rows are the answer.
+        Label and words of each row, the worst first, where the rows are the answer; other short
+        tables are facts.
     follow_up
         A command that runs as it stands; empty where none follows.
     """
@@ -39,15 +45,42 @@ class Answer:
     follow_up: str = ""
 
     @property
-    def lines(self) -> list[tuple[str, str]]:
-        """Rows, then facts, each with its label; those without words are left out."""
+    def stated(self) -> list[tuple[str, str]]:
+        """Label and words of the facts that have words, five at most."""
         pairs = [
             (label, words if isinstance(words, str) else words()) for label, words in self.facts
         ]
         facts = [fact for fact in pairs if fact[1]]
         if len(facts) > MOST_FACTS:
             facts = [fact for fact in facts if fact[0] != GIVEN]
-        return [*self.rows[:MOST_ROWS], *facts[:MOST_FACTS]]
+        return facts[:MOST_FACTS]
+
+
+def left_out(count: int, kinds: str = "") -> tuple[str, str]:
+    """Return the fact that counts the rows that an answer leaves to ``--more``, by their kinds.
+
+    Examples
+    --------
+    >>> left_out(4, "1 red, 3 green"), left_out(0)
+    (('not listed', '4 more with --more: 1 red, 3 green'), ('not listed', ''))
+    """
+    words = f"{count:,} more with --more" + (f": {kinds}" if kinds else "")
+    return "not listed", words if count else ""
+
+
+def doubt(warnings: Sequence[str]) -> str:
+    """Return the beginning of the first of some warnings, in a line, and how many more there are.
+
+    Examples
+    --------
+    >>> doubt(["Two records are weak. Scale them.", "The motions are few."])
+    'Two records are weak; 1 more with --more'
+    >>> doubt(["Of 12 records the first 11 are far too weak to fell a block of this size at all."])
+    'Of 12 records the first 11 are far too weak to ...'
+    """
+    more = f"; {len(warnings) - 1} more with --more" if len(warnings) > 1 else ""
+    first = warnings[0].partition(". ")[0].rstrip(".") if warnings else ""
+    return textwrap.shorten(first, SHORT - len(more), placeholder=" ...") + more
 
 
 def aligned(table: Sequence[Sequence[str]]) -> list[tuple[str, str]]:

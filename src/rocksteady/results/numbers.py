@@ -4,10 +4,8 @@ import math
 
 DIGITS = 3
 """Default number of significant digits of a number in a text."""
-LEAST_SHARE, MOST_SHARE = 1e-4, 0.99
-"""Probabilities below the one and above the other have no figures of their own."""
 LEAST_PERCENT, LEAST_WHOLE_PERCENT, MOST_PERCENT = 0.1, 9.95, 99.5
-"""Per cents below which an answer has no figures and one decimal, and from which it has none."""
+"""Per cents below which a share has no figures and one decimal, and from which it has none."""
 LARGEST_WHOLE = 1e6
 """Numbers below it are written without an exponent."""
 
@@ -85,32 +83,17 @@ def share(part: int, whole: int) -> str:
     return f"{number(100.0 * part / whole)} %" if whole else "—"
 
 
-def percent(probability: float | None) -> str:
-    """Return a probability in per cent, with two significant digits.
-
-    Examples
-    --------
-    >>> percent(0.3992), percent(0.0623), percent(2e-7), percent(0.9999), percent(1.0)
-    ('40 %', '6.2 %', 'below 0.01 %', 'above 99 %', '100 %')
-    """
-    if probability is None or math.isnan(probability):
-        return "—"
-    if 0.0 < probability < LEAST_SHARE:
-        return f"below {100.0 * LEAST_SHARE:g} %"
-    if MOST_SHARE < probability < 1.0:
-        return f"above {100.0 * MOST_SHARE:g} %"
-    return f"{number(100.0 * probability, 3 if probability == 1.0 else 2)} %"
-
-
 def chance(probability: float | None, of: int = 0) -> str:
-    """Return a probability of falling: whole per cent, one decimal below 10 %.
+    """Return a probability, or a share, in per cent: whole, with one decimal below 10 %.
+
+    The only rule for per cents of probabilities and counts, on screens and on pages.
 
     Parameters
     ----------
     probability
-        In [0, 1]; 0 % is only what statics exclude, and 100 % nothing; None for one not known.
+        In [0, 1]; 0 % is only what nothing can cause, and 100 % nothing; None for one not known.
     of
-        Number of runs that it was counted in: none and all of them are counts.
+        Number of things that it was counted in: none and all of them are counts.
 
     Examples
     --------
@@ -125,7 +108,7 @@ def chance(probability: float | None, of: int = 0) -> str:
     if 0.0 < percents < LEAST_PERCENT:
         return f"< {LEAST_PERCENT} %"
     if percents >= MOST_PERCENT:
-        return f"> {100.0 * MOST_SHARE:g} %"
+        return "> 99 %"
     decimals = 1 if 0.0 < percents < LEAST_WHOLE_PERCENT else 0
     return f"{percents:.{decimals}f} %"
 
@@ -142,6 +125,17 @@ def interval(band: tuple[float, float] | None, confidence: float) -> str:
         return ""
     low, high = (chance(side) for side in band)
     return f" ({100.0 * confidence:g} %: {low.removesuffix(' %')} to {high})"
+
+
+def counted(part: int, whole: str, verb: str = "fall") -> str:
+    """Return how many of some things do something.
+
+    Examples
+    --------
+    >>> counted(1, "its 72 runs"), counted(41, "72 runs"), counted(0, "8 runs", "agree")
+    ('1 of its 72 runs falls', '41 of 72 runs fall', 'none of 8 runs agree')
+    """
+    return f"{f'{part:,}' if part else 'none'} of {whole} {verb}{'s' * (part == 1)}"
 
 
 def plural(count: int, thing: str) -> str:

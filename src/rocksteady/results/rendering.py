@@ -3,10 +3,11 @@
 import re
 import textwrap
 import unicodedata
+from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.description import Description, Table
 
 if TYPE_CHECKING:
@@ -29,6 +30,9 @@ ROLES = {
 
 A console that has no styles of these names, as one of a notebook, leaves the words as they are.
 """
+
+NEXT = "next:"
+"""Before the command that follows."""
 
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
@@ -64,24 +68,43 @@ def printable(text: object, *, keep: str = "") -> str:
 def print_answer(answer: Answer, console: "Console") -> None:
     """Print an answer on a console: the sentence, rows and facts, and the command that follows.
 
-    Below 60 columns a label stands on a line of its own.
+    Facts are those that eight lines of 80 columns hold, whatever the console has.  Below 60 columns
+    a label stands on a line of its own.
     """
     from rich.text import Text
 
     width = min(console.width, WIDTH)
     _say(console, answer.sentence, "sentence", width)
-    pairs = answer.lines
-    labels = [printable(label) for label, _ in pairs]
-    indent = max([15, *map(len, labels)]) + 4
+    rows = [(printable(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
+    facts = [(printable(label), printable(words)) for label, words in answer.stated]
+    indent = max([15, *(len(label) for label, _ in (*rows, *facts))]) + 4
     narrow = console.width < NARROW
-    for label, (_, words) in zip(labels, pairs, strict=True):
-        start = 4 if narrow else indent
-        lines = _filled(printable(words), width - start, whole=True).split("\n")
+    start = 4 if narrow else indent
+    for label, words in (*rows, *_fitting(answer, facts, indent)):
+        lines = _filled(words, width - start, whole=True).split("\n")
         gap = "\n    " if narrow else " " * (indent - len(label) - 2)
         console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
     if answer.follow_up:
-        command = _continued(printable(answer.follow_up), width - len("next: "))
-        console.print(Text.assemble(("next:", "next"), f" {command}"))
+        console.print(Text.assemble((NEXT, "next"), f" {_command(answer, width)}"))
+
+
+def _fitting(
+    answer: Answer, facts: Sequence[tuple[str, str]], indent: int
+) -> Iterator[tuple[str, str]]:
+    """Yield the facts for which eight lines have room, the first of them first."""
+    room = MOST_LINES - len(_filled(printable(answer.sentence), WIDTH).split("\n"))
+    if answer.follow_up:
+        room -= len(_command(answer, WIDTH).split("\n"))
+    for label, words in facts:
+        lines = len(_filled(words, WIDTH - indent, whole=True).split("\n"))
+        if lines <= room:
+            room -= lines
+            yield label, words
+
+
+def _command(answer: Answer, width: int) -> str:
+    """Return the command that follows, in lines."""
+    return _continued(printable(answer.follow_up), width - len(f"{NEXT} "))
 
 
 def _row(begins: str, label: str, gap: str, words: str) -> "Text":
@@ -108,7 +131,7 @@ def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "
 def _continued(command: str, width: int) -> str:
     """Return a command in lines that end in a backslash, broken before its flags."""
     lines = [""]
-    for part in re.split(r" (?=-)", command):
+    for part in re.split(r" (?=-(?!m ))", command):
         if lines[-1] and len(lines[-1]) + len(part) + 3 > width:
             lines[-1] += " \\"
             lines.append(f"  {part}")

@@ -67,6 +67,13 @@ def test_the_screen_of_a_healthy_installation() -> None:
     ran = rocksteady("doctor --check")
     assert ran.code == 0
     assert ran.out == (
+        "All 8,392 recorded values agree bit for bit: this installation is sound.\n"
+        "  runs on          Python 3.12.1, NumPy 2.1.0, no numba, x86-64-v4\n"
+        "  kernels          library, compiled ahead of time\n"
+        "  GPU              NVIDIA H100, compute capability 9.0\n"
+        "next: rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0\n"
+    )
+    assert rocksteady("doctor --more").out.removeprefix(ran.out) == (
         "all equal, bit for bit\n"
         "rocksteady  1.2\n"
         "runs on     Python 3.12.1, NumPy 2.1.0, no numba\n"
@@ -82,9 +89,13 @@ def test_the_screen_of_a_healthy_installation() -> None:
 
 @pytest.mark.usefixtures("ill")
 def test_the_screen_of_an_ill_one_names_each_kernel_that_differs() -> None:
-    ran = rocksteady("doctor")
+    ran = rocksteady("doctor --more")
     assert ran.code == 0
-    assert ran.out.startswith("2 values of 1 kernel differ; the other 1 kernel equal\n")
+    assert ran.out.startswith(
+        "2 of 8,392 recorded values differ, in 1 kernel: this installation is faulty.\n"
+    )
+    assert "\n  differing        settle_cells\nnext: rocksteady doctor --more\n" in ran.out
+    assert "\n2 values of 1 kernel differ; the other 1 kernel equal\n" in ran.out
     assert "kernels     compiled by numba on this machine\n" in ran.out
     assert "cache       /home/user/.cache/rocksteady\n" in ran.out
     assert "GPU         none: cuda-python is not installed\n" in ran.out

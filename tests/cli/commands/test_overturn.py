@@ -259,7 +259,7 @@ def test_the_answer_of_frequencies_counts_those_at_which_it_stands() -> None:
     shown = [line for line in lines if line.startswith("W = ")]
     left = len(falls) - len(shown)
     fall = f"{left} falling, " if left else ""
-    more = f"more {9 - len(shown)} more with --more: {fall}{9 - len(falls)} standing"
+    more = f"not listed {9 - len(shown)} more with --more: {fall}{9 - len(falls)} standing"
     assert more in lines
 
 

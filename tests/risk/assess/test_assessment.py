@@ -79,7 +79,11 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
     assert found.by_curve == pytest.approx(expected, rel=1e-9)
     counted = found.cases[0].counted
     assert counted > expected + 0.1
-    assert (found.probability, found.basis, found.probability_band) == (counted, "count", None)
+    assert (found.probability, found.basis) == (counted, "count")
+    band = found.probability_band
+    assert band is not None
+    assert band == found.cases[0].band
+    assert band[0] < counted < band[1]
     parts = (found.described, onset_of(found.described), found.fragility, found.level)
     for share, value, basis in (
         (expected - 0.2, found.by_curve, "curve"),
@@ -87,10 +91,10 @@ def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessmen
         (expected + 0.11, expected + 0.11, "count"),
         (1.0, 1.0, "count"),
     ):
-        answer = probability_of(*parts, share)
+        answer = probability_of(*parts, share, band)
         assert (answer.value, answer.by_curve, answer.basis) == (value, found.by_curve, basis)
-        assert (answer.band is None) == (basis == "count")
-    low, high = probability_of(*parts, expected).band or (math.nan, math.nan)
+        assert (answer.band == band) == (basis == "count")
+    low, high = probability_of(*parts, expected, band).band or (math.nan, math.nan)
     assert low <= expected <= high
     assert found.fragility.records == len(SUITE)
     assert found.verdict == "above target"
@@ -264,12 +268,12 @@ def test_the_first_line_has_the_number_that_the_verdict_follows(found: Assessmen
         )
         answer = changed.describe().answer
         assert answer is not None
-        runs = f"{fell} of its {first.trials} runs"
+        runs = f"{fell or 'None'} of its {first.trials} runs"
         assert answer.sentence.startswith(runs if above else f"{100.0 * value:.0f} % of such")
-        facts = dict(answer.lines)
+        facts = dict(answer.stated)
         assert ("these runs decide" in facts["counted"]) == above
         assert (f"{100.0 * value:.0f} % by the curve" in facts["counted"]) == above
-        assert len(answer.lines) <= 5
+        assert len(answer.stated) <= 5
 
 
 @pytest.mark.slow
@@ -333,10 +337,11 @@ def test_a_step_is_no_answer_between_its_levels_and_the_runs_at_the_demand_are()
     assert isinstance(curve, FragilityCurve)
     assert curve.status == "separated"
     assert found.probability == found.cases[0].counted
-    assert found.probability_band is None
     base = found.cases[0]
+    assert found.probability_band == base.band
+    verb = "falls" if base.fell == 1 else "fall"
     assert found.sentence.startswith(
-        f"{base.fell or 'None'} of its {base.trials} runs that lift fall at"
+        f"{base.fell or 'None'} of its {base.trials} runs that lift {verb} at"
     )
     assert any("No curve of falling can be fitted" in note for note in found.describe().notes)
 

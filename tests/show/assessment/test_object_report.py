@@ -15,7 +15,7 @@ import pytest
 from rocksteady.errors import OutputError
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
-from rocksteady.results.numbers import chance, number
+from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import DescribedObject
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
@@ -23,7 +23,6 @@ from rocksteady.show.assessment._assessment_pictures import tornado_rows
 from rocksteady.show.assessment._assessment_tables import answer_rows
 from rocksteady.show.assessment.object_report import report_html, write_assessment_page
 from rocksteady.show.export.manifest import make_manifest
-from rocksteady.show.style.wording import span
 from tests.show.assessment.pages import Page, check_alone
 
 HOSTILE = "<script>alert('1')</script> & \u202eevil \"q\" $\\frac{x}$ {{ 7*7 }} </style>\\"
@@ -134,12 +133,13 @@ def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) ->
     assert [each for each in expected if each not in page.text] == []
 
 
-def test_a_probability_by_the_curve_has_its_band(found: Assessment) -> None:
+def test_a_probability_has_its_interval_by_the_curve_and_counted(found: Assessment) -> None:
     by_curve = replace(found, basis="curve", probability_band=(0.213, 0.435))
     (row,) = (each for each in answer_rows(by_curve) if each["name"] == "Probability of falling")
-    assert row["words"].endswith(f"({span(0.213, 0.435, 100.0)} %, 90 % band)")
+    assert row["words"].endswith("(90 %: 21 to 44 %)")
     (row,) = (each for each in answer_rows(found) if each["name"] == "Probability of falling")
-    assert "band" not in row["words"]
+    assert found.basis == "count"
+    assert interval(found.probability_band, 0.9) in row["words"]
 
 
 def test_the_curves_of_all_states_stand_on_it(found: Assessment, page: Page) -> None:

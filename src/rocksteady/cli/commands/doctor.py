@@ -21,11 +21,13 @@ def doctor(
         "--check", "Leave with exit code 1 where a value differs.", default=False
     ),
     as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
 ) -> int:
     """Run `rocksteady doctor`; `HELP` is what its users read."""
     announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation
 
     report = check_installation()
-    OutputFlags(as_json=as_json).leave("doctor", report.describe())
+    OutputFlags(as_json=as_json, more=more, quiet=quiet).leave("doctor", report.describe())
     return NEGATIVE if check and not report.equal else 0

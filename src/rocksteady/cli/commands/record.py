@@ -18,7 +18,7 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.rendering import printable
@@ -183,12 +183,11 @@ def table_of(recordings: "Sequence[Recording]", measures: "Sequence[Measures]") 
     strongest = sorted(measures, key=lambda each: -each.pga_g)
     least, most = (number(each.pga_g) for each in (strongest[-1], strongest[0]))
     drifting = sum(each.drifts for each in measures)
-    left_out = len(rows) - MOST_ANSWERED
     answer = Answer(
         f"{plural(len(rows), 'record')} peak at {least} to {most} g.",
         [
             ("drift", f"{drifting} of {len(rows)} records drift" * (drifting > 0)),
-            ("more", f"{left_out} weaker with --more" * (left_out > 0)),
+            left_out(max(len(rows) - MOST_ANSWERED, 0), "weaker"),
         ],
         [
             (

@@ -9,10 +9,10 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.dynamics.steady.steady_answers import BEYOND
 from rocksteady.model.facts import case_text, peak_unit, tilt_text
 from rocksteady.outcomes import AttractorKind, Status
-from rocksteady.results.answer import Answer
-from rocksteady.results.numbers import number, percent, plural
+from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.numbers import chance, number, plural
 
-MOST_BASINS = 5
+MOST_BASINS = 3
 """Basins that an answer lists."""
 FEW = 1e-3
 """Share of undecided states that is no failure: a window may meet states that balance for ever."""
@@ -27,7 +27,7 @@ def shares_sentence(ends: Iterable[tuple[str, float]], undecided: float) -> str:
     shares: dict[str, float] = {}
     for verb, share in ends:
         shares[verb] = shares.get(verb, 0.0) + share
-    parts = [f"{percent(share)} {verb}" for verb, share in shares.items() if share]
+    parts = [f"{chance(share)} {verb}" for verb, share in shares.items() if share]
     if len(parts) == 1:
         parts = [f"all {verb}" for verb, share in shares.items() if share]
     words = ", ".join(parts[:-1]) + f" and {parts[-1]}" if len(parts) > 1 else parts[0]
@@ -60,20 +60,15 @@ def basins_answer(basins: Any) -> Answer:
     settle = "without loss motions do not settle" if basins.block.lossless else LONGER
     facts = [
         ("undecided", settle if basins.undecided else ""),
-        ("not listed", f"{len(left)} more with --more: {100.0 * total:.1f} %" if left else ""),
+        *rows,
+        left_out(len(left), f"{100.0 * total:.1f} %"),
         (full.label or "full equations", full.text),
         ("beyond alpha", f"{plural(beyond, 'motion')}: {BEYOND}" if beyond else ""),
         ("starts", f"{basins.label.size:,}: {_window(basins)}"),
-        ("boundary", "not measured: --entropy and --exponent measure it"),
         ("computed", f"{basins.model.name}; at most {basins.max_cycles} periods"),
+        ("boundary", "not measured: --entropy and --exponent measure it"),
     ]
-    return Answer(shares_sentence(ends, basins.undecided), _five(facts), rows)
-
-
-def _five(facts: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
-    """Return the facts that have words, at most five, the last of them in any case."""
-    kept = [fact for fact in facts if fact[1]]
-    return [*kept[:4], kept[-1]] if len(kept) > 4 else kept
+    return Answer(shares_sentence(ends, basins.undecided), facts)
 
 
 def _window(result: Any) -> str:
@@ -119,8 +114,8 @@ def fates_answer(fates: Any) -> Answer:
         if part.fate == Status.OVERTURNED
     )
     still = fates.global_integrity
-    safe = f"{percent(still)} of the safe area without the motion"
-    safe += f", {percent(fates.integrity_factor)} of its radius"
+    safe = f"{_left(still)} of the safe area without the motion"
+    safe += f", {_left(fates.integrity_factor)} of its radius"
     facts = [
         ("falls", sides),
         ("left of it", "" if math.isnan(still) else safe),
@@ -145,7 +140,7 @@ def erosion_answer(erosion: Any) -> Answer:
         sentence += f"; half of its radius is lost at {radius}." if radius else "."
     tangency = erosion.heteroclinic
     ends = (erosion.global_integrity[-1], erosion.integrity_factor[-1])
-    area_left, radius_left = (percent(float(end)) if end else "nothing" for end in ends)
+    area_left, radius_left = (_left(float(end)) for end in ends)
     left = f"{area_left} of the area, {radius_left} of the radius"
     return Answer(
         sentence,
@@ -176,7 +171,7 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
     if falls:
         values = len(shares.values)
         at = "" if falls[0]["values"] == values else f" at {falls[0]['values']} of {values} values"
-        sentence = f"Over {over} {_range(falls[0])} of these starts fall{at}"
+        sentence = f"Over {over}, {_range(falls[0])} of these starts fall{at}"
     if shares.undecided > FEW:
         sentence = f"Undecided: {sentence[0].lower()}{sentence[1:]}"
     ranked = sorted(
@@ -188,11 +183,17 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
         rows.append(("rests" if each["name"] == "rest" else each["name"], _range(each) + where))
     left = len(ranked) - len(rows)
     facts = [
-        ("not listed", f"{plural(left, 'smaller basin')} with --more" if left else ""),
+        *rows,
+        left_out(left, "smaller basins"),
         ("starts", f"{shares.label[0].size:,} at each: {_window(shares)}"),
         ("computed", f"{shares.model.name}; at most {shares.max_cycles} periods"),
     ]
-    return Answer(f"{sentence}.", facts, rows)
+    return Answer(f"{sentence}.", facts)
+
+
+def _left(share: float) -> str:
+    """Return what is left of the safe basin of a base at rest."""
+    return chance(share) if 0.0 < share < 1.0 else "all" if share else "nothing"
 
 
 def _where(family: dict[str, Any], symbol: str) -> str:
@@ -203,5 +204,7 @@ def _where(family: dict[str, Any], symbol: str) -> str:
 
 def _range(family: dict[str, Any]) -> str:
     """Return the least and the largest share of a family."""
-    least, most = percent(family["least"]), percent(family["most"])
+    least, most = chance(family["least"]), chance(family["most"])
+    if not family["least"] and family["most"]:
+        return f"none to {most}"
     return most if least == most else f"{least.removesuffix(' %')} to {most}"

@@ -9,10 +9,10 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, case_text
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import Answer, aligned
+from rocksteady.results.answer import Answer, aligned, left_out
 from rocksteady.results.numbers import number, plural
 
-MOST = 5
+MOST, MOST_STABLE = 3, 2
 """Rows of an answer."""
 CHANGES = {
     "symmetry-breaking": "symmetry breaks",
@@ -62,7 +62,7 @@ def diagram_answer(diagram: Any) -> Answer:
         ends = sorted((float(cascade.values[0]), float(cascade.values[-1])))
         ranges.append((ends[0], ends[1]))
     rows = []
-    for first, last, number_of in sorted(stable, key=lambda each: each[0] - each[1])[:3]:
+    for first, last, number_of in sorted(stable, key=lambda each: each[0] - each[1])[:MOST_STABLE]:
         branch = diagram.branches[number_of - 1]
         kind = "symmetric" if branch.symmetric else "unsymmetric"
         low, high = (_end(diagram, number_of, end, place) for end in (first, last))
@@ -77,20 +77,20 @@ def diagram_answer(diagram: Any) -> Answer:
     count, left = len(diagram.branches) + len(diagram.resting), len(stable) - len(rows)
     summary = f"{plural(count, 'branch').replace('branchs', 'branches')}, "
     summary += plural(len(diagram.points), "bifurcation")
-    if left:
-        summary += f"; {plural(left, 'narrower stable range')} with --more"
     computed = diagram.model.name
     if diagram.parameter != "restitution":
         computed += f"; {case_text(diagram.block)}"
     facts = [
         ("unfinished", "" if diagram.complete else "stopped at --max-branches: more may begin"),
+        *rows,
         ("cascade", doublings),
         *((f"sweep {sweep.direction}", _met(sweep, place)) for sweep in diagram.sweeps),
+        left_out(left, "narrower stable ranges"),
         ("found", summary),
         ("computed", computed),
     ]
     sentence = _stability(_joined(ranges), diagram.within, place)
-    return Answer(sentence, [fact for fact in facts if fact[1]], rows)
+    return Answer(sentence, facts)
 
 
 class _Place:
@@ -196,18 +196,17 @@ def curves_answer(curves: Any) -> Answer:
     sentence += f" and meet in {plural(len(meet), 'special point')}." if meet else "; none meet."
     if not count:
         sentence = "No bifurcation curve was found in this plane."
-    head = ("meet at", *(symbol or unit.strip() for _, symbol, unit in scales), "", "curves")
     rows = [
         (
-            each.point.type.value.replace("-", " "),
+            "" if row else "meet at",
             *(
-                number(factor * getattr(each.point, name), 5)
-                for name, (factor, _, _) in zip(curves.parameters, scales, strict=True)
+                f"{symbol[:1]} {number(factor * getattr(each.point, name), 5)}{unit}".strip()
+                for name, (factor, symbol, unit) in zip(curves.parameters, scales, strict=True)
             ),
             f"period {each.point.period}",
-            ", ".join(map(str, each.curves)),
+            f"{each.point.type.value.replace('-', ' ')}, curves {', '.join(map(str, each.curves))}",
         )
-        for each in meet[:MOST]
+        for row, each in enumerate(meet[:MOST])
     ]
     left = Counter(each.point.type.value.replace("-", " ") for each in meet[MOST:])
     kinds = ", ".join(f"{number_of} {kind}" for kind, number_of in left.items())
@@ -215,9 +214,10 @@ def curves_answer(curves: Any) -> Answer:
     listed = ", ".join(f"{number_of} {kind}" for kind, number_of in types.most_common())
     facts = [
         ("unfinished", "" if curves.complete else "stopped at --max-curves or --max-branches"),
-        ("not listed", f"{sum(left.values())} more with --more: {kinds}" if left else ""),
+        *aligned(rows),
+        left_out(sum(left.values()), kinds),
         ("curves", listed),
         ("missed", "curves off every line across the plane: more lines find more"),
         ("computed", f"{curves.model.name}; up to {plural(curves.search.longest, 'period')}"),
     ]
-    return Answer(sentence, facts, aligned([head, *rows]) if rows else ())
+    return Answer(sentence, facts)

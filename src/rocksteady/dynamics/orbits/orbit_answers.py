@@ -13,10 +13,10 @@ from rocksteady.dynamics.steady.verdicts import multipliers_text
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.facts import AnyBlock, case_text, tilt_text
 from rocksteady.outcomes import AttractorKind
-from rocksteady.results.answer import Answer, aligned
-from rocksteady.results.numbers import angle, number, percent, plural, quantity
+from rocksteady.results.answer import Answer, aligned, left_out
+from rocksteady.results.numbers import angle, number, plural, quantity
 
-MOST_ORBITS = 5
+MOST_ORBITS = 2
 """Orbits that an answer lists."""
 VERDICTS = ("stable", "neutral", "grazes", "unstable", "inadmissible")
 """Verdicts on orbits, those of motions that last first."""
@@ -38,7 +38,7 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
     shrinks, rate = "", attractor.lyapunov
     if orbit is not None:
         left = "vanishes at each rest" if orbit.rest_phases else ""
-        left = left or f"shrinks to {percent(math.exp(rate))} a period"
+        left = left or f"shrinks to {number(100.0 * math.exp(rate), 2)} % a period"
         shrinks = f"a disturbance {left}"
     mirrored = kind is AttractorKind.UNSYMMETRIC and has_mirror_images(block, attractor.motion)
     grown = ""
@@ -57,7 +57,7 @@ def attractor_answer(attractor: Any, *, rounded: float) -> Answer:
         ("known after", f"{known}, from {start}" if known else ""),
         ("computed", f"{attractor.model.name}; {case_text(block)}"),
     ]
-    return Answer(_settles(attractor), [fact for fact in facts if fact[1]][:5])
+    return Answer(_settles(attractor), facts)
 
 
 def _settles(attractor: Any) -> str:
@@ -146,15 +146,16 @@ def orbits_answer(
     images = "; mirror images are one" if mirrors else ""
     seeds = limits["seeds"]
     facts = [
+        *(aligned(rows) if ranked else ()),
+        left_out(sum(left.values()), kinds),
         full,
-        ("not listed", f"{sum(left.values()):,} more with --more: {kinds}" if left else ""),
         (
             "beyond alpha",
             f"{plural(reaching, 'motion')}: no fall in the linear model" if reaching else "",
         ),
         ("searched", f"{seeds} x {seeds} starts may miss some{images}"),
     ]
-    return Answer(sentence, facts, aligned(rows) if ranked else ())
+    return Answer(sentence, facts)
 
 
 def _row(number_of: int, orbit: Any) -> tuple[str, ...]:

@@ -236,18 +236,15 @@ class FatalKicks(WindowLists):
         way = "-" if self.least[at] > 0.0 else "+"
         words = f"{way}{write(opposite)}" if opposite > 0.0 else "no kick fells it"
         state = f"theta/alpha {number(self.angle[at])}, velocity {number(self.velocity[at])}"
-        facts[1:1] = [("the other way", words), ("tilt before", state)]
         least = self.least.tolist()
         rows = [
             (moment(row), "stands" if math.isnan(least[row]) else write(least[row]))
             for row in order[:SHOWN]
         ]
+        rows = rows if len(order) > 1 else []
+        facts[1:1] = [*rows, ("the other way", words), ("tilt before", state)]
         when = f" at {moment(at)}" if len(order) > 1 else ""
-        return Answer(
-            f"The least kick that fells it is {write(self._smallest)}{when}.",
-            facts,
-            rows if len(order) > 1 else [],
-        )
+        return Answer(f"The least kick that fells it is {write(self._smallest)}{when}.", facts)
 
     @property
     def _smallest(self) -> float:

@@ -15,13 +15,14 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
 from rocksteady.model.equations import Model
 from rocksteady.model.facts import block_text, block_values
+from rocksteady.results.answer import left_out
 from rocksteady.results.description import Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 
 WIDEST = 3
 """Windows that an answer names."""
-SHOWN = 5
+SHOWN = 3
 """Rows of an answer."""
 MOST_DIGITS = 6
 """Significant digits of an end of a window."""
@@ -143,7 +144,7 @@ class WindowLists(Result):
         fall = len(self.first) - stand - len(self._by_first)
         kinds = {"falling": fall, "standing": stand}
         words = ", ".join(f"{count} {kind}" for kind, count in kinds.items() if count)
-        return "more", words and f"{fall + stand} more with --more: {words}"
+        return left_out(fall + stand, words)
 
     @property
     def _missing(self) -> str:

@@ -178,12 +178,15 @@ class OverturningWindows(WindowLists):
             return Answer(f"It stands in the {pulse} at {at}, up to {top}.", facts)
         if len(rows) > 1:
             stands = [names[row] for row in np.flatnonzero(np.isnan(self.first))]
-            facts[1:1] = [self._rest, ("stands at", listed(stands))]
+            facts[1:1] = [
+                *((names[row], "falls " + self._verdict(row, write)) for row in shown),
+                self._rest,
+                ("stands at", listed(stands)),
+            ]
             return Answer(
-                f"It falls in the {pulse} at {len(rows) - len(stands)} of {len(rows)} frequencies, "
-                f"first at {write(self.first[shown[0]])} ({names[shown[0]]}).",
+                f"It falls at {len(rows) - len(stands)} of {len(rows)} frequencies, first at "
+                f"{write(self.first[shown[0]])} ({names[shown[0]]}, {pulse}).",
                 facts,
-                [(names[row], "falls " + self._verdict(row, write)) for row in shown],
             )
         first, last = self.at(0)[0], self.at(0)[-1]
         after = f"{plural(first.impacts, 'impact')} at {write(first.low)}"

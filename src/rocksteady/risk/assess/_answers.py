@@ -1,15 +1,15 @@
 """Answers of assessments: of one object on motions, and of many objects under one demand."""
 
-import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rocksteady.results.answer import MOST_ROWS, Answer
+from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.results.answer import MOST_ROWS, Answer, left_out
 from rocksteady.results.doubts import FEW_RECORDS, misfit_words
-from rocksteady.results.numbers import chance, interval, number, plural, quantity
+from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
 from rocksteady.risk.assess._remedies import Remedy, cheapest
-from rocksteady.risk.assess._sensitivity import parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import bar_words, parameter_words, tornado
 
 FEWEST_ROWS = 5
 """Rows of a table on the first screen, unless more objects are above the target."""
@@ -62,33 +62,34 @@ def answer_of_object(result: Any) -> Answer:
     base, curve, fragility = result.cases[0], result.curve, result.fragility
     assert curve is not None
     assert fragility is not None
-    value, bands = result.probability, fragility.fitting.bands
-    band = interval(result.probability_band, bands.confidence if bands else 0.0)
-    that = " that lift" if level.measure.given_uplift else ""
-    fell, runs = f"{base.fell:,}" if base.fell else "none", f"{base.trials:,} runs{that}"
+    value, band = result.probability, interval(result.probability_band, CONFIDENCE)
+    runs = plural(base.trials, "run") + " that lift" * level.measure.given_uplift
     share = f" ({chance(base.counted)})" if 0 < base.fell < base.trials else ""
     at_curve = value if result.by_curve is None else result.by_curve
-    by_curve = f"{chance(at_curve)} by the curve through all levels{band}"
-    counted = f"{fell} of {runs} at this demand fall{share}"
+    by_curve = f"{chance(at_curve)} by the curve through all levels"
+    count = f"{counted(base.fell, f'{runs} at this demand')}{share}"
     if not base.trials:
-        counted = "no run lifts at this demand"
-    by_count = f"{fell.capitalize()} of its {runs} fall at {at}{share}."
+        count = "no run lifts at this demand"
     sentence = f"{chance(value)} of such objects fall at {at}{band}."
+    if result.basis == "count":
+        lead = counted(base.fell, f"its {runs}")
+        share = share.replace(" (", ", ").rstrip(")")
+        sentence = f"{lead[0].upper()}{lead[1:]} at {at}{share}{band}."
     if result.by_curve is None:
-        sentence, counted = by_count, f"by {runs} at this demand; no curve can be fitted"
+        count = f"by {runs} at this demand; no curve can be fitted"
     elif result.basis == "count":
-        sentence, counted = by_count, f"these runs decide; {by_curve}"
+        count = f"these runs decide; {by_curve}"
     elif result.beyond:
         sentence = f"No answer yet: {at} lies outside the levels of the runs."
-        counted, verdict = f"{by_curve}; {counted}", f"provisional: {verdict}"
+        count, verdict = f"{by_curve}{band}; {count}", f"provisional: {verdict}"
     matters = [
-        f"{parameter_words(bar['parameter'])}: {chance(bar['low'])[:-2]} to {chance(bar['high'])}"
+        f"{parameter_words(bar['parameter'])}: {bar_words(bar)}"
         for bar in tornado(result.cases, result.basis)[:1]
-        if math.isfinite(bar["low"] + bar["high"])
+        if bar_words(bar)
     ]
     facts = [
         ("verdict", "; ".join([verdict, *_doubts(result, misfit_words(curve.misfit))])),
-        ("counted", counted),
+        ("counted", count),
         ("least change", _change_words(result.remedies)),
         ("lifts at", f"{lifts}; friction needed {friction}" if friction else lifts),
         ("matters most", "".join(matters)),
@@ -145,7 +146,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     colours = Counter(row["colour"] for row in rows)
     most = min(max(FEWEST_ROWS, colours["red"]), MOST_ROWS)
     target = f"the target of {number(100.0 * result.target_probability)} %"
-    verb = "is" if colours["red"] == 1 else "are"
+    verb = "is" if 1 in (colours["red"], len(rows)) else "are"
     without = f"; {colours['grey']} without an answer" if colours["grey"] else ""
     sentence = (
         f"{colours['red'] or 'None'} of {plural(len(rows), 'object')} {verb} above {target} at "
@@ -161,7 +162,7 @@ def answer_of_table(result: Any, rows: Sequence[Mapping[str, Any]]) -> Answer:
     if result.pga_g is None:
         few += "; the PGA is taken to lift each object"
     facts = [
-        ("", f"{len(rows) - most:,} more with --more: {kinds}" if left else ""),
+        left_out(sum(left.values()), kinds),
         ("records", f"{result.records:,}{few}"),
     ]
     return Answer(sentence, facts, [(row["name"], _row_words(row)) for row in rows[:most]])
@@ -178,5 +179,5 @@ def _row_words(row: Mapping[str, Any]) -> str:
         beside = "no curve can be fitted"
         if row["by_curve"] is not None:
             beside = f"{chance(row['by_curve'])} by curve"
-        return f"{words}, counted in {row['tried']:,} runs; {beside}"
+        return f"{words}{interval(row['band'], CONFIDENCE)}, counted; {beside}"
     return words

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Table
-from rocksteady.results.numbers import chance, percent, quantity
+from rocksteady.results.numbers import chance, quantity
 from rocksteady.risk.assess._counts import Basis
 from rocksteady.risk.assess._demand_level import horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import Case, end_words, parameter_words, tornado
 from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.screens.screens import Screens
 from rocksteady.seismic.measures.scalar import Measure
@@ -49,7 +49,7 @@ def tables_of(
         Column("hazard", "hazard", left=True),
         Column("annual_rate", "annual rate [1/yr]"),
         Column("years", "years"),
-        Column("probability", "probability in them", percent),
+        Column("probability", "probability in them", chance),
         Column("hclpf", "HCLPF", str),
     ]
     cases = [case.to_dict() for case in cases_found]
@@ -57,8 +57,8 @@ def tables_of(
     bar_columns = [
         Column("parameter", "what is varied alone", parameter_words, left=True),
         Column("range", "over", left=True),
-        Column("low", "lowest probability", chance),
-        Column("high", "highest", chance),
+        Column("low", "lowest probability", end_words),
+        Column("high", "highest", end_words),
     ]
     bars = [{**bar, "range": _range(cases_found, bar["parameter"])} for bar in bars]
     tables = [

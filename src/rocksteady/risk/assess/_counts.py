@@ -8,6 +8,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats, Integers
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.confidence import share_interval
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
@@ -64,6 +65,18 @@ class Counts:
     def totals(self, level: int) -> tuple[int, int]:
         """Return falls and the runs that they are of at a level."""
         return int(self.fell[:, level].sum()), int(self.tried[:, level].sum())
+
+    def share_band(self, level: int) -> tuple[float, float] | None:
+        """Return the 90 % interval of the share that falls at a level; None without a run.
+
+        Wilson's of as many trials as records have a run there: runs of one record tell little more
+        than one of them, and no resampling of the records doubts a share of none or of all.
+        """
+        fell, tried = self.totals(level)
+        if not tried:
+            return None
+        low, high = share_interval(fell / tried, int((self.tried[:, level] > 0).sum()))
+        return float(low), float(high)
 
     def curve(self) -> FragilityCurve | TwoStageCurve:
         """Return the curve to use, without a band."""

@@ -85,7 +85,8 @@ class Probability:
     by_curve
         That of the fitted curve; None without one.
     band
-        Confidence band of the curve; None without one, and where the count is the value.
+        Interval of 90 % of the value, over records: of a curve by resampling, of a count as
+        `Counts.share_band`; None without one.
     basis
         "curve", "count" or "statics"; None of an object that slides.
     method
@@ -109,6 +110,7 @@ def probability_of(
     fragility: Fragility,
     level: DemandLevel,
     counted: float,
+    share_band: tuple[float, float] | None,
 ) -> Probability:
     """Return the probability of falling at a demand.
 
@@ -122,6 +124,8 @@ def probability_of(
         The object that does not slide, what its demand begins, its curves, and the demand.
     counted
         Share of its runs at the demand that fall, over PGV of the runs that lift; nan without any.
+    share_band
+        Interval of that share.
     """
     if onset.motion == "rest":
         return Probability(value=0.0, basis="statics", method="statics: the PGA does not lift it")
@@ -130,7 +134,7 @@ def probability_of(
         return Probability(value=None, basis="count", method="none: no run lifts at the demand")
     if not is_fitted(curve):  # a step, or no curve: the runs at the demand are what there is
         words = f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}"
-        return Probability(value=counted, basis="count", method=words)
+        return Probability(value=counted, band=share_band, basis="count", method=words)
     at = np.array([level.of(fragility.measure, block)])
     by_curve = float(curve.probability(at)[0])
     if far_above(by_curve, counted) > by_curve:
@@ -138,7 +142,9 @@ def probability_of(
             f"share of the runs at the demand, {_restitutions(described, MOST_DRAWS)}; "
             f"it is more than {100.0 * MOST_MISFIT:g} points above the curve's {chance(by_curve)}"
         )
-        return Probability(value=counted, by_curve=by_curve, basis="count", method=words)
+        return Probability(
+            value=counted, by_curve=by_curve, band=share_band, basis="count", method=words
+        )
     band = curve.probability_band(at)
     levels = plural(fragility.ensemble.sizes["level"], "level")
     draws = described.given.assessment.draws
@@ -210,13 +216,14 @@ def fit_fragilities(
 class AtDemand(NamedTuple):
     """Runs of an object at its demand: how many fell, of how many, and how many lifted.
 
-    Over PGV `tried` are the runs that lift, otherwise all.
+    Over PGV `tried` are the runs that lift, otherwise all; `band` is the interval of the share.
     """
 
     fell: int
     tried: int
     lifted: int
     trials: int
+    band: tuple[float, float] | None
 
     @property
     def share(self) -> float:
@@ -243,7 +250,7 @@ def count_at_demand(
         )
         for place, counts in zip(places, all_counts, strict=True):
             lifted, trials = int(counts.lifted.sum()), int(counts.trials.sum())
-            counted[place] = AtDemand(*counts.totals(0), lifted, trials)
+            counted[place] = AtDemand(*counts.totals(0), lifted, trials, counts.share_band(0))
     return [counted[place] for place in range(len(objects))]
 
 

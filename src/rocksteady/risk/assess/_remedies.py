@@ -10,7 +10,7 @@ import numpy as np
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.results.numbers import chance, length, number
+from rocksteady.results.numbers import chance, counted, length, number, plural
 from rocksteady.risk.assess._counts import Basis, Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured
 from rocksteady.risk.assess._sensitivity import (
@@ -91,6 +91,11 @@ class Remedy:
         """What to do, and the probability that follows."""
         if self.value is None:
             return self.words
+        if self.basis == "statics":
+            return f"{self.words}; the demand then does not lift it"
+        if self.basis == "count" and self.trials and self.fell is not None:
+            runs = plural(self.trials, "run")
+            return f"{self.words}; then {counted(self.fell, runs)} at the demand"
         return f"{self.words}; the probability is then {chance(self.probability)}"
 
     def to_dict(self) -> dict[str, Any]:

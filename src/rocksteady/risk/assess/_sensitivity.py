@@ -1,7 +1,7 @@
 """Sensitivity of an object's answer: one thing changed at a time, run again."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +10,7 @@ import numpy as np
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.doubts import far_above
+from rocksteady.results.numbers import chance
 from rocksteady.risk.assess._counts import (
     MULTIPLES,
     THE_DEMAND,
@@ -54,6 +55,8 @@ class Case:
         Runs at the demand.
     median
         Level at which half of the runs fall; NaN where none was found.
+    band
+        Interval of 90 % of the share counted, over records; None without a run.
     """
 
     parameter: str
@@ -64,6 +67,7 @@ class Case:
     fell: int
     trials: int
     median: float
+    band: tuple[float, float] | None = None
 
     @property
     def probability(self) -> float:
@@ -182,6 +186,7 @@ def case_of(parameter: str, change: str, counts: Counts, *, rests: bool = False)
         fell=fell,
         trials=trials,
         median=float(curve.median),
+        band=counts.share_band(THE_DEMAND),
     )
 
 
@@ -221,6 +226,27 @@ def parameter_words(parameter: str) -> str:
         key = key.removesuffix(unit)
     words = key.replace("_", " ")
     return f"{table} {words}" if table == "content" else words
+
+
+def end_words(probability: float) -> str:
+    """Return an end of a bar in words."""
+    return chance(probability) if probability else "none"
+
+
+def bar_words(bar: Mapping[str, Any]) -> str:
+    """Return both ends of a bar; empty where they read alike, or one is not known.
+
+    Examples
+    --------
+    >>> bar_words({"low": 0.21, "high": 0.428}), bar_words({"low": 0.0, "high": 0.08})
+    ('21 to 43 %', 'none to 8.0 %')
+    >>> bar_words({"low": 0.0, "high": 0.0})
+    ''
+    """
+    low, high = (end_words(bar[end]) for end in ("low", "high"))
+    if low == high or not math.isfinite(bar["low"] + bar["high"]):
+        return ""
+    return f"{low.removesuffix(' %')} to {high}"
 
 
 def by_one_method(cases: Sequence[Case], basis: Basis | None) -> list[float]:

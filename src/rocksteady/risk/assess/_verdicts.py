@@ -3,11 +3,12 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rocksteady.results.numbers import chance, number, quantity
+from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.results.numbers import chance, counted, interval, number, plural, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._probability import NO_ANSWER, Onset, Probability
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
+from rocksteady.risk.assess._sensitivity import Case, bar_words, parameter_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
 from rocksteady.risk.assess.two_numbers import share_words
 from rocksteady.risk.screens.demand import Demand
@@ -135,13 +136,20 @@ def answer_of(findings: Findings) -> Answer:
         )
     side = "more than" if verdict == "above target" else "within"
     base = findings.cases[0]
-    runs = f"{base.fell or 'None'} of its {base.trials} runs{that} fall"
-    share, percents = runs, chance(answer.value)  # a share is no smaller than one of the runs
+    its = f"its {plural(base.trials, 'run')}{that}"
+    runs = counted(base.fell, its)
+    share = f"{runs[0].upper()}{runs[1:]}"  # no smaller than one of the runs
+    percents = "; ".join(
+        [
+            *([chance(answer.value)] if 0 < base.fell < base.trials else []),
+            interval(answer.band, CONFIDENCE).strip(" ()"),
+        ]
+    )
     if answer.by_curve is not None:
         share = f"{share_words(answer.by_curve)} objects of this shape and size would fall"
-        percents = chance(answer.by_curve)
+        by_count, percents = percents, chance(answer.by_curve)
         if answer.basis == "count":
-            percents += f"), but {runs} there ({chance(answer.value)}"
+            percents += f"), but {runs} there ({by_count}"
     sentence = (
         f"{share} at {with_article(findings.level.words)} ({percents}): {side} the "
         f"target of {number(100.0 * target)} %."
@@ -161,14 +169,11 @@ def _reason(findings: Findings, lifts: str) -> str:
     base = findings.cases[0]
     that = " that lift" if findings.level.measure.given_uplift else ""
     reason = (
-        f"{lifts}; the demand is {findings.demand}. In {base.fell} of {base.trials} runs{that} at "
-        "the demand it falls."
+        f"{lifts}; the demand is {findings.demand}. In {base.fell or 'none'} of "
+        f"{base.trials} runs{that} at the demand it falls."
     )
-    bars = tornado(findings.cases, findings.answer.basis)
-    if bars:
-        widest = bars[0]
-        reason += (
-            f" What matters most is the {parameter_words(widest['parameter'])}: it moves the "
-            f"probability between {chance(widest['low'])} and {chance(widest['high'])}."
-        )
+    for widest in tornado(findings.cases, findings.answer.basis)[:1]:
+        if ends := bar_words(widest):
+            name = parameter_words(widest["parameter"])
+            reason += f" What matters most is the {name}: over its range {ends} fall."
     return reason

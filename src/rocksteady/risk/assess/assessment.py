@@ -11,11 +11,12 @@ import numpy as np
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.confidence import CONFIDENCE
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.doubts import MOST_MISFIT, counted_otherwise, misfit_words
-from rocksteady.results.numbers import chance, number, number_or_none, quantity
+from rocksteady.results.numbers import chance, counted, interval, number, number_or_none, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._answers import answer_of_object
 from rocksteady.risk.assess._assessment_tables import tables_of
@@ -86,8 +87,9 @@ class Assessment(Result):
     sentence, reason
         The answer and why.
     probability, probability_band
-        Probability of falling at the demand, and its confidence band, which a count has not; None
-        where there is none.
+        Probability of falling at the demand, and its interval of 90 % over records: of a curve by
+        resampling them, of a count Wilson's of as many trials as there are records; None where
+        there is none.
     by_curve
         The probability by the fitted curve, which is `probability` unless the share of the runs at
         the demand is more than 10 points above it; None without a curve.
@@ -145,7 +147,8 @@ class Assessment(Result):
         case = self.cases[0]
         if self.by_curve is not None and counted_otherwise(self.by_curve, case.counted):
             sentences.append(
-                f"{case.fell} of {case.trials} runs at the demand fall, {chance(case.counted)}: "
+                f"{counted(case.fell, f'{case.trials} runs')} at the demand, "
+                f"{chance(case.counted, case.trials)}: "
                 f"the curve's {chance(self.by_curve)} is more than "
                 f"{100.0 * MOST_MISFIT:g} points from that."
             )
@@ -241,12 +244,10 @@ class Assessment(Result):
 
     def _answer(self) -> list[Fact]:
         """Return the facts of the answer."""
-        share = chance(self.probability)
+        of = self.cases[0].trials if self.basis == "count" else 0
+        share = chance(self.probability, of)
         doubts = self.doubts
-        bands = None if self.fragility is None else self.fragility.fitting.bands
-        if self.probability_band is not None and bands is not None:
-            low, high = (chance(side) for side in self.probability_band)
-            share += f" ({low} to {high}: {100.0 * bands.confidence:g} % band of the records)"
+        share += interval(self.probability_band, CONFIDENCE)
         curve = self.curve
         target = self.described.given.assessment.target_probability
         facts = [
@@ -450,7 +451,9 @@ def _rocking(
     fitting = _fitting(described.given.assessment)
     (fragility,) = fit_fragilities([described], suite, [intensity], [fitting], run=run)
     cases = vary(described, suite, level, run=inner)
-    answer = probability_of(described, findings.onset, fragility, level, cases[0].counted)
+    answer = probability_of(
+        described, findings.onset, fragility, level, cases[0].counted, cases[0].band
+    )
     remedies: tuple[Remedy, ...] = ()
     if answer.value and answer.value > findings.target:
         # Where the runs about the demand give less than the answer, remedies owe the same factor.

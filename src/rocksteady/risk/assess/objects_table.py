@@ -13,7 +13,7 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import MOST_MISFIT
-from rocksteady.results.numbers import number, number_or_none, plural, quantity
+from rocksteady.results.numbers import counted, number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._answers import answer_of_table
 from rocksteady.risk.assess._demand_level import PEAKS, DemandLevel, demand_level
@@ -69,9 +69,9 @@ class ObjectsTable(Result):
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
-        `Assessment`, the share ``counted`` at the demand, of those ``tried``, the probability
-        ``by_curve`` and that by the ``closed_form``, ``colour``, ``class``, ``verdict`` and
-        ``sentence``; further columns of its table after them.
+        `Assessment`, its ``band`` where it was counted, the share ``counted`` at the demand, of
+        those ``tried``, the probability ``by_curve`` and that by the ``closed_form``, ``colour``,
+        ``class``, ``verdict`` and ``sentence``; further columns of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
     target_probability
@@ -273,7 +273,8 @@ def assess_objects(
     for place, (each, onset, level) in enumerate(zip(asked, onsets, levels, strict=True)):
         answer = NO_ANSWER
         if place in fragilities:
-            answer = probability_of(each, onset, fragilities[place], level, counts[place].share)
+            share, band = counts[place].share, counts[place].band
+            answer = probability_of(each, onset, fragilities[place], level, share, band)
         rows.append(_row(each, onset, answer, level, counts[place]))
     return ObjectsTable(
         rows=tuple(rows),
@@ -331,6 +332,7 @@ def _row(
         "by_curve": answer.by_curve,
         "closed_form": closed,
         **counts._asdict(),
+        "band": answer.band and list(answer.band),
         "alpha_rad": side.alpha,
         "p_rad_s": side.p,
         "uplift_pga_g": uplift_acceleration_g(block, demand.vertical_at_peak_g),
@@ -350,7 +352,7 @@ def _sentence(
     described: DescribedObject, answer: Probability, level: DemandLevel, counts: AtDemand
 ) -> str:
     """Return the one sentence on an object."""
-    name, fell, runs = described.name, counts.fell, f"{counts.tried} runs"
+    name, fell, runs = described.name, counts.fell, plural(counts.tried, "run")
     if level.measure.given_uplift:
         runs += " that lift"
     if answer.value is None and answer.basis is not None:
@@ -360,7 +362,7 @@ def _sentence(
     if answer.basis == "statics":
         return f"{name} stands: {peak_words(described.demand)} does not lift it."
     if answer.by_curve is None:  # a share is no smaller than one of the runs
-        return f"{name}: {fell or 'none'} of its {runs} fall at {with_article(level.words)}."
+        return f"{name}: {counted(fell, f'its {runs}')} at {with_article(level.words)}."
     decides = ", which decides" if answer.basis == "count" else ""
     share = share_words(answer.by_curve).lower()
     return (

@@ -11,7 +11,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import chance, number, percent, quantity
+from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.results.result import Result
 from rocksteady.results.words import Label, facts_of
 from rocksteady.risk.screens.demand import FRICTION, PGA, PGV, Demand
@@ -114,8 +114,8 @@ class FormulaAssessment(Result):
     friction: float | None
     vertical_g: float
     vertical_share: float
-    probability: Annotated[float | None, Label("probability of falling", percent)]
-    other_probability: Annotated[float | None, Label("second probability", percent)]
+    probability: Annotated[float | None, Label("probability of falling", chance)]
+    other_probability: Annotated[float | None, Label("second probability", chance)]
     median_pgv_m_s: Annotated[float, Label("median PGV")]
     beta: float
     other_median_pgv_m_s: float

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, doubt
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, number_or_none, plural, quantity
 from rocksteady.results.result import Result
@@ -289,7 +289,7 @@ class BackAnalysis(Result):
         if self.held_out_surveys:
             covered = f"{100.0 * self.confidence:g} % of {self.held_out_surveys} simulated surveys"
         facts = [
-            ("doubt", " ".join(self.warnings)),
+            ("doubt", doubt(self.warnings)),
             ("median", " and ".join(medians)),
             ("coverage", covered if self.bound == "interval" else ""),
             ("records", f"{len(self.records)}, of {number(self.effective_records)} effective"),

@@ -10,10 +10,10 @@ from rocksteady.arrays import Floats, Integers
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number, percent, plural
+from rocksteady.results.numbers import chance, interval, number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration._identified import LIMIT, MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
@@ -33,6 +33,8 @@ from rocksteady.sweep.run import Execution
 LONGEST_NAME = 20
 """Letters of an object in a table of parameters."""
 Folds = Literal["group", "record", "test", "session"]
+MOST = 3
+"""Rows of an answer."""
 FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 
 
@@ -155,7 +157,7 @@ class Calibration(Result):
         scored = (
             "no held-out scores"
             if best is None
-            else f"held-out accuracy {percent(best.accuracy[0])}, "
+            else f"held-out accuracy {chance(best.accuracy[0], best.tests)}, "
             f"Brier score {number(best.brier[0])}"
         )
         effective = {name: each.effective_draws for name, each in self.posteriors.items()}
@@ -232,11 +234,11 @@ class Calibration(Result):
         held = "no score: tests of several groups are needed"
         sentence = f"No answer yet: {held}."
         if best is not None and base is not None:
-            accuracy, low, high = best.accuracy
+            _, low, high = best.accuracy
             band = interval(None if np.isnan(low) else (low, high), 0.9)
-            rate = chance(base.accuracy[0])
-            held = f"{chance(accuracy)} of tests predicted; by the base rate {rate}"
-            sentence = f"{chance(accuracy)} of held-out tests are predicted{band}."
+            share, rate = (chance(each.accuracy[0], each.tests) for each in (best, base))
+            held = f"{share} of tests predicted; by the base rate {rate}"
+            sentence = f"{share} of held-out tests are predicted{band}."
         if not few.identified:
             sentence = (
                 f"No answer yet: it rests on {few.effective_draws:.0f} effective draws of "
@@ -262,10 +264,9 @@ class Calibration(Result):
             facts.append(
                 ("prior's limit", f"reached by {', '.join(dict.fromkeys(limits))}: doubt it")
             )
-        if several and len(rows) > 5:
-            facts.append(("", f"{len(rows) - 5} more with --more"))
-        facts.append(("doubt", _first_of(self.warnings)))
-        return Answer(sentence, facts, rows[:5])
+        facts[:0] = [*rows[:MOST], left_out(max(len(rows) - MOST, 0))]
+        facts.append(("doubt", doubt(self.warnings)))
+        return Answer(sentence, facts)
 
     def _table(self) -> Table:
         before = (
@@ -301,12 +302,6 @@ class Calibration(Result):
 def _range(row: Mapping[str, Any], low: str, high: str) -> str:
     """Return two ends of a row in words."""
     return f"{number(row[low])} to {number(row[high])}"
-
-
-def _first_of(warnings: Sequence[str]) -> str:
-    """Return the first warning, and how many more there are."""
-    more = f" ({len(warnings) - 1} more with --more)" if len(warnings) > 1 else ""
-    return f"{warnings[0]}{more}" if warnings else ""
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import length, number, plural, quantity
 from rocksteady.results.result import Result
@@ -246,8 +246,7 @@ class FacadeCheck(Result):
         if not decided:
             sentence = "No answer yet: no check has a demand, capacity alone is known"
         most, facts = max(5, len(failed)), []
-        if len(decided) > most:
-            facts.append(("", f"{len(decided) - most} more with --more: satisfied"))
+        facts.append(left_out(max(len(decided) - most, 0), "satisfied"))
         refused = [
             str(remark)
             for check in self.checks

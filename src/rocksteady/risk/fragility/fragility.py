@@ -187,7 +187,7 @@ class Fragility(Result):
             for each in others
             if not math.isnan(each.curve.median)
         ]
-        return Answer(sentence, facts, rows[:3])
+        return Answer(sentence, [*facts[:1], *rows[:2], *facts[1:]])
 
     def _median_words(self, each: StateFragility) -> str:
         """Return the median of a damage state with its interval, in the measure."""

@@ -13,7 +13,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Linear, Model
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, doubt
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import NOT_IDENTIFIED, TOO_FEW
 from rocksteady.results.numbers import number, number_or_none, plural
@@ -281,7 +281,7 @@ class RestitutionFit(Result):
             answer=Answer(
                 f"Restitution {words}{interval}{of_housner}.",
                 [
-                    ("in doubt", " ".join(self.warnings)),
+                    ("in doubt", doubt(self.warnings)),
                     ("from", f"{counted} of {plural(len(self.releases), 'release')}"),
                     *((label, texts.get(label, "")) for label in ANSWERED),
                 ],

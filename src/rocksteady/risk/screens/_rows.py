@@ -10,7 +10,7 @@ from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side, wall_ratio
-from rocksteady.results.numbers import number, percent, quantity
+from rocksteady.results.numbers import chance, number, quantity
 from rocksteady.risk.screens._cabinets import nearest_cabinet
 from rocksteady.risk.screens.demand import Demand
 from rocksteady.risk.screens.friction import (
@@ -374,7 +374,7 @@ def velocity_row(case: Case) -> Screen:
             verdict, passes = "stays down: PGA below uplift", True
         else:
             shares = shares_at(value)
-            published, ours = (percent(share) for share in shares)
+            published, ours = (chance(share) for share in shares)
             verdict = f"{published} and {ours} of such blocks fall"
             passes = value < LEAST_NUMBER
             details += [("published", shares[0], ""), ("this package", shares[1], "")]
@@ -413,13 +413,13 @@ def cabinets_row(case: Case) -> Screen:
     if pgv is None:
         verdict, needs = "needs a peak floor velocity", "pgv_m_s"
     else:
-        chance = cabinet.probability(pgv)
-        details.append(("probability", chance, ""))
+        share = cabinet.probability(pgv)
+        details.append(("probability", share, ""))
         if distance > NEAR:
             verdict = "no cabinet is near to this size"
         else:
             passes = None if pgv < cabinet.median_m_s else False
-            verdict = f"{number(100.0 * chance)} % of such cabinets fall"
+            verdict = f"{chance(share)} of such cabinets fall"
     size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
     return case.rocking(
         name="FEMA P-58 cabinets",

@@ -7,7 +7,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.facts import block_text, block_values
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
@@ -152,7 +152,7 @@ class Screens(Result):
         needs = [row for row in self.rows if row.needs]
         left = [row.name for row in shown[most:]]
         facts = [
-            ("", f"{len(left)} more with --more: {', '.join(left)}" if left else ""),
+            left_out(len(left), ", ".join(left)),
             (
                 "no verdict",
                 "; ".join(f"{row.name} {row.verdict.partition(';')[0]}" for row in needs[:2]),

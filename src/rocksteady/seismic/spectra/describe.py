@@ -8,9 +8,9 @@ import numpy as np
 
 from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.outcomes import Status
-from rocksteady.results.answer import Answer
+from rocksteady.results.answer import Answer, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
-from rocksteady.results.numbers import angle, length, number, percent, plural, quantity
+from rocksteady.results.numbers import angle, length, number, plural, quantity
 from rocksteady.seismic.spectra.suite import QUANTILES, compute_suite_spectrum
 from rocksteady.sweep.cases.labelled import as_dataset
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.cells import Labelled
 
 FALLS = "falls"
-SHOWN = 5
+SHOWN = 4
 """Rows of an answer."""
 MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
 """Columns of slendernesses in a text, of one record and of several; of more each run is a row."""
@@ -105,14 +105,17 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
     key = "scale" if over_scale else "period_s"
     undecided = counts[Status.UNDECIDED.label]
     lost = counts[Status.LOST_CONTACT.label]
-    left_out = order[SHOWN:]
-    falling = sum(any(map(_falls, groups[name])) for name in left_out)
-    more = f"{len(left_out)} more with --more: {falling} with falls"
+    rest = order[SHOWN:]
+    falling = sum(any(map(_falls, groups[name])) for name in rest)
+    counted = {"falling": falling, "standing": len(rest) - falling}
+    kinds = ", ".join(f"{count} {kind}" for kind, count in counted.items() if count)
+    shown = [(name, _course(groups[name], key, len(names))) for name in order[:SHOWN]]
     facts = [
+        *shown,
+        left_out(len(rest), kinds),
         ("undecided", f"{undecided:,} runs" if undecided else ""),
         ("lost contact", f"{lost:,} runs leave the base" if lost else ""),
-        ("more", more if left_out else ""),
-        ("runs", _counts(counts)),
+        ("runs", ", ".join(f"{Status(end).plain} {n:,}" for end, n in counts.items() if n)),
         ("computed", _headline(dataset).partition(": ")[2]),
     ]
     falls = [row for row in groups[order[0]] if _falls(row)]
@@ -131,8 +134,7 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
         least = f"{words}."
         if len(names) > 1:
             least = least.replace(where, f"{round(_falls(worst) * len(names))} of {where}")
-    shown = [(name, _course(groups[name], key)) for name in order[:SHOWN]]
-    return Answer(least, facts, shown)
+    return Answer(least, facts)
 
 
 def _size(row: dict[str, Any]) -> str:
@@ -142,26 +144,36 @@ def _size(row: dict[str, Any]) -> str:
     return f"{angle(row['alpha_rad'])} and 2 pi/p = {quantity(row['period_s'], 's')}"
 
 
-def _course(rows: Sequence[dict[str, Any]], key: str) -> str:
-    """Return what becomes of some blocks over their size, or of one over the scale."""
+def _course(rows: Sequence[dict[str, Any]], key: str, of: int) -> str:
+    """Return what becomes of some blocks over their size, or of one over the scale.
+
+    Parameters
+    ----------
+    rows
+        One for each size or scale.
+    key
+        What they are over.
+    of
+        Number of records.
+    """
     sign, unit = (1.0, "x") if key == "scale" else (-1.0, "s")
     first = sorted(rows, key=lambda row: sign * row[key])
     falls = [row for row in first if _falls(row)]
     peaks = [row["peaks"][1] if "peaks" in row else row["peak"] for row in first if not _falls(row)]
     tilt = max((peak for peak in peaks if math.isfinite(peak)), default=None)
-    words = "" if tilt is None else f"; tilts to {quantity(tilt, 'alpha')}"
+    words = f"; tilts to {quantity(tilt, 'alpha')}" if tilt else ""
     if not falls:
         return f"stands{words}"
     if len(first) == 1:
         share = _falls(falls[0])
-        return FALLS if "peak" in falls[0] else f"falls in {percent(share)} of records"
+        return FALLS if "peak" in falls[0] else f"falls in {round(share * of)} of {of} records"
     beyond = first[first.index(falls[0]) :]
     stand = sum(not _falls(row) for row in beyond)
     end = "from {} on" if sign > 0.0 else "up to {}"
     but = f", stands at {stand} of {len(beyond)}" if stand else ""
     if "peaks" in falls[0]:
         most = max(map(_falls, falls))
-        but = f", in at most {percent(most)} of records"
+        but = f", in at most {round(most * of)} of {of} records"
     return "falls " + end.format(quantity(falls[0][key], unit)) + but + words
 
 

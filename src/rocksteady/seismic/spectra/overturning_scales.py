@@ -249,9 +249,9 @@ class OverturningScales(WindowLists):
             (names[row], "falls " + self._verdict(row, functools.partial(write, row)))
             for row in shown
         ]
-        facts[1:1] = [self._rest]
+        facts[1:1] = [*rows, self._rest]
         least = f"first at {write(shown[0], self.first[shown[0]])} in {names[shown[0]]}"
-        return Answer(f"It falls in {falls} of {count} records, {least}.", facts, rows)
+        return Answer(f"It falls in {falls} of {count} records, {least}.", facts)
 
     def _notes(self) -> list[str]:
         """Return what the search has left."""

@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from rocksteady.results.numbers import angle, chance, length, number, percent, quantity
+from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.results.numbers import angle, chance, interval, length, number, quantity
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
@@ -42,16 +43,13 @@ SYNTHETIC = "synthetic "
 def answer_rows(assessment: Assessment) -> list[dict[str, str]]:
     """Return the rows of the first page: object, demand, probability, median, what would help."""
     given = assessment.described.given
-    bands = None if assessment.fragility is None else assessment.fragility.fitting.bands
     rows = [
         _row("Object", _object_words(assessment)),
         _row("Demand", assessment.demand, assessment.percentile_words),
     ]
     if assessment.probability is not None:
         words = chance(assessment.probability)
-        if assessment.probability_band is not None and bands is not None:
-            low, high = assessment.probability_band
-            words += f" ({span(low, high, 100.0)} %, {number(100.0 * bands.confidence)} % band)"
+        words += interval(assessment.probability_band, CONFIDENCE)
         if assessment.basis == "count" and assessment.by_curve is not None:
             words += f", counted at the demand; {chance(assessment.by_curve)} by the curve"
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
@@ -260,7 +258,7 @@ def case_rows(assessment: Assessment) -> list[Row]:
             "changed": Cell(key_words(case.parameter), "name"),
             "to": prose(case.change),
             "fitted": figure(chance(case.fitted)),
-            "counted": figure(chance(case.counted)),
+            "counted": figure(chance(case.counted, case.trials)),
             "runs that fall": figure(f"{case.fell:,} of {case.trials:,}"),
             "median": figure(number(case.median)),
         }
@@ -280,7 +278,7 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
             "change": figure(
                 NOTHING if each.change is None else f"{number(100.0 * each.change)} %"
             ),
-            "probability": figure(chance(each.probability)),
+            "probability": figure(chance(each.probability, each.trials or 0)),
             "from": each.basis
             + under(None if each.trials is None else f"{each.fell:,} of {each.trials:,}"),
         }
@@ -299,7 +297,7 @@ def risk_rows(assessment: Assessment) -> list[Row]:
         )
         measure = under(greek(f"{hazard.label} [{hazard.unit}]"))
         rate = prose(number(risk.annual_rate))
-        share = percent(risk.probability) + under(f"in {number(risk.years)} years")
+        share = chance(risk.probability) + under(f"in {number(risk.years)} years")
         rows.append(
             {
                 "hazard": named(hazard.name or greek(hazard.label), more=measure),

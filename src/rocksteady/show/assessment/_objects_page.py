@@ -3,7 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rocksteady.results.numbers import chance, number
+from rocksteady.model.checks.confidence import CONFIDENCE
+from rocksteady.results.numbers import chance, interval, number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.export.provenance import provenance
@@ -40,7 +41,8 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         {
             "name": row["name"],
             "badge": badge(*BADGES[row["colour"]]),
-            "probability": chance(row["probability"]),
+            "probability": chance(row["probability"], row["tried"] * (row["basis"] == "count"))
+            + interval(row["band"], CONFIDENCE),
             "uplift": number(row["uplift_pga_g"]),
             "friction": NOTHING
             if row["friction_needed"] is None

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.calibration._calibration_pictures import MOST_PICTURES, pictures_of
 from rocksteady.show.calibration._calibration_tables import (
@@ -19,7 +19,7 @@ from rocksteady.show.calibration._promises import GUARANTEES, NOT_PROMISED
 from rocksteady.show.export.provenance import provenance
 from rocksteady.show.plots.observations.ladders import MOST
 from rocksteady.show.report import render
-from rocksteady.show.style.wording import cleaned, greek, percent, plain_name, sentence
+from rocksteady.show.style.wording import cleaned, greek, plain_name, sentence
 
 LONGEST_TABLE = 30
 """Rows of residuals on the page; all are in the pictures or in the predictions."""
@@ -80,7 +80,7 @@ def _method(calibration: Calibration) -> dict[str, Any]:
     effective = [each.effective_draws for each in calibration.posteriors.values()]
     return {
         "counts": f"{plural(len(tests), 'test')}: {fell} fell, {stood} stood",
-        "share": percent(fell / max(fell + stood, 1)),
+        "share": chance(fell / max(fell + stood, 1), fell + stood),
         "records": plural(len({id(test.record) for test in tests}), "record"),
         "groups": plural(len({test.group for test in tests}), "group"),
         "temper": number(calibration.temper),

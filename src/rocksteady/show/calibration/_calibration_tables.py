@@ -9,11 +9,11 @@ from typing import Any
 from markupsafe import Markup
 
 from rocksteady.results.doubts import FEWEST_DRAWS, NOT_IDENTIFIED
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import chance, number, plural
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS, Scores
 from rocksteady.show.style.markup import Cell, Row, badge, beside, figure, isolated, named, under
-from rocksteady.show.style.wording import NOTHING, greek, percent, sentence, span
+from rocksteady.show.style.wording import NOTHING, greek, sentence, span
 
 LEAST_SCORE = 5e-5
 LABELS = {
@@ -67,10 +67,10 @@ def sentence_of(calibration: Calibration) -> str:
     right = round(mine.accuracy[0] * mine.tests)
     words = (
         f"Predicted without the tests of its own group, {right} of {plural(mine.tests, 'outcome')} "
-        f"({percent(mine.accuracy[0])}) came as the calibrated block expects; the more frequent "
-        f"outcome alone is right in {percent(base.accuracy[0])}"
+        f"({chance(mine.accuracy[0], mine.tests)}) came as the calibrated block expects; the more "
+        f"frequent outcome alone is right in {chance(base.accuracy[0], base.tests)}"
     )
-    logistic = percent(rows["logistic"].accuracy[0])
+    logistic = chance(rows["logistic"].accuracy[0], mine.tests)
     return f"{words}, a logistic on intensity in {logistic}."
 
 

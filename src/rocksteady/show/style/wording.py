@@ -1,7 +1,6 @@
 """Words of the pages of reports: verdicts, shares, ranges, Greek letters, safe texts."""
 
 import dataclasses
-import math
 import re
 from collections.abc import Mapping
 from typing import Any, Final
@@ -18,28 +17,9 @@ BADGES: Final = {
     "grey": ("no answer", "open"),
 }
 """Word and look of each colour: the word names the class, colour and fill repeat it."""
-LEAST_SHARE, MOST_SHARE = 1e-4, 0.999
-"""Below the one and above the other a share has no figures."""
 LONGEST: Final = 70
 """Letters of a name at the foot of a printed page."""
 NOTHING: Final = "—"
-
-
-def percent(share: float | None) -> str:
-    """Return a share in per cent.
-
-    Examples
-    --------
-    >>> percent(0.3992), percent(2e-7), percent(0.9999), percent(1.0), percent(None)
-    ('39.9 %', 'below 0.01 %', 'above 99.9 %', '100 %', '—')
-    """
-    if share is None or math.isnan(share):
-        return NOTHING
-    if 0.0 < share < LEAST_SHARE:
-        return f"below {number(100.0 * LEAST_SHARE)} %"
-    if MOST_SHARE < share < 1.0:
-        return f"above {number(100.0 * MOST_SHARE)} %"
-    return f"{number(100.0 * share)} %"
 
 
 def span(low: float, high: float, factor: float = 1.0) -> str:

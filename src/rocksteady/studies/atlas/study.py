@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from rocksteady import Execution, __version__
+from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import svg_data_uri
@@ -22,9 +23,12 @@ from rocksteady.studies.atlas.analysis.windows import Window, windows
 from rocksteady.studies.atlas.pages import tables
 from rocksteady.studies.atlas.pages.findings import (
     BandsAt,
+    atlas_answer,
     bands_at,
+    coexistence_sentences,
     coexistence_values,
     family_values,
+    rest_sentences,
     rest_values,
     window_values,
 )
@@ -79,6 +83,16 @@ class Atlas:
     strips: tuple[Window, ...]
     rest: FromRest
     seconds: float
+
+    @property
+    def sentences(self) -> list[str]:
+        """What the search shows."""
+        return [*coexistence_sentences(self.found), *rest_sentences(self.rest, None)[:1]]
+
+    @property
+    def answer(self) -> Answer:
+        """In how much of the plane several motions exist, and what becomes of a block at rest."""
+        return atlas_answer(self.found, self.rest)
 
     @property
     def steps(self) -> int:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.results.numbers import number_or_none, plural
+from rocksteady.results.numbers import chance, number_or_none, plural
 from rocksteady.studies.facade_checks._checked_walls import (
     METHODS,
     SHARE,
@@ -29,15 +29,15 @@ CLASSES = {
 """Combinations of verdicts, from all accept to all refuse."""
 
 
-def percent(part: float, whole: float) -> str:
-    r"""Return a share in whole percent.
+def percent(part: int, whole: int) -> str:
+    r"""Return a share in per cent.
 
     Examples
     --------
-    >>> percent(1.0, 8.0), percent(0.0, 8.0)
-    ('12\xa0%', '0\xa0%')
+    >>> percent(1, 8), percent(0, 8)
+    ('12\xa0%', '0 of 8')
     """
-    return f"{100.0 * part / whole:.0f}\N{NO-BREAK SPACE}%"
+    return chance(part / whole, whole).replace(" %", "\N{NO-BREAK SPACE}%")
 
 
 def level_values(checked: CheckedWalls) -> list[dict[str, Any]]:
@@ -116,8 +116,10 @@ def sentences(checked: CheckedWalls) -> list[str]:
     kinds = checked.classes
     count = kinds.size
     agree = int(np.isin(kinds, (0, 7)).sum())
+    walls = kinds[0].size
     levels = ", ".join(
-        f"{percent(each['agree'], 1.0)} at {each['pga_g']:g} g" for each in level_values(checked)
+        f"{percent(round(each['agree'] * walls), walls)} at {each['pga_g']:g} g"
+        for each in level_values(checked)
     )
     texts = [
         f"The three checks agree on {percent(agree, count)} of {count} walls and levels ({levels})."
@@ -134,12 +136,13 @@ def sentences(checked: CheckedWalls) -> list[str]:
         f"others accept, and accepts {_count((linear & ~static & ~dynamic).sum(), count)} that "
         "both refuse."
     )
-    alone = (static & ~dynamic) & (checked.dynamics[0].beyond == 1)
-    if (static & ~dynamic).any():
+    refused = static & ~dynamic
+    alone = int((refused & (checked.dynamics[0].beyond == 1)).sum())
+    if refused.any():
         texts.append(
             f"Of the walls that the dynamic check refuses and the static one accepts, "
-            f"{percent(alone.sum(), (static & ~dynamic).sum())} go beyond d₀ under one record "
-            f"of {len(checked.plane.records)} alone."
+            f"{percent(alone, int(refused.sum()))} go beyond d₀ under one record of "
+            f"{len(checked.plane.records)} alone."
         )
     return texts
 
@@ -148,7 +151,7 @@ def _count(number: Any, whole: int) -> str:
     """Return a number of walls with its share."""
     if not number:
         return "none"
-    return f"{int(number)} ({percent(float(number), whole)})"
+    return f"{int(number)} ({percent(int(number), whole)})"
 
 
 def reasons(wall: WorkedWall) -> list[str]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import Execution, Record, __version__
+from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import render, twins
@@ -80,6 +81,13 @@ class FacadeChecks:
     def sentences(self) -> list[str]:
         """What the maps show."""
         return sentences(self.walls)
+
+    @property
+    def answer(self) -> Answer:
+        """On how many walls the checks agree, and which differ."""
+        first, *others = self.sentences
+        labels = ("dynamic check", "linear check", "one record")
+        return Answer(first, list(zip(labels, others, strict=False)))
 
     @property
     def steps(self) -> int:

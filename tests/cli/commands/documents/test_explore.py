@@ -177,7 +177,7 @@ def test_no_browser_is_opened_where_none_is_wanted(opened: list[str], tmp_path: 
     assert opened == []
 
 
-def test_without_a_window_system_a_line_says_where_the_page_lies(
+def test_the_screen_says_where_the_page_lies_without_a_window_system_too(
     opened: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("BROWSER", "DISPLAY", "WAYLAND_DISPLAY"):
@@ -186,7 +186,7 @@ def test_without_a_window_system_a_line_says_where_the_page_lies(
     page = tmp_path / "page.html"
     ran = rocksteady("explore --out", page)
     assert ran.code == 0
-    assert f"no browser was found here: open {page}" in ran.err
+    assert ran.out.replace("\\\n ", "").endswith(f"next: python3 -m webbrowser {page}\n")
     assert opened == []
 
 
@@ -200,8 +200,7 @@ def test_a_browser_that_fails_ends_nothing(
         return False
 
     monkeypatch.setattr(webbrowser, "open", broken)
-    ran = rocksteady("explore --out", tmp_path / "page.html")
-    assert (ran.code, "no browser was found" in ran.err) == (0, True)
+    assert rocksteady("explore --out", tmp_path / "page.html").code == 0
 
 
 # ------------------------------------------------------------------------------------ refusals

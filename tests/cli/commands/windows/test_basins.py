@@ -449,5 +449,5 @@ def test_the_answer_over_an_axis_is_the_range_of_the_share_that_falls() -> None:
     families = rocksteady(f"{command} --json").json["families"]
     falls = next(each for each in families if each["name"] == "overturned")
     least, most = (100.0 * falls[end] for end in ("least", "most"))
-    assert lines[0] == f"Over W 1.5 to 3 {least:.2g} to {most:.2g} % of these starts fall."
+    assert lines[0] == f"Over W 1.5 to 3, {least:.2g} to {most:.2g} % of these starts fall."
     assert any(line.startswith("  basin entropy ") for line in lines)

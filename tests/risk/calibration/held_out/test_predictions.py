@@ -34,15 +34,22 @@ def test_one_test_is_a_sentence_with_its_interval() -> None:
 def test_of_tests_the_likeliest_to_fall_come_first_and_those_left_out_are_counted() -> None:
     lines = predictions(0.02, 0.98, 0.4, 0.6, 0.1, 0.3, 0.2).summary().splitlines()
     assert lines[0] == "2 of 7 tests more likely fall than not."
-    assert [line.split()[1] for line in lines[1:6]] == ["1", "3", "2", "5", "6"]
-    assert "2 more with --more: 0 likely to fall, 2 to stand" in lines[6]
+    assert [line.split()[1] for line in lines[1:5]] == ["1", "3", "2", "5"]
+    assert "3 more with --more: 0 likely to fall, 3 to stand" in lines[5]
+
+
+def test_one_test_falls_and_two_fall() -> None:
+    words = [predictions(*p).summary().splitlines()[0] for p in ((0.9, 0.2), (0.1, 0.2))]
+    assert words == [
+        "1 of 2 tests more likely falls than not.",
+        "None of 2 tests more likely fall than not.",
+    ]
 
 
 def test_too_few_draws_are_no_answer() -> None:
     lines = predictions(0.39, effective=12.0).summary().splitlines()
-    assert lines[0] == "No answer yet: it rests on 12 effective draws (at least 50 needed)."
+    assert lines[0] == "No answer yet, provisional: 12 effective draws (at least 50 needed)."
     assert "39 %" in lines[1]
-    assert "provisional" in lines[2]
 
 
 def predicted(low: float, high: float) -> Predictions:

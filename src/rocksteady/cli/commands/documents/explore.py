@@ -1,5 +1,6 @@
 """`rocksteady explore`: the explorer, a page that computes while it is touched."""
 
+import shlex
 import shutil
 import tempfile
 from collections.abc import Sequence
@@ -8,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rocksteady.cli.commands.record import all_recordings
-from rocksteady.cli.console import terminal
 from rocksteady.cli.console.browser import show
 from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.refusals import FlagError
@@ -26,7 +26,10 @@ from rocksteady.cli.flags.start import StartFlags
 from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.facts import peak_unit
+from rocksteady.results.answer import Answer
 from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, quantity
 from rocksteady.show.export.files import check_writable, refuse_read
 
 if TYPE_CHECKING:
@@ -80,6 +83,8 @@ def explore(
     ),
     force: bool = options.force(),
     as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
 ) -> None:
     """Run `rocksteady explore`; `HELP` is what its users read."""
     files = record or []
@@ -107,9 +112,10 @@ def explore(
         raise in_flags(error, block, start) from error
     recordings = across(files, reading)
     file = write(out, view, recordings)
-    OutputFlags(as_json=as_json).leave("explore", described(file, view, recordings))
-    if not (as_json or no_browser) and not show(file):
-        terminal.note(f"no browser was found here: open {file}")
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
+    output.leave("explore", described(file, out or file, view, recordings))
+    if not (as_json or no_browser):
+        show(file)
 
 
 def check_file(out: Path | None, read: Sequence[Path], *, force: bool) -> None:
@@ -235,7 +241,9 @@ def write(out: Path | None, view: "ExplorerView", recordings: "Sequence[Recordin
         raise
 
 
-def described(file: Path, view: "ExplorerView", recordings: "Sequence[Recording]") -> Description:
+def described(
+    file: Path, given: Path, view: "ExplorerView", recordings: "Sequence[Recording]"
+) -> Description:
     """Return where the page is and what it shows first."""
     from rocksteady.explorer.view import state_of
 
@@ -250,4 +258,25 @@ def described(file: Path, view: "ExplorerView", recordings: "Sequence[Recording]
         Fact("view", state),
         Fact("records", names, "records" if names else "", ", ".join(names)),
     ]
-    return Description(headline="the explorer, in one file for any browser", facts=facts)
+    answer = Answer(
+        f"Wrote {given} ({size / 1e3:.0f} kB): open it in any browser; it computes by itself, "
+        "offline.",
+        [
+            ("opens on", opening(view, str(state["tab"]))),
+            ("records", ", ".join(names)),
+        ],
+        follow_up=f"python3 -m webbrowser {shlex.quote(str(given))}",
+    )
+    return Description("the explorer, in one file for any browser", facts, answer=answer)
+
+
+def opening(view: "ExplorerView", tab: str) -> str:
+    """Return what the page shows first: its block, the shaking in its units, and the tab."""
+    block = view.block or DimensionlessBlock(restitution=1.0)
+    words = [] if view.block is None else [block.describe().headline]
+    if view.motion is not None:
+        ratio = f"W = {number(view.motion.frequency_ratio)}"
+        if isinstance(block, Block):
+            ratio = quantity(view.motion.frequency_hz(block), "Hz")
+        words.append(f"{peak_unit(block, view.motion.amplitude)} and {ratio}")
+    return ", ".join([*words, f"tab {tab}"])

@@ -1,16 +1,20 @@
 """`rocksteady paper`: every figure and statement of Tso and Wong (1989), recomputed."""
 
+import shlex
 from pathlib import Path
+from textwrap import shorten
 from typing import TYPE_CHECKING
 
 import typer
 
-from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import announce_compilation, print_json
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.sweep import resumable_study
+from rocksteady.results.answer import Answer, left_out
+from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.numbers import plural
 
 if TYPE_CHECKING:
     from rocksteady.studies.tso_wong_1989.study import Study
@@ -29,6 +33,9 @@ EXAMPLES = (
     "rocksteady paper --only 12b --only 12c --out figures"
 )
 
+SHOWN = 2
+"""Corrected statements of the answer."""
+
 
 @grouped
 def paper(
@@ -40,6 +47,8 @@ def paper(
     force: bool = options.force(),
     resume: bool = options.resume_study(),
     as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
 ) -> None:
     """Run `rocksteady paper`; `HELP` is what its users read."""
     from rocksteady.studies.tso_wong_1989.study import check_folder, parts_of, reproduce, steps
@@ -57,33 +66,39 @@ def paper(
                 out, force=force or resume, parts=parts, done=done, processes=usable_cores()
             )
     parts.remove()
-    if as_json:
-        names = [file.name for file in files]
-        print_json("paper", {**study.values(), "out": str(out), "files": names})
-    else:
-        print_summary(study, out, files)
+    values = {**study.values(), "out": str(out), "files": [file.name for file in files]}
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
+    output.leave("paper", described(study, out, files), values=values)
 
 
-def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
-    """Print what came out and where to look."""
-    from rich.table import Table
-
+def described(study: "Study", out: Path, files: list[Path]) -> Description:
+    """Return how many statements hold, those that do not, and where to look."""
     from rocksteady.studies.tso_wong_1989.claims.findings import corrected
 
-    console = terminal.console()
-    if study.claims:
-        counts = ", ".join(
-            f"{count} {verdict.replace('-', ' ')}" for verdict, count in study.counts().items()
-        )
-        console.print(f"{len(study.claims)} statements: {counts}")
-        table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
-        table.add_column(no_wrap=True)
-        table.add_column()
-        for claim in corrected(study.claims):
-            table.add_row(claim.id, claim.statement)
-        console.print("not as the paper says:", style="sentence")
-        terminal.console(wrap=True).print(table)
-    console.print(f"{len(files)} files in {out}")
-    for file in files:
-        if file.name == "report.html":
-            console.print(f"open {file}")
+    written = f"{len(files)} in {out}"
+    if not study.claims:
+        sentence = f"Wrote {written.replace(' in', ' files of the figures into')}."
+        return Description(sentence, answer=Answer(sentence))
+    wrong, counts = corrected(study.claims), study.counts()
+    sentence = (
+        f"{counts['reproduced']} of {len(study.claims)} statements of Tso and Wong (1989) hold; "
+        f"{counts['corrected']} are corrected."
+    )
+    label, rest = left_out(max(len(wrong) - SHOWN, 0))
+    open_ = plural(counts["not-checkable"], "statement")
+    facts = [
+        *(
+            ("" if row else "corrected", shorten(f"{claim.id}: {claim.statement}", 61))
+            for row, claim in enumerate(wrong[:SHOWN])
+        ),
+        (label, f"{rest}; {open_} cannot be checked"),
+        ("files", written),
+    ]
+    rows = [{"id": claim.id, "statement": claim.statement} for claim in wrong]
+    columns = [Column("id", "", left=True), Column("statement", "", left=True)]
+    page = shlex.quote(str(out / "report.html"))
+    return Description(
+        sentence,
+        tables=[Table("", rows, columns, title="Not as the paper says", most=len(rows))],
+        answer=Answer(sentence, facts, follow_up=f"python3 -m webbrowser {page}"),
+    )

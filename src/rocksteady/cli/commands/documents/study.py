@@ -1,22 +1,23 @@
 """`rocksteady study`: studies of the block itself, each a folder of pictures, data and a page."""
 
-from collections.abc import Iterable, Mapping
+import shlex
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import typer
 
-from rocksteady.cli.console import terminal
 from rocksteady.cli.console.help import HelpfulGroup
-from rocksteady.cli.console.outputs import announce_compilation, print_json
+from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
-from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import resumable_study, workers_flag
+from rocksteady.results.description import Description
 
 HELP = "Run a study of minutes, a folder each: atlas, facade-checks."
 ATLAS_HELP = (
@@ -84,6 +85,8 @@ def atlas(
     force: bool = options.force(),
     resume: bool = options.resume_study(),
     as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
 ) -> None:
     """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
     from rocksteady.show.export.folders import check_folder
@@ -105,10 +108,8 @@ def atlas(
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
-    from rocksteady.studies.atlas.pages.findings import coexistence_sentences, rest_sentences
-
-    sentences = (*coexistence_sentences(result.found), *rest_sentences(result.rest, None)[:1])
-    _leave("atlas", result.values(), sentences, out, files, as_json=as_json)
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
+    _leave("atlas", result, output, out, files)
 
 
 @app.command("facade-checks", cls=OncePerFlag, help=FACADE_HELP, epilog=FACADE_EXAMPLES)
@@ -140,6 +141,8 @@ def facade_checks(
     force: bool = options.force(),
     resume: bool = options.resume_study(),
     as_json: bool = options.as_json(),
+    more: bool = options.more(),
+    quiet: bool = options.quiet(),
 ) -> None:
     """Run `rocksteady study facade-checks`; `FACADE_HELP` is what its users read."""
     from rocksteady.seismic.spectra.grounds import grounds_of
@@ -173,24 +176,18 @@ def facade_checks(
         with progress("drawing", result.steps) as done:
             files = result.save(out, force=force or resume, parts=parts, done=done)
     parts.remove()
-    _leave("facade-checks", result.values(), result.sentences, out, files, as_json=as_json)
+    output = OutputFlags(as_json=as_json, more=more, quiet=quiet)
+    _leave("facade-checks", result, output, out, files)
 
 
-def _leave(
-    name: str,
-    values: Mapping[str, Any],
-    sentences: Iterable[str],
-    out: Path,
-    files: list[Path],
-    *,
-    as_json: bool,
-) -> None:
-    """Print what came out, how many files there are, and which to open."""
-    if as_json:
-        print_json(name, {**values, "out": str(out), "files": [file.name for file in files]})
-        return
-    for text in sentences:
-        terminal.console(wrap=True).print(text.replace("\N{NO-BREAK SPACE}", " "))
-    quiet = terminal.console()
-    quiet.print(f"{len(files)} files in {out}")
-    quiet.print(f"open {out / name}.html")
+def _leave(name: str, result: Any, output: OutputFlags, out: Path, files: list[Path]) -> None:
+    """Print what came out, how many files there are, and how to open the page."""
+    values = {**result.values(), "out": str(out), "files": [file.name for file in files]}
+    page = shlex.quote(str(out / f"{name}.html"))
+    answer = replace(
+        result.answer,
+        facts=[*result.answer.facts, ("files", f"{len(files)} in {out}")],
+        follow_up=f"python3 -m webbrowser {page}",
+    )
+    texts = [text.replace("\N{NO-BREAK SPACE}", " ") for text in result.sentences]
+    output.leave(name, Description(answer.sentence, notes=texts, answer=answer), values=values)

@@ -272,8 +272,8 @@ def _leave_basins(
     ]
     measured += [f"basin entropy {each.entropy:.3f}" for each in entropies]
     if measured and description.answer is not None:
-        words = ", ".join(measured)
-        facts = [(k, words if k == "boundary" else v) for k, v in description.answer.facts]
+        facts = [each for each in description.answer.facts if each[0] != "boundary"]
+        facts.insert(0, ("boundary", ", ".join(measured)))
         description = replace(description, answer=replace(description.answer, facts=facts))
     sweep.write_netcdf(result.to_dataset)
     output.write_csv(result.to_dataframe)

@@ -8,14 +8,16 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.answer import MOST_ROWS, Answer
+from rocksteady.results.answer import Answer, doubt, left_out
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import chance, interval, number, plural
+from rocksteady.results.numbers import chance, counted, interval, number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
+SHOWN = 4
+"""Tests that an answer lists."""
 LONGEST_NAME = 30
 """Letters of a test in a table."""
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
@@ -107,7 +109,7 @@ class Predictions(Result):
         )
         likely = int((self.p >= 0.5).sum())
         return Description(
-            headline=f"{plural(len(self.test), 'test')}: {likely} more likely fall than not",
+            headline=self._likely(likely),
             facts=[
                 Fact("tests", len(self.test), "tests"),
                 Fact("mc_error", float(np.max(self.mc_error)), "largest Monte Carlo error"),
@@ -126,6 +128,10 @@ class Predictions(Result):
             answer=self._answer(likely),
         )
 
+    def _likely(self, count: int) -> str:
+        """Return how many tests more likely fall than not."""
+        return f"{counted(count, plural(len(self.test), 'test'), 'more likely fall')} than not"
+
     def _answer(self, likely: int) -> Answer:
         """Return the probabilities, the highest first; provisional of too few draws."""
         rows = sorted(self.rows, key=lambda row: row["p"], reverse=True)
@@ -134,28 +140,28 @@ class Predictions(Result):
             + interval(None if row["low"] is None else (row["low"], row["high"]), 0.9)
             for row in rows
         ]
-        least, doubt = min(row["effective_draws"] for row in rows), ""
-        sentence = f"{likely or 'None'} of {plural(len(rows), 'test')} more likely fall than not."
+        least = min(row["effective_draws"] for row in rows)
+        few = least < FEWEST_DRAWS
+        fall = self._likely(likely)
+        sentence = f"{fall[0].upper()}{fall[1:]}."
         if len(rows) == 1:
             sentence = f"It falls in {rows[0]['test']} with {words[0]}."
-        if least < FEWEST_DRAWS:
+        if few:
             sentence = (
-                f"No answer yet: it rests on {least:.0f} effective draws "
+                f"No answer yet, provisional: {least:.0f} effective draws "
                 f"(at least {FEWEST_DRAWS:g} needed)."
             )
-            doubt = "provisional"
-        most = min(max(5, likely), MOST_ROWS)
-        left = rows[most:]
+        left = rows[SHOWN:]
         falling = sum(row["p"] >= 0.5 for row in left)
         kinds = f"{falling} likely to fall, {len(left) - falling} to stand"
-        facts = [
-            ("", f"{len(left)} more with --more: {kinds}" if left else ""),
-            ("these numbers", doubt),
-            ("doubt", " ".join(self.warnings)),
-        ]
         names = [_shortened(row["test"]) for row in rows]
-        shown = list(zip(names, words, strict=True))[:most]
-        return Answer(sentence, facts, shown if len(rows) > 1 or doubt else [])
+        shown = list(zip(names, words, strict=True))[:SHOWN]
+        facts = [
+            *(shown if len(rows) > 1 or few else ()),
+            left_out(len(left), kinds),
+            ("doubt", doubt(self.warnings)),
+        ]
+        return Answer(sentence, facts)
 
 
 def predictions_of(

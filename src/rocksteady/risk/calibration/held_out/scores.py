@@ -14,7 +14,7 @@ from rocksteady.model.checks.arrays import compare_by_value
 from rocksteady.model.checks.bounds import Whole
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_GROUPS
-from rocksteady.results.numbers import number, percent
+from rocksteady.results.numbers import chance, number
 from rocksteady.results.result import Result
 
 Interval = tuple[float, float, float]
@@ -77,7 +77,7 @@ class Scores(Result):
             Column("high", "95 %", number),
         )
         return Description(
-            headline=f"accuracy {percent(self.accuracy[0])}, Brier score "
+            headline=f"accuracy {chance(self.accuracy[0], self.tests)}, Brier score "
             f"{number(self.brier[0])} of {self.tests} tests",
             facts=[
                 Fact("tests", self.tests, "tests"),

@@ -10,7 +10,7 @@ from rocksteady.arrays import Floats
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.doubts import FEWEST_DRAWS
-from rocksteady.results.numbers import number, percent
+from rocksteady.results.numbers import chance, interval, number
 from rocksteady.results.result import Result
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
 from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
@@ -103,9 +103,9 @@ class Validation(Result):
         best = self.rows.get("calibrated")
         words = "no scores"
         if best is not None:
-            low, high = best.accuracy[1:]
-            span = "" if np.isnan(low) else f" ({percent(low)} to {percent(high)})"
-            words = f"accuracy {percent(best.accuracy[0])}{span}, "
+            share, low, high = best.accuracy
+            span = interval(None if np.isnan(low) else (low, high), 0.9)
+            words = f"accuracy {chance(share, best.tests)}{span}, "
             words += f"Brier score {number(best.brier[0])}"
         return Description(
             headline=f"held out by {self.folds}: {words}",

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady.branches import PointType
+from rocksteady.results.answer import Answer
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, OrbitClass
 from rocksteady.studies.atlas.analysis.columns import Column
 from rocksteady.studies.atlas.analysis.families import FamilyMap
@@ -227,6 +228,30 @@ def coexistence_sentences(result: Coexistence) -> list[str]:
         f"come to rest in each of their periods in {percent(rests)}."
     )
     return texts
+
+
+def atlas_answer(found: Coexistence, rest: FromRest) -> Answer:
+    """Return how much of the plane has several motions, one or none, and the fates from rest."""
+    motions, values = found.motions, rest_values(rest)
+    none, one, several = (
+        percent(float(share.mean())) for share in (motions == 0, motions == 1, motions > 1)
+    )
+    sentence = "No two steady motions exist side by side in the plane."
+    if (motions > 1).any():
+        sentence = (
+            f"Several steady motions exist side by side in {several} of the plane, "
+            f"{motions.max()} at the most."
+        )
+    every, some = (
+        percent(values[f"share_overturned_at_{which}"]) for which in ("every_phase", "some_phases")
+    )
+    return Answer(
+        sentence,
+        [
+            ("one motion", f"in {one}; in {none} every start falls"),
+            ("from rest", f"falls at every phase in {every}; in {some} it depends on the phase"),
+        ],
+    )
 
 
 def _share(result: Coexistence, period: int) -> float:
