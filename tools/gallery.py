@@ -25,13 +25,17 @@ from tools.freeze.results import figures, room
 OUT = Path("out/gallery.html").absolute()
 COLUMN = 84.0
 """Width of a column of a journal [mm]."""
-HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Every picture of rocksteady</title>
-<style>body{{font:14px/1.5 system-ui,sans-serif;margin:20px;background:{light.page};color:{light.ink}}}
-section{{border-top:1px solid {light.hair};padding:12px 0}} h2{{font-size:17px;margin:0 0 8px}}
-div{{display:flex;flex-wrap:wrap;gap:12px;align-items:flex-start}} img{{width:600px;background:{light.paper}}}
-img.column{{width:318px}} img.dark{{background:{dark.paper}}}
-pre{{padding:12px;background:{light.paper};margin:0}} pre.dark{{background:{dark.page};color:{dark.ink}}}
-i{{display:inline-block;width:28px;height:20px;border:1px solid {light.edge};vertical-align:middle}}</style>
+HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Every picture</title><style>
+body {{ font: 14px/1.5 system-ui, sans-serif; margin: 20px;
+  background: {light.page}; color: {light.ink} }}
+section {{ border-top: 1px solid {light.hair}; padding: 12px 0 }}
+h2 {{ font-size: 17px; margin: 0 0 8px }}
+div {{ display: flex; flex-wrap: wrap; gap: 12px; align-items: flex-start }}
+img {{ width: 600px; background: {light.paper} }} img.column {{ width: 318px }}
+pre {{ padding: 12px; background: {light.paper}; margin: 0 }}
+pre.dark {{ background: {dark.page}; color: {dark.ink} }}
+i {{ display: inline-block; width: 28px; height: 20px; border: 1px solid {light.edge} }}
+</style>
 """
 SCREENS = (
     "simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
