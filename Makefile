@@ -213,6 +213,10 @@ resources: .venv gpu .venv/.ptxas ## what the kernels take of a GPU, by ptxas; w
 mutants: .venv library ## change single places of the sources, and count what tests and freeze notice: an hour
 	$(BIN)/python -m tools.mutants
 
+.PHONY: gallery
+gallery: .venv library ## draw every picture on one page, light and dark, wide and narrow: out/gallery.html
+	$(BIN)/python -m tools.gallery
+
 .PHONY: architecture
 architecture: .venv ## draw docs/images/architecture.png and its table from the imports
 	$(BIN)/python -m tools.architecture
