@@ -82,10 +82,12 @@ class _Drawing:
         corners = shape.corners(self.tilt)
         self.right = corners[:, 0].max() + 0.22 * s  # where words and values begin
         wide, high = size_of(self.axes)
-        left, bottom = corners[:, 0].min() - (0.3 if self.block.one_sided else 0.16) * s, -DEEP * s
+        left = corners[:, 0].min() - (0.3 if self.block.one_sided else 0.16) * s
         room = min(0.6, WORDS * self.small / wide)  # of the words and values at the right
         right, top = left + (self.right - left) / (1.0 - room), corners[:, 1].max() + 0.16 * s
         point = (right - left) / wide  # at least: so many rows need room above the law of impact
+        self.deep = max(DEEP * s, 4.6 * self.small * point)
+        bottom = -self.deep
         top = max(top, LAW * s + ROWS * self.small * point)
         missing = (top - bottom) * wide / high - (right - left)
         if missing > 0.0:
@@ -118,7 +120,7 @@ class _Drawing:
         s, b = self.size, self.shape.half_width
         left, right = self.axes.get_xlim()
         soil: dict[str, Any] = {"facecolor": self.inks.soil, "lw": 0.0, "zorder": 1.0}
-        self.axes.add_patch(Rectangle((left, -DEEP * s), right - left, DEEP * s, **soil))
+        self.axes.add_patch(Rectangle((left, -self.deep), right - left, self.deep, **soil))
         self.line(np.array([left, 0.0]), np.array([right, 0.0]), lw=1.2, zorder=2.0)
         if self.block.one_sided:
             tall = 1.04 * self.shape.height
@@ -145,15 +147,14 @@ class _Drawing:
         wide, tall = 2.0 * shape.half_width, shape.height
         quiet = self.inks.quiet
         lean = math.degrees(self.tilt)
-        spans = [(0.0, wide, "2b")]
-        if self.differ:
-            spans = [(0.0, shape.left, "b₊"), (shape.left, wide, "b₋")]
-        for start, end, name in spans:
+        spans = [(0.0, wide, "2b", "center")]
+        if self.differ:  # words away from each other
+            spans = [(0.0, shape.left, "b₊", "right"), (shape.left, wide, "b₋", "left")]
+        for start, end, name, side in spans:
             ends = self.turned(start, tall + off), self.turned(end, tall + off)
             self.arrow(*ends, quiet, "|-|,widthA=0.25,widthB=0.25", lw=0.9)
-            self.write(
-                math_of(name), self.turned(0.5 * (start + end), tall + 2.0 * off), rotation=lean
-            )
+            place = self.turned(0.5 * (start + end), tall + 2.0 * off)
+            self.write(math_of(name), place, rotation=lean, ha=side)
         # The wall stands to the right.
         across, beyond = (-3.2 * off, -off) if self.block.one_sided else (wide + off, off)
         ends = self.turned(across, 0.0), self.turned(across, tall)
@@ -211,7 +212,7 @@ class _Drawing:
         look: dict[str, Any] = {"marker": mark, "ms": 10.0, "mec": inks.paper, "mew": 0.6}
         self.axes.plot(*self.edge, mfc=inks.ink, ls="none", zorder=5.0, **look)
         struck = np.array([b, 0.0])
-        down = np.array([0.0, 1.4 * self.gap])
+        down = np.array([0.0, 0.34 * self.deep])
         self.write("$O$", self.edge - down)
         if self.block.one_sided:
             tall = self.shape.height
@@ -224,7 +225,7 @@ class _Drawing:
             self.law = f"$\\dot\\theta_a = {ratio}\\,\\dot\\theta_b$"
             words = np.array([self.right, LAW * s])
             self.line(words - np.array([0.02 * s, 0.0]), struck, color=inks.impact, lw=0.7)
-        arrow = np.array([-0.5 * b, -0.175 * s])
+        arrow = np.array([-0.5 * b, -0.75 * self.deep])
         tip = arrow + np.array([0.34 * s, 0.0])
         self.arrow(arrow, tip, inks.base, "-|>,head_width=0.3,head_length=0.6", lw=2.4)
         aside = np.array([0.03 * s, 0.0])

@@ -501,10 +501,11 @@ def plot_base(
     axes.plot(*path, color=inks.base, lw=1.0, label="horizontal")
     axes.set(xlabel=time.label, ylabel=scale.label, xlim=limits)
     if quantity == "acceleration":
-        _draw_impulses(axes, table, float(times[-1]), time.factor)
         levels = [level * scale.factor for level in uplifts if math.isfinite(level)]
         for level in levels:
             axes.axhline(level, color=inks.limit, lw=0.9, ls=DASHED, zorder=1.9)
+        highest = float(np.abs([*levels, *path[1]]).max())
+        _draw_impulses(axes, table, float(times[-1]), time.factor, 1.5 * highest)
         if (
             isinstance(motion, Trajectory)
             and motion.vertical is not None
@@ -518,12 +519,10 @@ def plot_base(
     return axes
 
 
-def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float) -> None:
-    """Draw impulses as arrows, which have no scale."""
+def _draw_impulses(axes: "Axes", table: Floats, end: float, factor: float, height: float) -> None:
+    """Draw impulses as arrows of one height: they have no scale."""
     inks = inks_of(axes)
     struck, velocities = base_motion.impulses(table)
-    low, high = axes.get_ylim()
-    height = max(-low, high, 1e-9)
     words: tuple[float, float] | None = None
     for sign, marker in ((1.0, "^"), (-1.0, "v")):
         at = struck[(sign * velocities > 0.0) & (struck <= end)] * factor
