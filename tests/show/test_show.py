@@ -203,13 +203,17 @@ def test_a_block_of_known_size_is_drawn_in_degrees_seconds_and_g() -> None:
     history = plots.trajectory(run, Figure().add_subplot())
     motion = run(run.times())
     (course,) = (line for line in history.lines if len(np.asarray(line.get_xdata())) > 100)
-    np.testing.assert_allclose(course.get_xdata(), motion.pt / p)
-    np.testing.assert_allclose(course.get_ydata(), motion.angle * degrees)
+    np.testing.assert_allclose(np.asarray(course.get_xdata(), dtype=float), motion.pt / p)
+    np.testing.assert_allclose(np.asarray(course.get_ydata(), dtype=float), motion.angle * degrees)
     assert (history.get_xlabel(), history.get_ylabel()) == ("time [s]", palette.LABELS["angle_deg"])
     portrait = plots.phase_portrait(run, Figure().add_subplot())
     angle, velocity = run.phase_path()
-    np.testing.assert_allclose(portrait.lines[0].get_xdata(), angle * degrees)
-    np.testing.assert_allclose(portrait.lines[0].get_ydata(), velocity * degrees * p)
+    np.testing.assert_allclose(
+        np.asarray(portrait.lines[0].get_xdata(), dtype=float), angle * degrees
+    )
+    np.testing.assert_allclose(
+        np.asarray(portrait.lines[0].get_ydata(), dtype=float), velocity * degrees * p
+    )
     for quantity, unit in (("acceleration", 1.0), ("velocity", 9.80665 / p)):
         axes = plots.base(run, Figure().add_subplot(), quantity=quantity)  # type: ignore[arg-type]
         drawn = np.asarray(axes.lines[0].get_ydata(), dtype=float)
@@ -236,7 +240,7 @@ def test_limits_are_dashed_and_named_on_their_line() -> None:
         (plots.trajectory, "tipping angle", math.degrees(BLOCK.alpha)),
         (plots.base, "lifts off", math.tan(BLOCK.alpha)),
     ):
-        axes: Any = draw(coming_to_rest(), Figure().add_subplot())  # type: ignore[operator]
+        axes: Any = draw(coming_to_rest(), Figure().add_subplot())
         (words,) = (text for text in axes.texts if text.get_text() == name)
         assert words.xy[1] == pytest.approx(level)
         assert words.get_color() == inks_of(axes).ink

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.numbers import number
@@ -71,10 +72,11 @@ class _Drawing:
         self.centre = self.turned(shape.left, 0.5 * shape.height)
         self._set_view()
 
-    def turned(self, x: float, y: float) -> np.ndarray:
+    def turned(self, x: float, y: float) -> Floats:
         """Return where a point of the block is, whose place is counted from its left edge."""
         cos, sin = math.cos(self.tilt), math.sin(self.tilt)
-        return self.edge + np.array([x * cos - y * sin, x * sin + y * cos])
+        place: Floats = self.edge + np.array([x * cos - y * sin, x * sin + y * cos])
+        return place
 
     def _set_view(self) -> None:
         """Set the limits, in true scale and without axes."""
@@ -83,6 +85,7 @@ class _Drawing:
         self.right = corners[:, 0].max() + 0.22 * s  # where words and values begin
         wide, high = size_of(self.axes)
         left = corners[:, 0].min() - (0.3 if self.block.one_sided else 0.16) * s
+        self.right += 0.5 * self.small * (self.right - left) / wide
         room = min(0.6, WORDS * self.small / wide)  # of the words and values at the right
         right, top = left + (self.right - left) / (1.0 - room), corners[:, 1].max() + 0.16 * s
         point = (right - left) / wide  # at least: so many rows need room above the law of impact
@@ -96,22 +99,22 @@ class _Drawing:
         self.axes.set_aspect("equal", adjustable="box")
         self.axes.set(xlim=(left, right), ylim=(bottom, top))
 
-    def write(self, words: str, at: np.ndarray, colour: str = "", **look: Any) -> None:
+    def write(self, words: str, at: Floats, colour: str = "", **look: Any) -> None:
         """Write words at a point."""
         look = {"ha": "center", "va": "center", "fontsize": self.small, **look}
-        self.axes.text(*at, words, color=colour or self.inks.ink, zorder=6.0, **look)
+        x, y = at.tolist()
+        self.axes.text(x, y, words, color=colour or self.inks.ink, zorder=6.0, **look)
 
-    def line(self, *points: np.ndarray, **look: Any) -> None:
+    def line(self, *points: Floats, **look: Any) -> None:
         """Draw a line through points."""
         style = {"color": self.inks.ink, "lw": 0.9, "zorder": 3.5, **look}
         self.axes.plot(*np.array(points).T, **style)
 
-    def arrow(
-        self, start: np.ndarray, end: np.ndarray, colour: str, style: str, **look: Any
-    ) -> None:
+    def arrow(self, start: Floats, end: Floats, colour: str, style: str, **look: Any) -> None:
         """Draw an arrow."""
         given = {"arrowstyle": style, "color": colour, "lw": 1.2, "shrinkA": 0.0, "shrinkB": 0.0}
-        self.axes.annotate("", end, start, arrowprops={**given, **look}, zorder=4.0)
+        ends: Any = end.tolist(), start.tolist()
+        self.axes.annotate("", *ends, arrowprops={**given, **look}, zorder=4.0)
 
     def draw_ground(self) -> None:
         """Draw the ground under the block, and the wall behind one that has it."""
@@ -138,7 +141,7 @@ class _Drawing:
         body.set_joinstyle("round")
         self.axes.add_patch(body)
         self.line(self.edge, self.centre, color=inks.on_rocks, lw=1.3)
-        look = {"mfc": inks.paper, "mec": inks.on_rocks, "mew": 1.4, "zorder": 5.0}
+        look: dict[str, Any] = {"mfc": inks.paper, "mec": inks.on_rocks, "mew": 1.4, "zorder": 5.0}
         self.axes.plot(*self.centre, "o", ms=7.5, **look)
 
     def draw_sizes(self) -> None:

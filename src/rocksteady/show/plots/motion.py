@@ -3,7 +3,7 @@
 import math
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -637,7 +637,7 @@ def plot_phase_portrait(
     angle, velocity = angle * across.factor, velocity * up.factor
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
     axes.set(xlabel=across.label, ylabel=up.label)
-    hollow = {
+    hollow: dict[str, Any] = {
         "marker": "o",
         "ms": 5.0,
         "mfc": inks.paper,
