@@ -113,8 +113,8 @@ class _Drawing:
     def arrow(self, start: Floats, end: Floats, colour: str, style: str, **look: Any) -> None:
         """Draw an arrow."""
         given = {"arrowstyle": style, "color": colour, "lw": 1.2, "shrinkA": 0.0, "shrinkB": 0.0}
-        ends: Any = end.tolist(), start.tolist()
-        self.axes.annotate("", *ends, arrowprops={**given, **look}, zorder=4.0)
+        (x, y), (x0, y0) = end.tolist(), start.tolist()
+        self.axes.annotate("", (x, y), (x0, y0), arrowprops={**given, **look}, zorder=4.0)
 
     def draw_ground(self) -> None:
         """Draw the ground under the block, and the wall behind one that has it."""
