@@ -43,7 +43,8 @@ from rocksteady.orbits import (
 from rocksteady.show.figures.single import response_figure, simulation_figure, steady_figure
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import region_centres
-from rocksteady.show.style.tokens import DARK, DASHED, DOTTED, LIGHT
+from rocksteady.show.style.page import Page
+from rocksteady.show.style.tokens import DARK, DASHED, DOTTED, LIGHT, inks_of
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)
@@ -144,8 +145,10 @@ def test_both_axes_say_quantity_and_unit(draw: Callable[[Axes | None], Axes]) ->
 
 def test_the_time_axis_has_the_unit_of_the_run() -> None:
     free = simulate(BARE, Still(), start=State(angle=0.5, velocity=0.0))
+    shaken = simulate(BLOCK, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=5)
     for run, label, scale in (
         (rocking(), "periods", 4.0 / (2.0 * math.pi)),
+        (shaken, "seconds", 1.0 / BLOCK.p),
         (coming_to_rest(), "seconds", 1.0 / BLOCK.p),
         (free, "pivot_time", 1.0),
     ):
@@ -177,21 +180,99 @@ def test_the_end_is_marked() -> None:
     fall = overturning()
     assert fall.status is Status.OVERTURNED
     axes = plots.trajectory(fall, Figure().add_subplot())
-    assert "overturns" in legend_of(axes)
+    assert fall.overturn_time_pt is not None
+    periods = fall.overturn_time_pt * 1.7 / (2.0 * math.pi)
+    assert f"falls at {periods:.3g} periods" in texts_of(axes)
     assert axes.get_ylim()[1] > 1.5
-    assert "at rest" in legend_of(plots.trajectory(coming_to_rest(), Figure().add_subplot()))
+    rest = coming_to_rest()
+    assert rest.rest_time_s is not None
+    axes = plots.trajectory(rest, Figure().add_subplot())
+    assert f"rests from {rest.rest_time_s:.3g} s" in texts_of(axes)
+    upright = [line for line in axes.lines if np.ptp(np.asarray(line.get_xdata(), float)) == 0.0]
+    assert np.asarray(upright[0].get_xdata())[0] == pytest.approx(rest.rest_time_s)
     assert len(legend_of(plots.trajectory(rocking(), Figure().add_subplot()))) == 1
+
+
+def texts_of(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts]
+
+
+def test_a_block_of_known_size_is_drawn_in_degrees_seconds_and_g() -> None:
+    run = simulate(BLOCK, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=5)
+    degrees, p = math.degrees(BLOCK.alpha), BLOCK.p
+    history = plots.trajectory(run, Figure().add_subplot())
+    motion = run(run.times())
+    (course,) = (line for line in history.lines if len(np.asarray(line.get_xdata())) > 100)
+    np.testing.assert_allclose(np.asarray(course.get_xdata(), dtype=float), motion.pt / p)
+    np.testing.assert_allclose(np.asarray(course.get_ydata(), dtype=float), motion.angle * degrees)
+    assert (history.get_xlabel(), history.get_ylabel()) == ("time [s]", palette.LABELS["angle_deg"])
+    portrait = plots.phase_portrait(run, Figure().add_subplot())
+    angle, velocity = run.phase_path()
+    np.testing.assert_allclose(
+        np.asarray(portrait.lines[0].get_xdata(), dtype=float), angle * degrees
+    )
+    np.testing.assert_allclose(
+        np.asarray(portrait.lines[0].get_ydata(), dtype=float), velocity * degrees * p
+    )
+    for quantity, unit in (("acceleration", 1.0), ("velocity", 9.80665 / p)):
+        axes = plots.base(run, Figure().add_subplot(), quantity=quantity)  # type: ignore[arg-type]
+        drawn = np.asarray(axes.lines[0].get_ydata(), dtype=float)
+        top = 2.0 if quantity == "acceleration" else 2.0 / 4.0
+        assert drawn.max() == pytest.approx(top * BLOCK.alpha * unit, rel=1e-3)
+
+
+def test_the_dimensionless_scale_is_on_the_far_side_where_there_is_room() -> None:
+    run = simulate(BLOCK, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=5)
+    axes = plots.trajectory(run, Figure().add_subplot())
+    far = {each.get_xlabel() or each.get_ylabel(): each for each in axes.child_axes}
+    assert set(far) == {palette.LABELS["periods"], palette.LABELS["angle"]}
+    axes.figure.draw_without_rendering()  # type: ignore[union-attr]
+    assert far[palette.LABELS["periods"]].get_xlim()[1] == pytest.approx(5.0)
+    near = np.array(axes.get_ylim()) / math.degrees(BLOCK.alpha)
+    np.testing.assert_allclose(far[palette.LABELS["angle"]].get_ylim(), near)
+    for figure in (Figure(figsize=(3.3, 3.0)), Figure(figsize=(8.0, 1.6))):
+        assert not plots.trajectory(run, figure.add_subplot()).child_axes
+    assert not plots.trajectory(rocking(), Figure().add_subplot()).child_axes
+
+
+def test_limits_are_dashed_and_named_on_their_line() -> None:
+    for draw, name, level in (
+        (plots.trajectory, "tipping angle", math.degrees(BLOCK.alpha)),
+        (plots.base, "lifts off", math.tan(BLOCK.alpha)),
+    ):
+        axes: Any = draw(coming_to_rest(), Figure().add_subplot())
+        (words,) = (text for text in axes.texts if text.get_text() == name)
+        assert words.xy[1] == pytest.approx(level)
+        assert words.get_color() == inks_of(axes).ink
+        dashed = [line for line in axes.lines if line.get_linestyle() == "--"]
+        heights = sorted(float(np.ravel(line.get_ydata())[0]) for line in dashed)
+        assert heights == pytest.approx([-level, level])
+        assert {line.get_color() for line in dashed} == {inks_of(axes).limit}
+
+
+@pytest.mark.parametrize("run", [rocking, overturning, coming_to_rest])
+@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+def test_the_words_of_a_history_are_apart(run: Callable[[], Trajectory], width_mm: float) -> None:
+    figure = simulation_figure(run(), page=Page(width_mm=width_mm))
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        boxes = [text.get_window_extent() for text in axes.texts]
+        boxes += [legend.get_window_extent()] if legend is not None else []
+        for one, other in itertools.combinations(boxes, 2):
+            assert not one.padded(-1.0).overlaps(other.padded(-1.0))
 
 
 def test_a_block_that_falls_from_one_side_does_not_leave_half_the_picture_empty() -> None:
     for sign in (1.0, -1.0):
         start = State(angle=1.2 * sign, velocity=0.0)
         axes = plots.trajectory(simulate(BARE, Still(), start=start), Figure().add_subplot())
-        near, far = sorted(sign * np.array(axes.get_ylim()))
-        assert near == -1.15
-        assert far > 2.0
+        low, high = axes.get_ylim()
+        assert (low if sign > 0.0 else high) == pytest.approx(-1.15 * sign, rel=0.5)
+        assert (high if sign > 0.0 else -low) > 2.0
         assert axes.get_xlim()[0] < 0.0, "the mark of the fall at time 0 is whole"
-        assert legend_of(axes) == ["overturns"], "and no impacts are counted"
+        assert "falls from the start" in texts_of(axes)
+        assert axes.get_legend() is None, "no impacts are counted"
 
 
 def test_one_impact_is_singular() -> None:

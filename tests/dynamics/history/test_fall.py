@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from copy import copy
+from typing import Any
 
 import numpy as np
 import pytest
@@ -70,7 +71,7 @@ def by_dop853(run: Trajectory, block: Block) -> tuple[Callable[[float], float], 
 
     lies.terminal = True  # type: ignore[attr-defined]
     state = [float(last.angle) * block.alpha, float(last.velocity) * block.alpha * block.p]
-    found = solve_ivp(
+    found: Any = solve_ivp(
         slopes, (begin, begin + 20.0), state, method="DOP853", events=lies,
         rtol=1e-11, atol=1e-13, max_step=0.005, dense_output=True,
     )  # fmt: skip

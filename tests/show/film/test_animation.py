@@ -13,6 +13,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.animation import FuncAnimation
+from matplotlib.colors import to_hex
+from matplotlib.patches import Rectangle
 from PIL import Image
 
 from rocksteady import (
@@ -25,6 +27,7 @@ from rocksteady import (
     Still,
     simulate,
 )
+from rocksteady.dynamics.history.fall import fall_to_ground
 from rocksteady.errors import InputError, ModelError
 from rocksteady.histories import Trajectory
 from rocksteady.model.equations import Linear
@@ -32,6 +35,8 @@ from rocksteady.motions import Segment
 from rocksteady.plots import animate
 from rocksteady.show.film.animation import Film, film_of
 from rocksteady.show.film.gif import save_gif
+from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.named("tso-wong-1989")  # p = 2 pi rad/s: Omega is the frequency in Hz
@@ -176,7 +181,7 @@ def test_endless_runs_are_refused_and_not_drawn() -> None:
         (lambda: simulate(BARE, Still(), start=State(angle=1.0, velocity=0.0)), "Free rocking"),
         (
             lambda: simulate(BLOCK, Still(), start=State(angle=1e9, velocity=0.0), model=Linear()),
-            "α = 0.2 rad",
+            "α = 11.5°",
         ),
         (
             lambda: simulate(
@@ -209,12 +214,60 @@ def test_every_frame_shows_the_trajectory_at_its_time() -> None:
     for frame in (0, 17, 60, len(film.reel.times) - 1, film.frames - 1):
         film.show(frame)
         s = film.reel.times[min(frame, len(film.reel.times) - 1)]
-        periods = s * 1.7 / (2.0 * math.pi)
         (place,) = np.asarray(film.dot.get_xydata())
-        assert place == pytest.approx([periods, float(run(s).angle)])
-        assert film.line.get_xdata() == pytest.approx([periods, periods])
+        theta = math.degrees(float(film.scene.theta(s)))
+        assert place == pytest.approx([s / BLOCK.p, theta])
+        if s <= run.end_time_pt:
+            assert theta == pytest.approx(math.degrees(float(run(s).angle) * BLOCK.alpha))
+        assert film.line.get_xdata() == pytest.approx([s / BLOCK.p] * 2)
         assert film.scene.clock.get_text() == f"t = {s / BLOCK.p:.2f} s"
-    assert film.scene.verdict.get_text() == "overturned"
+    assert film.scene.verdict.get_text() == "falls"
+
+
+@pytest.mark.parametrize("bare", [False, True])
+def test_a_fall_ends_on_the_ground(bare: bool) -> None:
+    block = BARE if bare else BLOCK
+    motion = Harmonic(amplitude=2.0, frequency_ratio=1.7)
+    run = simulate(block, motion, start=Steady(), cycles=40)
+    film = film_of(run)
+    assert film.fall is not None
+    last = float(film.reel.times[-1])
+    assert last == film.fall.lands_pt > run.end_time_pt
+    film.show(film.frames - 1)
+    assert abs(float(film.scene.theta(last))) == pytest.approx(0.5 * math.pi)
+    corners = film.scene.shape.corners(film.scene.theta(last))
+    assert sorted(corners[:, 1])[:2] == pytest.approx([0.0, 0.0], abs=1e-12), "a side is down"
+    # Ground lies beneath all of it, and it turns steadily: no jump where the history ends.
+    (soil,) = (p for p in film.scene.axes.patches if isinstance(p, Rectangle))
+    assert (
+        soil.get_x() < corners[:, 0].min() < corners[:, 0].max() < soil.get_x() + soil.get_width()
+    )
+    turned = np.abs(np.diff(film.scene.theta(film.reel.times)))
+    assert turned[-15:].max() < 0.3
+    alpha = film.scene.shape.alpha
+    expected = fall_to_ground(run, alpha)
+    assert expected is not None
+    middle = 0.5 * (run.end_time_pt + last)
+    assert float(film.scene.theta(middle)) == float(expected(middle))
+
+
+def test_a_part_of_a_run_that_falls_ends_where_it_is_told() -> None:
+    run = falling()
+    film = film_of(run, span=(0.5 * run.end_time_pt, run.end_time_pt))
+    assert film.fall is None
+    assert film.reel.times[-1] == run.end_time_pt
+
+
+def test_a_film_is_on_the_paper_of_the_users_figures() -> None:
+    run = shaken()
+    assert not film_of(run).inks.dark
+    with mpl.rc_context({"figure.facecolor": "#141619"}):
+        film = film_of(run)
+    assert film.inks.dark
+    assert to_hex(film.figure.get_facecolor()) == film.inks.paper == "#141619"
+    assert to_hex(film.scene.axes.yaxis.label.get_color()) == film.inks.ink
+    with palette.on_paper(DARK):
+        assert film_of(run).inks.dark
 
 
 def test_frames_move_artists_and_make_none() -> None:

@@ -37,6 +37,7 @@ from rocksteady.motions import Segment
 from rocksteady.show.film._geometry import Shape, shape_of
 from rocksteady.show.film._scene import BlockScene, signed
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import HATCHES, inks_of
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.named("tso-wong-1989")
@@ -69,7 +70,11 @@ def new_axes() -> Axes:
 
 def drawn_corners(axes: Axes) -> Any:
     """The body's corners in the units of the axes, through everything that draws them."""
-    bodies = [p for p in axes.patches if isinstance(p, Polygon) and len(p.get_xy()) == 5]
+    bodies = [
+        p
+        for p in axes.patches
+        if isinstance(p, Polygon) and len(p.get_xy()) == 5 and not p.get_hatch()
+    ]
     (body,) = bodies
     pixels = body.get_transform().transform(np.asarray(body.get_xy())[:4])
     return axes.transData.inverted().transform(pixels)
@@ -269,20 +274,24 @@ def test_the_arrow_points_where_the_base_accelerates() -> None:
     assert not scene_at(still, 0.0).arrow.get_visible()
 
 
-def test_the_fallen_block_is_black_and_named() -> None:
+def test_the_block_wears_its_state_and_names_it() -> None:
     run = falling()
     assert run.overturn_time_pt is not None
     words = {}
     for s in (0.0, run.overturn_time_pt * (1.0 - 1e-9), run.overturn_time_pt, run.end_time_pt):
         scene = scene_at(run, s)
         words[s] = scene.verdict.get_text()
-        black = to_hex(scene.body.get_facecolor()) == palette.OVERTURNED
-        assert black == (s >= run.overturn_time_pt)
-    assert list(words.values()) == ["", "", "overturned", "overturned"]
+        state = "falls" if s >= run.overturn_time_pt else "rocks"
+        assert to_hex(scene.body.get_facecolor()) == getattr(inks_of(scene.axes), state)
+        assert scene.pattern.get_visible() == (state == "falls")
+        assert scene.pattern.get_hatch() == HATCHES["falls"]
+    assert list(words.values()) == ["rocks", "rocks", "falls", "falls"]
     rest = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
     assert rest.rest_time_pt is not None
-    assert scene_at(rest, rest.rest_time_pt).verdict.get_text() == "at rest"
-    assert scene_at(rest, 0.0).verdict.get_text() == ""
+    scene = scene_at(rest, rest.rest_time_pt)
+    assert scene.verdict.get_text() == "rests"
+    assert to_hex(scene.body.get_facecolor()) == inks_of(scene.axes).rest
+    assert scene_at(rest, 0.0).verdict.get_text() == "rocks"
 
 
 def test_the_numbers_in_the_picture() -> None:
@@ -292,8 +301,12 @@ def test_the_numbers_in_the_picture() -> None:
     angle = float(run(s).angle)
     degrees = math.degrees(angle * BLOCK.alpha)
     assert scene.clock.get_text() == "t = 6.60 s"
-    assert scene.tilt.get_text() == f"θ = +{angle:.2f} α = +{degrees:.1f}°"
-    assert scene.push.get_text() == f"a = −{abs(float(run.base_acceleration(s))):.2f} αg"
+    assert scene.tilt.get_text() == f"θ = +{degrees:.1f}° = +{angle:.2f} α"
+    pushed = abs(float(run.base_acceleration(s))) * BLOCK.alpha
+    assert scene.push.get_text() == f"a = −{pushed:.2f} g"
+    bare = scene_at(simulate(BARE, SHAKEN, start=Steady(), cycles=40), s)
+    assert bare.tilt.get_text() == f"θ = +{angle:.2f} α = +{degrees:.1f}°"
+    assert bare.push.get_text().endswith(" αg")
     assert (signed(0.0, 2), signed(-0.001, 2), signed(1.005e7, 2)) == ("0.00", "0.00", "+1.00e+07")
 
 
@@ -317,6 +330,66 @@ def test_ground_that_travels_far_is_followed_past_lines_that_stand_still() -> No
     assert riding.axes.get_xlabel() == palette.LABELS["ground_radius"]
     near = BlockScene(new_axes(), falling(), np.linspace(0.0, 40.0, 100))
     assert near.camera == "fixed"
+
+
+# ------------------------------------------------------------------------------------- model
+
+
+def texts_of(axes: Axes) -> list[str]:
+    return [text.get_text() for text in axes.texts if text.get_text()]
+
+
+def test_a_block_alone_is_drawn_with_its_measures_and_signs() -> None:
+    block = Block.rectangle(width=0.5, height=2.0, restitution=0.85)
+    axes = block.plot(new_axes())
+    corners = drawn_corners(axes)
+    assert np.linalg.norm(corners[0] - corners[1]) == pytest.approx(0.5)
+    assert np.linalg.norm(corners[1] - corners[2]) == pytest.approx(2.0)
+    assert corners[1][1] > corners[0][1] == pytest.approx(0.0), "positive tilt is about the left"
+    seen = texts_of(axes)
+    for words in ("0.5 m", "2 m", "14°", "1.03 m", "0.85", r"$\theta > 0$", r"$\ddot u_g > 0$"):
+        assert words in seen
+    assert any(r"\delta" in words and "impact" in words for words in seen)
+    (mass,) = (line for line in axes.lines if line.get_marker() == "o")
+    assert np.ravel(mass.get_data()) == pytest.approx(corners.mean(axis=0))
+
+
+@pytest.mark.parametrize("size", [(6.4, 4.2), (3.3, 3.0), (3.3, 2.2)])
+@pytest.mark.parametrize(
+    "block",
+    [
+        Block.rectangle(width=0.3, height=3.0),
+        Block.rectangle(width=1.0, height=1.4, restitution=0.5),
+        Block.asymmetric(left=0.15, right=0.25, height=1.2),
+        Block.rectangle(width=0.4, height=1.6).against_wall(),
+        BARE,
+        DimensionlessBlock(restitution=0.8, alpha_ratio=1.8, p_ratio=0.9),
+    ],
+)
+def test_words_of_the_model_are_whole_and_apart(
+    block: Block | DimensionlessBlock, size: tuple[float, float]
+) -> None:
+    figure = Figure(figsize=size)
+    with palette.style():
+        axes = plots.block(block, figure.add_axes((0.02, 0.02, 0.96, 0.96)))
+        figure.draw_without_rendering()
+        boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
+    for k, box in enumerate(boxes):
+        assert figure.bbox.x0 <= box.x0 < box.x1 <= figure.bbox.x1, axes.texts[k]
+        assert figure.bbox.y0 <= box.y0 < box.y1 <= figure.bbox.y1, axes.texts[k]
+        for other in boxes[:k]:
+            assert not box.padded(-1.5).overlaps(other.padded(-1.5))
+
+
+def test_the_sides_of_a_model_have_their_own_measures() -> None:
+    block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+    seen = texts_of(plots.block(block, new_axes()))
+    assert "0.15, 0.25 m" in seen
+    assert "14, 22.6°" in seen
+    walled = texts_of(plots.block(block.against_wall(0.5), new_axes()))
+    assert "wall" in walled
+    assert "0.5" in walled
+    assert any("-e" in words for words in walled)
 
 
 # ------------------------------------------------------------------------------------ refused

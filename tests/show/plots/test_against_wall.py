@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.patches import Polygon, Rectangle
 
@@ -25,8 +26,7 @@ from rocksteady.model.equations import Model
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.film.animation import film_of
-from rocksteady.show.style import palette
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import inks_of
 from tests.every import every
 
 FREE = Block.rectangle(width=0.3, height=3.0)
@@ -47,7 +47,7 @@ def rocked(block: Block | DimensionlessBlock, model: Model | None = None) -> Tra
 def walls(axes: Axes) -> list[Rectangle]:
     """Return the rectangles in the colour of the ground that stand on it."""
     found = [patch for patch in axes.patches if isinstance(patch, Rectangle)]
-    ground = Rectangle((0, 0), 1, 1, facecolor=palette.GROUND).get_facecolor()
+    ground = to_rgba(inks_of(axes).soil)
     return [patch for patch in found if patch.get_facecolor() == ground and patch.get_y() == 0.0]
 
 
@@ -86,17 +86,19 @@ def test_the_ring_of_an_impact_is_where_the_top_strikes_the_wall() -> None:
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_one_mark_lifts_the_block(model: Model) -> None:
     run = rocked(FACADE, model)
-    lift = 1.0 if isinstance(model, Linear) else math.tan(FACADE.alpha) / FACADE.alpha
+    lift = FACADE.alpha if isinstance(model, Linear) else math.tan(FACADE.alpha)
     dashed = [line for line in plots.base(run, new_axes()).lines if line.get_linestyle() == "--"]
     assert [float(np.unique(line.get_ydata())[0]) for line in dashed] == [pytest.approx(lift)]
     scene = BlockScene(new_axes(), run, np.array([0.0]))
-    assert list(scene.uplifts) == [pytest.approx(lift)]
+    assert list(scene.uplifts) == [pytest.approx(lift / FACADE.alpha)]
     assert math.isfinite(scene.strongest_push)
 
 
-def hatched(axes: Axes) -> int:
-    """Return how many areas are hatched."""
-    return sum(bool(patch.get_hatch()) for patch in axes.patches)
+def named_walls(axes: Axes) -> int:
+    """Return how many areas of ground there are, each with its name."""
+    walls = sum(patch.get_facecolor() == to_rgba(inks_of(axes).soil) for patch in axes.patches)
+    assert sum(text.get_text() == "wall" for text in axes.texts) == walls
+    return walls
 
 
 @every("start", [0.3, 0.9, 1.4])
@@ -105,31 +107,31 @@ def test_the_axis_of_angles_ends_in_the_wall(start: float, paper: str) -> None:
     run = simulate(FACADE, Still(), start=State(angle=start, velocity=0.0))
     axes = plots.trajectory(run, new_axes(paper))
     low, high = axes.get_ylim()
-    assert high > min(start, 1.0)
+    assert high > math.degrees(FACADE.alpha) * min(start, 1.0)
     assert -0.15 * high < low < 0.0
-    assert hatched(axes) == 1
+    assert named_walls(axes) == 1
     face = [line for line in axes.lines if set(np.ravel(line.get_ydata())) == {0.0}]
     assert any(line.get_color() == inks_of(axes).ink for line in face)
     assert "+" not in axes.get_ylabel()
     free = plots.trajectory(
         simulate(FREE, Still(), start=State(angle=start, velocity=0.0)), new_axes(paper)
     )
-    assert not hatched(free)
+    assert not named_walls(free)
 
 
 def test_the_phase_plane_ends_in_the_wall() -> None:
     run = rocked(FACADE)
     axes = plots.phase_portrait(run, new_axes())
     low, high = axes.get_xlim()
-    assert high > run.peak
+    assert high > math.degrees(FACADE.alpha) * run.peak
     assert -0.15 * high < low < 0.0
-    assert hatched(axes) == 1
+    assert named_walls(axes) == 1
 
 
 @pytest.mark.parametrize(
     ("block", "words"),
     [
-        (FACADE, ["against a wall, restitution 0.4708", "α = 0.09967 rad, p = 2.209 rad/s"]),
+        (FACADE, ["against a wall, restitution 0.4708", "α = 5.71°, R = 1.51 m"]),
         (BARE, ["against a wall, restitution 0.5", "drawn with α"]),
     ],
 )
@@ -144,6 +146,7 @@ def test_a_film_names_the_wall_and_one_uplift(
     key = film.scene.axes.get_legend()
     assert key is not None
     entries = [entry.get_text() for entry in key.get_texts()]
-    assert "a = αg: uplift" in entries
-    assert "mass centre inside: θ < α" in entries
+    lifts = "lifts off at αg" if block is BARE else f"lifts off at {FACADE.alpha:.3g} g"
+    assert lifts in entries
+    assert "tips beyond, θ = α" in entries
     assert any(isinstance(patch, Polygon) for patch in film.scene.axes.patches)

@@ -75,8 +75,9 @@ def test_impulses_are_arrows_where_and_whither_they_strike() -> None:
     (up_times, ups), (down_times, downs) = arrows(axes, "^"), arrows(axes, "v")
     np.testing.assert_allclose(up_times, np.array([1.0, 3.0]) / BLOCK.p)
     np.testing.assert_allclose(down_times, np.array([2.0]) / BLOCK.p)
-    assert ups.min() > 1.0
-    assert downs.max() < -1.0
+    lifts = math.tan(BLOCK.alpha)
+    assert ups.min() > lifts
+    assert downs.max() < -lifts
     axes = plots.base(under("one-sine", 2.0, 2.0), Figure().add_subplot())
     assert len(arrows(axes, "^")[0]) == len(arrows(axes, "v")[0]) == 0
 
@@ -91,11 +92,14 @@ def test_a_picture_shows_the_base_to_its_end() -> None:
     assert axes.get_xlim()[1] >= 30.0
 
 
-@pytest.mark.parametrize(("block", "label"), [(BLOCK, "time [s]"), (BARE, "pivot time  $pt$")])
-def test_the_axes_have_units(block: Block | DimensionlessBlock, label: str) -> None:
+@pytest.mark.parametrize(
+    ("block", "label", "base"),
+    [(BLOCK, "time [s]", "base  $a$ [g]"), (BARE, "pivot time  $pt$", r"base  $a/(\alpha g)$")],
+)
+def test_the_axes_have_units(block: Block | DimensionlessBlock, label: str, base: str) -> None:
     axes = plots.base(under("versed-sine", 2.0, 3.0, block), Figure().add_subplot())
     assert axes.get_xlabel() == label
-    assert axes.get_ylabel() == r"base  $a/(\alpha g)$"
+    assert axes.get_ylabel() == base
 
 
 @every("name", ["triangle", "ricker", "mavroeidis-papageorgiou", "one-sine"])
@@ -103,8 +107,8 @@ def test_a_film_names_the_pulse_and_shows_it(name: str) -> None:
     run = under(name, 2.0, 9.0, BLOCK)
     film = film_of(run)
     words = [text.get_text() for text in film.figure.texts]
-    assert words[0] == f"Pulse {name}, A = 2, Ω = 9"
-    assert words[1].startswith("restitution 0.9118, α = 0.245 rad, p = 2.671 rad/s, true scale")
+    assert words[0] == f"Pulse {name}, 0.49 g, 3.83 Hz"
+    assert words[1].startswith("α = 14°, R = 1.03 m, restitution 0.9118, true scale")
     period = 2.0 * math.pi / 9.0
     assert np.diff(film.reel.times).max() <= period / FEWEST_A_PERIOD * (1.0 + 1e-9)
     width = film.figure.bbox.width

@@ -122,7 +122,7 @@ CASES: dict[str, Case] = {
     ),
     "plot_base": lambda t: (
         {"motion": t["run"]},
-        [t["run"].base_acceleration(t["run"].times()) * t["run"].motion.amplitude ** 0],
+        [t["run"].base_acceleration(t["run"].times()) * t["run"].block.alpha],
     ),
     "plot_basin_shares": lambda t: (
         {"shares": t["shares"]},
@@ -233,7 +233,10 @@ CASES: dict[str, Case] = {
     ),
     "plot_phase_portrait": lambda t: (
         {"trajectory": t["run"]},
-        [*t["run"].phase_path()],
+        [
+            t["run"].phase_path()[0] * math.degrees(t["run"].block.alpha),
+            t["run"].phase_path()[1] * math.degrees(t["run"].block.alpha) * t["run"].block.p,
+        ],
     ),
     "plot_posterior": lambda t: (
         {"calibration": t["calibration"]},
@@ -314,7 +317,7 @@ CASES: dict[str, Case] = {
     ),
     "plot_trajectory": lambda t: (
         {"trajectory": t["run"]},
-        [t["run"](t["run"].times()).angle],
+        [t["run"](t["run"].times()).angle * math.degrees(t["run"].block.alpha)],
     ),
     "plot_integrated_record": lambda t: (
         {"course": t["course"]},

@@ -128,7 +128,8 @@ def _write_angle(
     angle = 0.5 * side.alpha
     at = (x + sign * reach * math.sin(angle), y - reach * math.cos(angle))
     axes.annotate(
-        f"α = {number(degrees)}°", at, (-half - 0.1 * y, at[1]), ha="right", va="center",
+        f"α = {number(degrees)}°", at, (sign * (half + 0.1 * y), at[1]),
+        ha="right" if sign < 0.0 else "left", va="center",
         fontsize=SMALL, color=inks.ink,
         arrowprops={"arrowstyle": "-", "color": inks.ink, "lw": 0.6, "shrinkB": 0.0},
     )  # fmt: skip

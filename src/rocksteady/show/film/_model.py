@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.results.numbers import number
@@ -71,10 +72,11 @@ class _Drawing:
         self.centre = self.turned(shape.left, 0.5 * shape.height)
         self._set_view()
 
-    def turned(self, x: float, y: float) -> np.ndarray:
+    def turned(self, x: float, y: float) -> Floats:
         """Return where a point of the block is, whose place is counted from its left edge."""
         cos, sin = math.cos(self.tilt), math.sin(self.tilt)
-        return self.edge + np.array([x * cos - y * sin, x * sin + y * cos])
+        place: Floats = self.edge + np.array([x * cos - y * sin, x * sin + y * cos])
+        return place
 
     def _set_view(self) -> None:
         """Set the limits, in true scale and without axes."""
@@ -82,10 +84,13 @@ class _Drawing:
         corners = shape.corners(self.tilt)
         self.right = corners[:, 0].max() + 0.22 * s  # where words and values begin
         wide, high = size_of(self.axes)
-        left, bottom = corners[:, 0].min() - (0.3 if self.block.one_sided else 0.16) * s, -DEEP * s
+        left = corners[:, 0].min() - (0.3 if self.block.one_sided else 0.16) * s
+        self.right += 0.5 * self.small * (self.right - left) / wide
         room = min(0.6, WORDS * self.small / wide)  # of the words and values at the right
         right, top = left + (self.right - left) / (1.0 - room), corners[:, 1].max() + 0.16 * s
         point = (right - left) / wide  # at least: so many rows need room above the law of impact
+        self.deep = max(DEEP * s, 4.6 * self.small * point)
+        bottom = -self.deep
         top = max(top, LAW * s + ROWS * self.small * point)
         missing = (top - bottom) * wide / high - (right - left)
         if missing > 0.0:
@@ -94,22 +99,22 @@ class _Drawing:
         self.axes.set_aspect("equal", adjustable="box")
         self.axes.set(xlim=(left, right), ylim=(bottom, top))
 
-    def write(self, words: str, at: np.ndarray, colour: str = "", **look: Any) -> None:
+    def write(self, words: str, at: Floats, colour: str = "", **look: Any) -> None:
         """Write words at a point."""
         look = {"ha": "center", "va": "center", "fontsize": self.small, **look}
-        self.axes.text(*at, words, color=colour or self.inks.ink, zorder=6.0, **look)
+        x, y = at.tolist()
+        self.axes.text(x, y, words, color=colour or self.inks.ink, zorder=6.0, **look)
 
-    def line(self, *points: np.ndarray, **look: Any) -> None:
+    def line(self, *points: Floats, **look: Any) -> None:
         """Draw a line through points."""
         style = {"color": self.inks.ink, "lw": 0.9, "zorder": 3.5, **look}
         self.axes.plot(*np.array(points).T, **style)
 
-    def arrow(
-        self, start: np.ndarray, end: np.ndarray, colour: str, style: str, **look: Any
-    ) -> None:
+    def arrow(self, start: Floats, end: Floats, colour: str, style: str, **look: Any) -> None:
         """Draw an arrow."""
         given = {"arrowstyle": style, "color": colour, "lw": 1.2, "shrinkA": 0.0, "shrinkB": 0.0}
-        self.axes.annotate("", end, start, arrowprops={**given, **look}, zorder=4.0)
+        (x, y), (x0, y0) = end.tolist(), start.tolist()
+        self.axes.annotate("", (x, y), (x0, y0), arrowprops={**given, **look}, zorder=4.0)
 
     def draw_ground(self) -> None:
         """Draw the ground under the block, and the wall behind one that has it."""
@@ -118,7 +123,7 @@ class _Drawing:
         s, b = self.size, self.shape.half_width
         left, right = self.axes.get_xlim()
         soil: dict[str, Any] = {"facecolor": self.inks.soil, "lw": 0.0, "zorder": 1.0}
-        self.axes.add_patch(Rectangle((left, -DEEP * s), right - left, DEEP * s, **soil))
+        self.axes.add_patch(Rectangle((left, -self.deep), right - left, self.deep, **soil))
         self.line(np.array([left, 0.0]), np.array([right, 0.0]), lw=1.2, zorder=2.0)
         if self.block.one_sided:
             tall = 1.04 * self.shape.height
@@ -136,7 +141,7 @@ class _Drawing:
         body.set_joinstyle("round")
         self.axes.add_patch(body)
         self.line(self.edge, self.centre, color=inks.on_rocks, lw=1.3)
-        look = {"mfc": inks.paper, "mec": inks.on_rocks, "mew": 1.4, "zorder": 5.0}
+        look: dict[str, Any] = {"mfc": inks.paper, "mec": inks.on_rocks, "mew": 1.4, "zorder": 5.0}
         self.axes.plot(*self.centre, "o", ms=7.5, **look)
 
     def draw_sizes(self) -> None:
@@ -145,15 +150,14 @@ class _Drawing:
         wide, tall = 2.0 * shape.half_width, shape.height
         quiet = self.inks.quiet
         lean = math.degrees(self.tilt)
-        spans = [(0.0, wide, "2b")]
-        if self.differ:
-            spans = [(0.0, shape.left, "b₊"), (shape.left, wide, "b₋")]
-        for start, end, name in spans:
+        spans = [(0.0, wide, "2b", "center")]
+        if self.differ:  # words away from each other
+            spans = [(0.0, shape.left, "b₊", "right"), (shape.left, wide, "b₋", "left")]
+        for start, end, name, side in spans:
             ends = self.turned(start, tall + off), self.turned(end, tall + off)
             self.arrow(*ends, quiet, "|-|,widthA=0.25,widthB=0.25", lw=0.9)
-            self.write(
-                math_of(name), self.turned(0.5 * (start + end), tall + 2.0 * off), rotation=lean
-            )
+            place = self.turned(0.5 * (start + end), tall + 2.0 * off)
+            self.write(math_of(name), place, rotation=lean, ha=side)
         # The wall stands to the right.
         across, beyond = (-3.2 * off, -off) if self.block.one_sided else (wide + off, off)
         ends = self.turned(across, 0.0), self.turned(across, tall)
@@ -211,7 +215,7 @@ class _Drawing:
         look: dict[str, Any] = {"marker": mark, "ms": 10.0, "mec": inks.paper, "mew": 0.6}
         self.axes.plot(*self.edge, mfc=inks.ink, ls="none", zorder=5.0, **look)
         struck = np.array([b, 0.0])
-        down = np.array([0.0, 1.4 * self.gap])
+        down = np.array([0.0, 0.34 * self.deep])
         self.write("$O$", self.edge - down)
         if self.block.one_sided:
             tall = self.shape.height
@@ -224,7 +228,7 @@ class _Drawing:
             self.law = f"$\\dot\\theta_a = {ratio}\\,\\dot\\theta_b$"
             words = np.array([self.right, LAW * s])
             self.line(words - np.array([0.02 * s, 0.0]), struck, color=inks.impact, lw=0.7)
-        arrow = np.array([-0.5 * b, -0.175 * s])
+        arrow = np.array([-0.5 * b, -0.75 * self.deep])
         tip = arrow + np.array([0.34 * s, 0.0])
         self.arrow(arrow, tip, inks.base, "-|>,head_width=0.3,head_length=0.6", lw=2.4)
         aside = np.array([0.03 * s, 0.0])

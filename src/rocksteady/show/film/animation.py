@@ -19,7 +19,8 @@ from rocksteady.model.motions.segments import Still
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.film._scene import BlockScene
-from rocksteady.show.plots.motion import plot_trajectory, sided, time_scale
+from rocksteady.show.plots.motion import plot_trajectory
+from rocksteady.show.plots.motion_axes import sided, time_scale
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.palette import shortened

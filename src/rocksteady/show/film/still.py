@@ -26,14 +26,14 @@ def plot_block(
     alpha: float | None = None,
     glow: float = GLOW,
 ) -> "Axes":
-    """Draw the block on its ground at one pivot time, or a block alone as a model, to scale.
+    """Draw a block on its ground at one pivot time, or a block alone, to scale.
 
     The block stands on the corner with the triangle; its mass centre is the circle.  It is pale at
     rest, blue while it rocks and black with a hatch where it falls: once the mass centre has passed
     the dashed line above the corner for the last time.  A ring fades at the corner that has struck
     last.  A wall behind the block stands on the ground, and the ring is at the top of the block.
-    The arrow in the ground is the base acceleration; the marks beside its root are those that lift
-    a block at rest.
+    The arrow in the ground is the base acceleration; the marks beside its root are the uplift
+    accelerations of a block at rest.
 
     A block alone is drawn as the theory has it: at a small positive tilt, with its edges O and O',
     its measures, the positive acceleration of the base and the law of impact.

@@ -173,7 +173,7 @@ def plot_multipliers(
     from matplotlib.patches import Circle
 
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=160.0)
+    inks = inks_of(axes)
     numbered = [each for each in _numbered(orbits) if not _grazes(each[1])]
     values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
     largest = float(np.abs(values).max(initial=0.0))
@@ -238,6 +238,7 @@ def plot_multipliers(
             color=inks.quiet,
         )
     handles = _handles([orbit for _, orbit in numbered], "o", inks)
+    place = place_of(axes, legend, "inside", width=160.0 if len(handles) > 2 else 0.0)
     size = extent(axes, width=62.0, height=12.0 * len(handles) + 12.0)
     corner = emptiest_corner(axes, (places.real, places.imag), size)
     draw_legend(axes, place, handles=handles, corner=corner)
