@@ -1,7 +1,6 @@
 """What the tests of the page share."""
 
-import json
-import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -9,30 +8,27 @@ import pytest
 
 from rocksteady.errors import MissingKernelsError
 from rocksteady.explorer.module import page_module
-from tests.explorer.in_node import InNode, script_of
+from tests.explorer.in_node import InNode, Server
 from tests.strategies import PLAIN
 from tools.aot.replay.outcome import MissingProgramError
 from tools.aot.replay.wasm import node
 
 
-@pytest.fixture
-def in_node(tmp_path: Path) -> InNode:
+@pytest.fixture(scope="session")
+def node_server() -> Iterator[Server]:
     if PLAIN:
         pytest.skip("no library is loaded")
     try:
-        module = page_module()
-        program = node()
-    except MissingKernelsError as error:
-        pytest.skip(f"{error}")
-    except MissingProgramError as error:
+        server = Server(node(), page_module())
+    except (MissingKernelsError, MissingProgramError) as error:
         pytest.skip(str(error))
+    yield server
+    server.end()
 
+
+@pytest.fixture
+def in_node(node_server: Server, tmp_path: Path) -> InNode:
     def run(lines: str, asked: object = None) -> Any:
-        given, script = tmp_path / "asked.json", tmp_path / "script.mjs"
-        given.write_text(json.dumps(asked), encoding="utf-8")
-        script.write_text(script_of(module, given, lines), encoding="utf-8")
-        ran = subprocess.run([*program, str(script)], capture_output=True, text=True, check=False)
-        assert ran.returncode == 0, ran.stderr
-        return json.loads(ran.stdout)
+        return node_server.run(tmp_path / "script.mjs", lines, asked)
 
     return run
