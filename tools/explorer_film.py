@@ -19,7 +19,7 @@ from PIL import Image, ImageDraw
 from playwright.sync_api import Page, sync_playwright
 
 from rocksteady import write_explorer
-from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 
 ROOT = Path(__file__).parents[1]
 TARGET = ROOT / "docs" / "images" / "explorer.gif"
@@ -31,7 +31,7 @@ WIDTH = 800
 FRAME_MS = 100
 MOST_BYTES = 2_000_000
 COLOURS = 128
-RARE = (palette.UNSYMMETRIC, palette.APERIODIC, palette.IMPACT, palette.LINK, palette.BASE)
+RARE = (LIGHT.unsymmetric, LIGHT.aperiodic, LIGHT.impact, LIGHT.motion, LIGHT.base)
 """Colours that cover little of a picture, and are kept all the same."""
 ARROW = [(0, 0), (0, 17), (4, 13), (7, 20), (10, 19), (7, 12), (12, 12)]
 """The pointer [px]."""

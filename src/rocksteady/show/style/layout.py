@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import figure_of, size_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
