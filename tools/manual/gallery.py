@@ -1,12 +1,8 @@
-"""The gallery: the order of its sections, the style of its pictures, and its films.
-
-`python -m tools.manual.gallery docs/images` draws those pictures of it again that guides show.
-"""
+"""The gallery: the order of its sections, the style of its pictures, and its films."""
 
 import ast
 import runpy
 import shutil
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -22,16 +18,6 @@ ORDER = ("steady", "histories", "orbits", "maps", "overturning", "earthquakes", 
 BESIDE = ("ipynb", "json", "md5", "py", "zip")
 """Endings of what sphinx-gallery writes beside a page."""
 EXAMPLES = Path(__file__).parents[2] / "examples"
-GUIDES = {
-    "free-rocking.png": "overturning/free_rocking.py",
-    "overturning.png": "overturning/windows.py",
-    "pulses.png": "overturning/pulses.py",
-    "restitution-fit.png": "risk/restitution.py",
-    "restitution.png": "overturning/housner.py",
-    "spectrum-suite.png": "earthquakes/suite_spectrum.py",
-    "spectrum.png": "earthquakes/rocking_spectrum.py",
-}
-"""Pictures that guides show, each with the script whose one figure it is."""
 SIZE = (7.36, 4.2)
 """Of a figure [inches]: at DPI as wide as the column of a page."""
 DPI = 100.0
@@ -150,18 +136,3 @@ def draw(script: Path, inks: Inks) -> Drawn:
     mpl.use("agg")
     set_style(inks)
     return Drawn.of(runpy.run_path(str(script)))
-
-
-def main(folder: Path) -> None:
-    """Draw the pictures that guides show into a folder, each on both papers."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, script in ((name, EXAMPLES / script) for name, script in GUIDES.items()):
-        MEMORY.listen(script.read_text(encoding="utf-8"))
-        draw(script, LIGHT).save([folder / name], script)
-        with MEMORY.again():
-            draw(script, DARK).save([twins.dark_twin(folder / name)], script)
-        MEMORY.restore()
-
-
-if __name__ == "__main__":
-    main(Path(*sys.argv[1:2]))

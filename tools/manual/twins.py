@@ -56,16 +56,25 @@ def dark_twin(picture: Path) -> Path:
     return picture.with_stem(picture.stem + DARK_END)
 
 
-def save(figure: Any, file: Path, source: str, **settings: Any) -> None:
+def save(figure: Any, file: Path, source: str) -> None:
     """Save a figure without its ground, and with the name of what has drawn it."""
+    with without_ground(figure):
+        metadata = {"Software": "rocksteady", "Source": source}
+        figure.savefig(file, facecolor="none", metadata=metadata)
+
+
+@contextmanager
+def without_ground(figure: Any) -> Iterator[None]:
+    """Take the ground of a figure from its axes inside a ``with`` block."""
     ground = figure.get_facecolor()
     axes = [each for each in figure.axes if each.get_facecolor() == ground]
     for each in axes:
         each.set_facecolor("none")
-    metadata = {"Software": "rocksteady", "Source": source}
-    figure.savefig(file, facecolor="none", metadata=metadata, **settings)
-    for each in axes:
-        each.set_facecolor(ground)
+    try:
+        yield
+    finally:
+        for each in axes:
+            each.set_facecolor(ground)
 
 
 class Memory:
@@ -128,14 +137,15 @@ class Memory:
         self._results.clear()
 
 
-def _is_dark(file: Path) -> bool:
-    """Return whether a PNG says that it is drawn on dark paper."""
+def paper_of(file: Path) -> str | None:
+    """Return the paper that a picture of a cell names, "light" or "dark"; None of other files."""
     from PIL import Image
 
     if file.suffix != ".png" or not file.is_file():
-        return False
+        return None
     with Image.open(file) as picture:
-        return picture.info.get(PAPER) == "dark"
+        text: str | None = picture.info.get(PAPER)
+    return text
 
 
 def show_twins(app: Sphinx, document: nodes.document) -> None:
@@ -158,12 +168,17 @@ def _file(app: Sphinx, picture: nodes.image) -> Path:
 
 
 def _pair(pictures: list[tuple[nodes.image, Path]]) -> None:
-    """Give the pictures of a cell their classes: those on light paper come first."""
-    dark = [_is_dark(file) for _, file in pictures]
-    assert sum(dark) in {0, len(dark) - sum(dark)}, [file for _, file in pictures]
-    for (picture, _), each in zip(pictures, dark, strict=True):
-        if any(dark):
-            picture["classes"].append(DARK_ONLY if each else LIGHT_ONLY)
+    """Give the pictures of a cell their classes, where each has a twin."""
+    on: dict[str | None, list[nodes.image]] = defaultdict(list)
+    for picture, file in pictures:
+        on[paper_of(file)].append(picture)
+    if len(on["light"]) == len(on["dark"]):
+        for paper, look in (("light", LIGHT_ONLY), ("dark", DARK_ONLY)):
+            for picture in on[paper]:
+                picture["classes"].append(look)
+    else:  # some are drawn on white, whatever the paper
+        for picture in on["dark"]:
+            picture.parent.remove(picture)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
