@@ -6,17 +6,19 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 sys.path.insert(0, str(ROOT))
-# Cells run as for a new user, without the start-up files of whoever builds the manual, and their
-# kernel is silent about its sockets.
+# Cells run as for a new user, without the start-up files of whoever builds the manual.
 PROFILE = ROOT / "build" / "manual" / "ipython" / "profile_default"
 PROFILE.mkdir(parents=True, exist_ok=True)
-(PROFILE / "ipython_kernel_config.py").write_text("c.IPKernelApp.log_level = 40\n", "utf-8")
 os.environ["IPYTHONDIR"] = str(PROFILE.parent)
+os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(ROOT), os.getenv("PYTHONPATH")]))
 
 from sphinx_gallery.sorting import ExplicitOrder  # noqa: E402
 
 import rocksteady  # noqa: E402
-from tools.manual import gallery, mathematics, page_explorer  # noqa: E402
+from rocksteady.show.style.tokens import DARK, LIGHT  # noqa: E402
+from tools.manual import cells, gallery, mathematics, page_explorer, theme  # noqa: E402
+
+(PROFILE / "ipython_kernel_config.py").write_text(cells.CONFIGURATION, "utf-8")
 
 project = "rocksteady"
 author = "The rocksteady developers"
@@ -31,6 +33,7 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "myst_nb",
     "tools.manual.pages",
+    "tools.manual.twins",
     "tools.manual.reference",
     "tools.manual.docstrings",
     "tools.manual.commands",
@@ -100,11 +103,10 @@ sphinx_gallery_conf = {
     "show_signature": False,
     "min_reported_time": 1e9,
     "remove_config_comments": True,
-    "reset_modules": ("tools.manual.gallery.set_style",),
+    "reset_modules": ("tools.manual.gallery.prepare",),
     "image_scrapers": ("tools.manual.gallery.save_pictures",),
     "thumbnail_size": (420, 294),
     "abort_on_example_error": True,
-    "image_srcset": ["2x"],
     "matplotlib_animations": False,
     "parallel": int(os.environ.get("WORKERS", "2")),
 }
@@ -119,9 +121,11 @@ html_css_files = ["manual.css", "gallery.css"]
 html_theme_options = {
     "sidebar_hide_name": False,
     "top_of_page_buttons": [],
-    "light_css_variables": {"color-brand-primary": "#005a9c", "color-brand-content": "#005a9c"},
-    "dark_css_variables": {"color-brand-primary": "#7cc0ff", "color-brand-content": "#7cc0ff"},
+    "light_css_variables": theme.variables(LIGHT),
+    "dark_css_variables": theme.variables(DARK),
 }
+pygments_style = "tools.manual.theme.LightCode"
+pygments_dark_style = "tools.manual.theme.DarkCode"
 html_show_sourcelink = False
 html_copy_source = False
 mathjax_path = mathematics.SCRIPT

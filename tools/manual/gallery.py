@@ -1,38 +1,27 @@
-"""The gallery: the order of its sections, the style of its pictures, and its films.
-
-`python -m tools.manual.gallery docs/images` draws those pictures of it again that guides show.
-"""
+"""The gallery: the order of its sections, the style of its pictures, and its films."""
 
 import ast
-import re
 import runpy
-import sys
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, Self
 
 from rocksteady.show.film.animation import Film
 from rocksteady.show.film.gif import save_gif
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+from tools.manual import twins
 
 ORDER = ("steady", "histories", "orbits", "maps", "overturning", "earthquakes", "risk")
 """Folders of examples/, as the gallery shows them."""
 BESIDE = ("ipynb", "json", "md5", "py", "zip")
 """Endings of what sphinx-gallery writes beside a page."""
 EXAMPLES = Path(__file__).parents[2] / "examples"
-GUIDES = {
-    "free-rocking.png": "overturning/free_rocking.py",
-    "overturning.png": "overturning/windows.py",
-    "pulses.png": "overturning/pulses.py",
-    "restitution-fit.png": "risk/restitution.py",
-    "restitution.png": "overturning/housner.py",
-    "spectrum-suite.png": "earthquakes/suite_spectrum.py",
-    "spectrum.png": "earthquakes/rocking_spectrum.py",
-}
-"""Pictures that guides show, each with the script whose one figure it is."""
 SIZE = (7.36, 4.2)
 """Of a figure [inches]: at DPI as wide as the column of a page."""
 DPI = 100.0
+MEMORY = twins.Memory()
 
 
 def remove_stale_pages(folder: Path, examples: Path = EXAMPLES) -> None:
@@ -43,38 +32,86 @@ def remove_stale_pages(folder: Path, examples: Path = EXAMPLES) -> None:
             page.unlink()
 
 
-def set_style(_conf: Mapping[str, Any], _name: str) -> None:
-    """Set Matplotlib for a script: the house style on light paper, in the width of a page."""
+def prepare(_conf: Mapping[str, Any], name: str) -> None:
+    """Prepare Matplotlib and the public functions for a script of a name, which is drawn twice."""
+    set_style(LIGHT)
+    MEMORY.listen("".join(each.read_text(encoding="utf-8") for each in EXAMPLES.rglob(name)))
+
+
+def set_style(inks: Inks) -> None:
+    """Set Matplotlib to the house style, in the width of a page, whose ground is the paper."""
     import matplotlib as mpl
     import matplotlib.pyplot as plt
-    from cycler import cycler
 
     plt.close("all")
     mpl.rcdefaults()
-    size = {"figure.figsize": SIZE, "figure.dpi": DPI, "savefig.dpi": DPI}
-    colours = {"axes.prop_cycle": cycler(color=palette.LINES)}
+    size = {"figure.figsize": SIZE, "figure.dpi": DPI, "savefig.dpi": 2.0 * DPI}
     settings: Any = mpl.rcParams  # whose keys are a type of 300 literals
-    settings.update({**palette.STYLE, **size, **colours})
+    settings.update({**palette.STYLE, **size, **twins.paper(inks)})
 
 
-def save_pictures(block: Any, variables: dict[str, Any], conf: Mapping[str, Any]) -> str:
-    """Save the films and the figures of a script, and return the text that shows them."""
-    from matplotlib.animation import FuncAnimation
-    from sphinx_gallery.scrapers import (  # type: ignore[import-untyped]
-        figure_rst,
-        matplotlib_scraper,
-    )
+def save_pictures(_block: Any, variables: dict[str, Any], conf: Mapping[str, Any]) -> str:
+    """Save the films and the figures of a script twice, and return the text that shows them."""
+    script = Path(variables["src_file"])
+    drawn = Drawn.of(variables["example_globals"])
+    numbered = variables["image_path_iterator"]
+    paths = [Path(next(numbered)).with_suffix(ending) for ending in drawn.endings]
+    drawn.save(paths, script)
+    if paths:
+        with MEMORY.again():
+            dark = draw(script, DARK)
+        dark.save([twins.dark_twin(path) for path in paths], script)
+        _save_dark_thumbnail(twins.dark_twin(paths[0]), script, conf["thumbnail_size"])
+    MEMORY.restore()
+    question = title_of(script)
+    places = ("/" + path.relative_to(conf["src_dir"]).as_posix() for path in paths)
+    options = f"   :alt: {question}\n   :class: sphx-glr-single-img\n   :loading: lazy\n"
+    return "\n".join(f".. image:: {place}\n{options}" for place in places)
 
-    paths = []
-    for value in variables["example_globals"].values():
-        if isinstance(value, FuncAnimation):
-            path = Path(next(variables["image_path_iterator"])).with_suffix(".gif")
-            save_gif(film_behind(value), path)
-            paths.append(str(path))
-    text: str = figure_rst(paths, conf["src_dir"]) if paths else ""
-    text += matplotlib_scraper(block, variables, conf)
-    question = title_of(Path(variables["src_file"]))
-    return re.sub(r":alt:.*", lambda _: f":alt: {question}", text)
+
+def _save_dark_thumbnail(picture: Path, script: Path, size: tuple[int, int]) -> None:
+    """Save the twin of the small picture that sphinx-gallery makes of the first one."""
+    from sphinx_gallery.utils import scale_image  # type: ignore[import-untyped]
+
+    name = f"sphx_glr_{script.stem}_thumb{twins.DARK_END}{picture.suffix}"
+    target = picture.parent / "thumb" / name
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if picture.suffix == ".gif":  # as sphinx-gallery does
+        shutil.copyfile(picture, target)
+    else:
+        scale_image(picture, target, *size)
+
+
+class Drawn(NamedTuple):
+    """What a script has drawn."""
+
+    films: list[Any]
+    figures: list[Any]
+
+    @classmethod
+    def of(cls, names: Mapping[str, Any]) -> Self:
+        """Return the films among the names of a script, and its figures that are open."""
+        import matplotlib.pyplot as plt
+        from matplotlib.animation import FuncAnimation
+
+        films = [value for value in names.values() if isinstance(value, FuncAnimation)]
+        return cls(films, [plt.figure(number) for number in plt.get_fignums()])
+
+    @property
+    def endings(self) -> list[str]:
+        """Return the endings of their files."""
+        return [".gif"] * len(self.films) + [".png"] * len(self.figures)
+
+    def save(self, files: list[Path], script: Path) -> None:
+        """Save the films and the figures to files, and close them."""
+        import matplotlib.pyplot as plt
+
+        source = script.relative_to(EXAMPLES.parent).as_posix()
+        for film, file in zip(self.films, files, strict=False):
+            save_gif(film_behind(film), file)
+        for figure, file in zip(self.figures, files[len(self.films) :], strict=True):
+            twins.save(figure, file, source)
+        plt.close("all")
 
 
 def title_of(script: Path) -> str:
@@ -92,26 +129,10 @@ def film_behind(animation: Any) -> Film:
     return film
 
 
-def draw(script: Path) -> tuple[list[Any], list[Any]]:
-    """Run a script in the style of the gallery and return its figures and its films."""
+def draw(script: Path, inks: Inks) -> Drawn:
+    """Run a script in the style of the gallery, on light or dark paper."""
     import matplotlib as mpl
-    import matplotlib.pyplot as plt
-    from matplotlib.animation import FuncAnimation
 
     mpl.use("agg")
-    set_style({}, "")
-    names = runpy.run_path(str(script))
-    films = [value for value in names.values() if isinstance(value, FuncAnimation)]
-    return [plt.figure(number) for number in plt.get_fignums()], films
-
-
-def main(folder: Path) -> None:
-    """Draw the pictures that guides show into a folder."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, script in GUIDES.items():
-        (figure,), _ = draw(EXAMPLES / script)
-        figure.savefig(folder / name, dpi=2.0 * DPI)
-
-
-if __name__ == "__main__":
-    main(Path(*sys.argv[1:2]))
+    set_style(inks)
+    return Drawn.of(runpy.run_path(str(script)))

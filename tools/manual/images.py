@@ -1,0 +1,100 @@
+"""The pictures that pages show as files: each is drawn on both papers by what its caption names.
+
+`python -m tools.manual.images [NAME ...]` draws those in docs/images again, or some of them.
+"""
+
+import re
+import shlex
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from rocksteady.cli.app import run
+from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+from tools.manual import gallery, twins
+
+ROOT = gallery.EXAMPLES.parent
+IMAGES = ROOT / "docs" / "images"
+CAPTIONED = re.compile(
+    r"\]\((?:[\w./-]*/)?([\w-]+\.png)\)(?:</picture>)?\n\n(?:(?!\n\n)[\s\S])*?"
+    r"Made\s+by\s+`((?:examples/|rocksteady )[^`]+)`"
+)
+"""A picture, and the script or the command line that its caption names."""
+DPI = 180.0
+
+
+def makers() -> dict[str, str]:
+    """Return what makes each picture: a script of examples/, or a command line."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    texts = [page.read_text(encoding="utf-8") for page in pages]
+    found = [pair for text in texts for pair in CAPTIONED.findall(text)]
+    return {picture: " ".join(maker.split()) for picture, maker in found}
+
+
+def draw(name: str, maker: str, folder: Path) -> None:
+    """Draw a picture into a folder on both papers."""
+    if maker.startswith("examples/"):
+        script = ROOT / maker
+        gallery.MEMORY.listen(script.read_text(encoding="utf-8"))
+        gallery.draw(script, LIGHT).save([folder / name], script)
+        with gallery.MEMORY.again():
+            gallery.draw(script, DARK).save([twins.dark_twin(folder / name)], script)
+        gallery.MEMORY.restore()
+    else:
+        for inks, file in ((LIGHT, folder / name), (DARK, twins.dark_twin(folder / name))):
+            with TemporaryDirectory() as place, _house_style_on(inks):
+                words = shlex.split(re.sub(r"--plot \S+", f"--plot '{place}/drawn.png'", maker))
+                assert run(words[1:]) == 0, maker
+                (Path(place) / "drawn.png").rename(file)
+    for inks, file in ((LIGHT, folder / name), (DARK, twins.dark_twin(folder / name))):
+        make_small(file, inks.page, maker)
+
+
+@contextmanager
+def _house_style_on(inks: Inks) -> Iterator[None]:
+    """Make a page of the manual the paper of the house style, inside a ``with`` block."""
+    before = dict(palette.STYLE)
+    palette.STYLE.update({**twins.paper(inks), "savefig.dpi": DPI})
+    try:
+        yield
+    finally:
+        palette.STYLE.clear()
+        palette.STYLE.update(before)
+
+
+def make_small(file: Path, ground: str, source: str) -> None:
+    """Rewrite a PNG with 256 colours, of which the ground is transparent."""
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    with Image.open(file) as drawn:
+        sheet = Image.new("RGBA", drawn.size, ground)
+        sheet.alpha_composite(drawn.convert("RGBA"))
+        shown = sheet.convert("RGB")
+    few = shown.quantize(255, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+    colour = tuple(int(ground[k : k + 2], 16) for k in (1, 3, 5))
+    indices = np.array(few)
+    indices[(np.array(shown) == colour).all(axis=2)] = 255
+    small = Image.fromarray(indices, mode="P")
+    small.putpalette([*(few.getpalette() or [])[: 3 * 255], *colour])
+    words = PngInfo()
+    words.add_text("Software", "rocksteady")
+    words.add_text("Source", source)
+    small.save(file, optimize=True, transparency=255, pnginfo=words)
+
+
+def main(names: list[str], folder: Path = IMAGES) -> None:
+    """Draw some of the pictures, or all."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, maker in makers().items():
+        if not names or name in names:
+            draw(name, maker, folder)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
