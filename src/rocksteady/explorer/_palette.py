@@ -23,8 +23,10 @@ def page_theme() -> dict[str, Any]:
     Examples
     --------
     >>> theme = page_theme()
-    >>> theme["dark"]["falls"], theme["light"]["riskRamp"][0], theme["words"]["overturned"]
-    ('#000000', '#fbf3f4', 'falls')
+    >>> theme["dark"]["falls"] == DARK.falls, len(theme["light"]["riskRamp"])
+    (True, 5)
+    >>> theme["words"]["overturned"]
+    'falls'
     """
     return {"light": _roles(LIGHT), "dark": _roles(DARK), "words": class_words()}
 

@@ -11,7 +11,7 @@ import pytest
 from rich.color import ColorType
 from rich.style import Style
 
-from rocksteady.cli.console.styles import HELP, PARTS, STYLES
+from rocksteady.cli.console._styles import HELP, PARTS, STYLES
 from rocksteady.results.rendering import ROLES
 from rocksteady.show.style.tokens import Inks
 from tests.every import every

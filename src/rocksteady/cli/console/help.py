@@ -6,7 +6,7 @@ from typing import Any, ClassVar, Final
 
 from typer.core import TyperCommand, TyperGroup
 
-from rocksteady.cli.console.styles import style_help
+from rocksteady.cli.console._styles import style_help
 from rocksteady.cli.console.terminal import console
 
 EVERYTHING: Final = "--help-all"

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Protocol
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.styles import styled
+from rocksteady.cli.console._styles import styled
 
 LINE_EVERY = 0.1
 """Part of the work after which a line is due where there is no terminal."""

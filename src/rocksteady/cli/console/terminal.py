@@ -14,7 +14,7 @@ from contextlib import suppress
 from types import FrameType
 from typing import TYPE_CHECKING, Any, TextIO
 
-from rocksteady.cli.console.styles import styled
+from rocksteady.cli.console._styles import styled
 from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:

@@ -158,7 +158,7 @@ def draw_legend(
         "labels": [_broken(label, letters) for label in labels],
         "fontsize": size,
         "labelcolor": inks.ink,
-        "title": title or None,
+        "title": _broken(title, letters) or None,
         "title_fontsize": size,
         "frameon": place == "inside",
         "facecolor": inks.paper,

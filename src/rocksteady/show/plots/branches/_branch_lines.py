@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.continuation.points import Branch
-from rocksteady.show.plots.branches._views import View
+from rocksteady.show.plots.branches.views import View
 from rocksteady.show.style.legends import line_scale
 from rocksteady.show.style.tokens import DASHED, DOTTED, Inks, inks_of
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.continuation.resting.resting_branch import RestingBranch
-from rocksteady.show.plots.branches._views import View
+from rocksteady.show.plots.branches.views import View
 from rocksteady.show.style.insets import Box, room_for_inset
 from rocksteady.show.style.legends import line_scale
 from rocksteady.show.style.tokens import inks_of

@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.arrays import Floats
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.outcomes import AttractorKind
-from rocksteady.show.plots.branches._views import View
+from rocksteady.show.plots.branches.views import View
 from rocksteady.show.style.axes import lane_of, name_lane, runs
 from rocksteady.show.style.legends import line_scale
 from rocksteady.show.style.tokens import HATCHES, Inks, inks_of

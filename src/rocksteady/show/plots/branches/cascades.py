@@ -9,9 +9,9 @@ from rocksteady.dynamics.continuation.chains.point_types import PointType
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.show.plots.branches import _curve_labels
+from rocksteady.show.plots.branches import curve_labels
 from rocksteady.show.plots.branches._branch_lines import MARKS
-from rocksteady.show.plots.branches._views import fits_far_axes
+from rocksteady.show.plots.branches.views import fits_far_axes
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
 from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
@@ -125,7 +125,7 @@ def plot_cascade(
     if scale.far and fits_far_axes(axes):
         draw_far_axis(axes, "y", Scale(scale.factor, axes.get_ylabel(), far))
     lines = [np.column_stack([places, each]) for each in (expected, sizes)]
-    labels = _curve_labels.Words(axes, lines)
+    labels = curve_labels.Words(axes, lines)
     if ratios:
         labels.taken.append((labels.there(np.array(ratios)) + np.array([17.0, 8.0]), 10.0))
     labels.take(lines[1].tolist(), 4.0)

@@ -16,8 +16,8 @@ from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.branches._branch_lines import name_of
-from rocksteady.show.plots.branches._curve_labels import Words
-from rocksteady.show.plots.branches._views import fits_far_axes, shared_size
+from rocksteady.show.plots.branches.curve_labels import Words
+from rocksteady.show.plots.branches.views import fits_far_axes, shared_size
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
