@@ -92,9 +92,8 @@ def plot_bifurcations(
     are named along their lines where there is room, else in the legend.  Bifurcations are marked at
     the highest and at the lowest angle of their orbits; those at which motions become unstable have
     their names and places beside them.  The motions that a sweep meets are triangles beneath the
-    lines that point its way, or dots where they do not repeat; where the sweeps differ there is
-    hysteresis.  Bars along the upper edge, a row for each sweep, show where its motion fell or came
-    to rest.
+    lines that point its way, or dots where they do not repeat.  Bars along the upper edge, a row
+    for each sweep, show where its motion fell or came to rest.
 
     For a block of known size the parameter is in g or Hz and extremes are in degrees, with the
     dimensionless scales on the far sides.  The axis of the parameter is logarithmic where a sweep's
