@@ -88,14 +88,14 @@ def error_of(name: str, *arguments: Floats) -> float:
     # Enough for what an angle of 1e308 loses in its whole turns, or a number near 1 in its log.
     size = max(float(np.abs(each).max()) for each in arguments)
     turns = name in {"sin", "cos", "tan"}
-    flint.ctx.prec = 170 + (max(0, math.frexp(size)[1]) if turns else 0)
     worst = 0.0
     columns = (each.tolist() for each in arguments)
-    for result, unit, *given in zip(results.tolist(), units.tolist(), *columns, strict=True):
-        truth = exact(*map(flint.arb, given))
-        error = abs(float(truth - flint.arb(result)))
-        if not error <= worst * unit:
-            worst = error / unit
+    with flint.ctx.workprec(170 + (max(0, math.frexp(size)[1]) if turns else 0)):
+        for result, unit, *given in zip(results.tolist(), units.tolist(), *columns, strict=True):
+            truth = exact(*map(flint.arb, given))
+            error = abs(float(truth - flint.arb(result)))
+            if not error <= worst * unit:
+                worst = error / unit
     return worst
 
 

@@ -8,16 +8,16 @@ import numpy as np
 from rocksteady.kernels.elementary._turns import LIMBS, PER_QUARTER_DIGITS, reduced_far
 
 
+@flint.ctx.workprec(24 * LIMBS + 64)
 def test_the_digits_of_two_over_pi() -> None:
-    flint.ctx.prec = 24 * LIMBS + 64
     scaled = 2 / flint.arb.pi() * flint.arb(2) ** (24 * LIMBS)
     assert scaled.floor().unique_fmpz() == PER_QUARTER_DIGITS
 
 
+@flint.ctx.workprec(1300)
 def test_what_is_left_has_thirty_digits() -> None:
     rng = np.random.default_rng(8)
     angles = np.exp(rng.uniform(math.log(2e5), math.log(1e308), 2000))
-    flint.ctx.prec = 1300
     quarter = flint.arb.pi() / 2
     for angle in (*angles.tolist(), 6381956970095103.0 * 2.0**797):
         for sign in (1.0, -1.0):

@@ -159,7 +159,7 @@ def test_the_limit_ends_a_march_undecided() -> None:
 
 @every("restitution", [1.0, 0.999999, 1e-3, 1e-6])
 @every("frequency", [0.05, 1.0, 30.0, 1000.0])
-@every("amplitude", [0.9, 1.0, 1.0000001, 3.0, 12.0])
+@every("amplitude", sample_size([0.9, 1.0, 1.0000001, 3.0, 12.0], [1.0, 12.0]))
 def test_extreme_cases_end_soundly(restitution: float, frequency: float, amplitude: float) -> None:
     for side, velocity in ((0, 0.0), (1, 0.3 / frequency), (-1, -1e-9)):
         ran = run(

@@ -419,7 +419,7 @@ def test_cells_settle_as_each_does_alone_and_to_mirror_images(alpha: float) -> N
     speed[::5] = 0.0
     ratios = rng.uniform(0.0, 1.0, count)
     ratios[::7] = 0.0
-    cycles, outcomes = sample_size(300, 40), []
+    cycles, outcomes = sample_size(300, 25), []
     for free in (1, -1):
         flat = [against_wall(float(e), free=free) for e in ratios]
         sides = np.array([in_model(harmonic(1.0, 1.0), one, alpha)[1] for one in flat])
