@@ -12,7 +12,10 @@ import numpy as np
 
 import rocksteady as rs
 
-block, shaking = rs.DimensionlessBlock(restitution=0.9), rs.Harmonic(amplitude=5.0, frequency_ratio=3.0)
+block, shaking = (
+    rs.DimensionlessBlock(restitution=0.9),
+    rs.Harmonic(amplitude=5.0, frequency_ratio=3.0),
+)
 run = rs.simulate(block, shaking, start=rs.State(angle=0.5, velocity=-0.8))
 beta = shaking.amplitude / (1.0 + shaking.frequency_ratio**2)
 half = beta * np.hypot(1.0, shaking.frequency_ratio)

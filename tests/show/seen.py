@@ -40,9 +40,12 @@ def word_of(text: str) -> str:
     ('falls', 'impacts', '')
     """
     plain = re.sub(r"\$[^$]*\$", " ", text.replace("\xa0", " "))
+    plain = re.sub(r"\b(un)?symmetric-([2-9]|\d\d)[a-z]*", "subharmonic", plain)
+    plain = re.sub(r"(un?symmetric)-1[a-z]*", r"\1", plain)
     plain = re.sub(r"\b[A-Za-zδΩα]\w? ?[=<>≥≤].*", " ", plain)
-    plain = re.sub(r"[<>≥≤±-]?\d[\d.,e+−-]*", " ", plain)
+    plain = re.sub(r"[<>≥≤±-]?\s?\d[\d.,e+−-]*", " ", plain)
     plain = re.sub(r"\b(g|Hz|m/s2?|m|s|mm|deg|rad)\b|[%°×()\[\]:;,]", " ", plain)
+    plain = re.sub(r"\b(to|up to|at|and|of|β|α|period(?= *$)|[a-z]\b)(?=\s*$)", " ", plain)
     return " ".join(plain.split()).lower()
 
 
@@ -58,8 +61,14 @@ def form_of(handle: Any) -> tuple[str, str, str]:
     if hasattr(handle, "get_linestyle"):
         marker = getattr(handle, "get_marker", lambda: None)()
         dash = handle.get_linestyle()
-        if dash in ("None", "none", " ", "") and marker not in (None, "None", "none", ""):
-            return "dot", to_hex(handle.get_markerfacecolor()), str(marker)
+        bare = dash in ("None", "none", " ", "")
+        if bare and marker in (None, "None", "none", ""):  # a note in place of an entry
+            return "text", "none", ""
+        if bare:
+            face = handle.get_markerfacecolor()
+            hollow = isinstance(face, str) and face == "none"
+            colour = handle.get_markeredgecolor() if hollow else face
+            return "dot", to_hex(colour), f"{marker}{' hollow' if hollow else ''}"
         colour = handle.get_color()
         colour = colour[0] if hasattr(colour, "ndim") and colour.ndim == 2 else colour
         solid = dash in ("-", "solid") or (isinstance(dash, list) and dash[0][1] is None)

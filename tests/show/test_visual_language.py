@@ -1,30 +1,66 @@
-"""One visual language: the same word never has two looks, the same look never two words."""
+"""One visual language: a word has one look in all pictures, and a look has one meaning."""
 
 import contextlib
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
 
+import pytest
 from matplotlib.figure import Figure
 
 from rocksteady.show.style.page import Page
+from rocksteady.show.style.tokens import LIGHT, meanings, mixed
 from tests.public.calls import calls, close_pictures
 from tests.show.seen import Seen, read_figure
 from tools.freeze.results import figures, room
 
-MEET = {
-    "map of fates": ("rest", "rocks", "falls", "undecided"),
-    "map of kinds": (
-        *("rest", "symmetric", "unsymmetric", "subharmonic", "aperiodic", "falls", "undecided"),
-    ),
-    "history": ("motion", "base", "impact", "ink"),
-    "branches": ("motion", "unsymmetric_line", "subharmonic_line", "aperiodic_line", "ink"),
-    "block on its ground": ("rest", "rocks", "falls", "soil", "impact", "base"),
-    "fragility": ("risk", "ink", "paper"),
+pytestmark = pytest.mark.slow
+
+SERIES = ("motion", "base", "risk", "subharmonic_line")
+KINDS = ("symmetric", "unsymmetric", "subharmonic", "aperiodic")
+MEANS = {
+    ("area", "falls"): "falls.*",
+    ("area", "rest"): "rests|stands",
+    ("area", "rocks"): "rocks",
+    ("area", "undecided"): "undecided",
+    ("area", "symmetric"): "symmetric",
+    ("area", "unsymmetric"): "unsymmetric",
+    ("area", "subharmonic"): "subharmonic",
+    ("area", "aperiodic"): "aperiodic",
+    ("area", "risk_ramp"): "|.*assumption.*|predicted",
+    ("line", "base"): "hazard|horizontal|vertical|.* spectrum",
+    ("line", "risk"): "probability of falling|falls|uplift|one curve median|θ/|",
+    ("band", "risk"): "middle of the risk|rate of falling by intensity",
+    ("dot", "impact"): "impacts?|after an impact",
 }
-"""Roles that meet in one picture."""
-LEAST = 9.0
-"""Distance in CIEDE2000 of two colours that meet, in each of four visions."""
+"""What an entry of a legend may say that has the mark and the colour of a role."""
+SHAPES = {"to the positive side", "to the negative side", "stable", "unstable"}
+"""Words that a marker says in any colour: triangles for sides, filled and hollow dots."""
+NEVER = {
+    "falls": ("area", "text", "dot", "line"),
+    "rocks": ("area", "text"),
+    "symmetric": ("area", "text", "line", "dot"),
+}
+"""Marks that a word may have; the line of a state that falls is one of its probability."""
+
+
+@cache
+def names() -> dict[str, set[str]]:
+    """Return the roles that have a colour on light paper."""
+    found: defaultdict[str, set[str]] = defaultdict(set)
+    for name, _ in meanings():
+        value = getattr(LIGHT, name)
+        for colour in (value,) if isinstance(value, str) else value:
+            found[colour].add(name)
+    for name in SERIES:
+        for count in range(2, 13):
+            for colour in LIGHT.series(name, count):
+                found[colour].add(name)
+    for name in KINDS:  # several of one kind in a picture are steps of its lightness
+        for part in range(-70, 71, 5):
+            found[mixed(getattr(LIGHT, name), part / 100.0)].add(name)
+    return dict(found)
 
 
 def drawn() -> Iterator[tuple[str, Figure]]:
@@ -40,9 +76,48 @@ def drawn() -> Iterator[tuple[str, Figure]]:
 
 @cache
 def seen() -> dict[Seen, set[str]]:
-    """Return every entry of a legend and every coloured label, with the pictures that have it."""
+    """Return every entry of a legend and every label, with the pictures that have it."""
     found: defaultdict[Seen, set[str]] = defaultdict(set)
     for name, figure in drawn():
         for each in read_figure(figure):
             found[each].add(name)
     return dict(found)
+
+
+def test_every_colour_with_a_name_is_that_of_a_role() -> None:
+    strange = {each: where for each, where in seen().items() if each.colour not in names()}
+    assert {each: where for each, where in strange.items() if each.colour != "none"} == {}
+
+
+def test_a_word_has_one_look() -> None:
+    looks: defaultdict[tuple[str, str], set[str]] = defaultdict(set)
+    for each in seen():
+        if re.search("[a-z]{3}", each.word) and each.mark != "text":
+            role = "" if each.word in SHAPES else "/".join(sorted(names().get(each.colour, ())))
+            looks[each.word, each.mark].add(f"{role} {each.hatch if role else ''}")
+    many = {word: found for word, found in looks.items() if len(found) > 1}
+    assert many == {}
+
+
+def test_a_look_has_one_meaning() -> None:
+    wrong = []
+    for each, where in seen().items():
+        for name in names().get(each.colour, ()):
+            words = MEANS.get((each.mark, name))
+            # Near black is text, limits and what falls, which has a hatch.
+            if words is None or (name == "falls" and not each.hatch):
+                continue
+            others = (MEANS.get((each.mark, other)) for other in names()[each.colour])
+            if not any(other and re.fullmatch(other, each.word) for other in others):
+                wrong.append((each, where))
+    assert wrong == []
+
+
+def test_a_word_has_the_marks_that_it_may_have() -> None:
+    for each, where in seen().items():
+        for word, marks in NEVER.items():
+            if each.word == word:
+                assert each.mark in marks, (each, where)
+            if each.word == word and each.mark == "area":
+                assert word in names()[each.colour], (each, where)
+    assert not [each for each in seen() if re.search("overturn|still rocking|at rest", each.word)]

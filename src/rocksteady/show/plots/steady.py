@@ -16,8 +16,8 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import non_negative, positive, whole_number
 from rocksteady.show.plots.branches.curve_labels import Words, explain, limit_entries
-from rocksteady.show.plots.branches.views import AnyBlock, fits_far_axes, shared_size
 from rocksteady.show.plots.branches.curves import CURVES
+from rocksteady.show.plots.branches.views import AnyBlock, fits_far_axes, shared_size
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
     axes_or_new,

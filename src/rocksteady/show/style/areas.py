@@ -237,7 +237,7 @@ def _roomiest(where: Bools, box: NDArray[np.int_], point: Floats) -> tuple[int, 
     """Return the middle of the roomiest place of a box among samples; None if it does not fit."""
     from scipy.ndimage import distance_transform_edt, minimum_filter
 
-    fits = minimum_filter(where, box, mode="constant", cval=False)
+    fits = minimum_filter(where, box.tolist(), mode="constant", cval=False)
     if not fits.any():
         return None
     room = distance_transform_edt(np.pad(where, 1), sampling=point.tolist())[1:-1, 1:-1]

@@ -29,9 +29,9 @@ from rocksteady.show.plots.branches._branch_lines import (
     name_of,
     spots_of,
 )
-from rocksteady.show.plots.branches.curve_labels import Words, explain, limit_entries
 from rocksteady.show.plots.branches._resting import LABEL, RESTING, draw_resting, low_rest
 from rocksteady.show.plots.branches._sweeps import NAMES_WIDTH, dots_of, draw_dots, draw_sweeps
+from rocksteady.show.plots.branches.curve_labels import Words, explain, limit_entries
 from rocksteady.show.plots.branches.views import (
     AnyBlock,
     Side,
