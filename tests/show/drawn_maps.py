@@ -15,13 +15,14 @@ from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.maps.cell_classes import BLANK
 from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 CLASS_OF = {
     "symmetric": "symmetric",
     "unsymmetric": "unsymmetric",
-    "rest": "at rest",
-    "overturned": "overturned",
+    "rest": "rests",
+    "overturned": "falls",
     "aperiodic": "aperiodic",
     "undecided": "undecided",
     "no-start": "no such start",
@@ -79,7 +80,7 @@ def words_at(data: xarray.Dataset, **place: float) -> str:
     return "subharmonic (period ≥ 2)" if again else word
 
 
-FILL_OF = {look.words: look.fill for look in LOOKS.values()}
+FILL_OF = {look.words: getattr(LIGHT, look.fill) for look in LOOKS.values()}
 
 
 def colour_at(axes: Axes, x: float, y: float) -> str:

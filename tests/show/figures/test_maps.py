@@ -1,5 +1,6 @@
 """Plots of maps over one axis, in panels and of stores; what cannot be drawn."""
 
+import itertools
 from functools import cache
 from typing import Any
 
@@ -26,6 +27,7 @@ from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import LOOKS
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT
 from tests.every import every
 from tests.show.drawn_maps import (
     AXES,
@@ -57,7 +59,7 @@ def test_over_one_axis_the_extrema_of_each_orbit_are_dots_of_its_class() -> None
         for x, y in zip(np.asarray(dots.get_xdata()), np.asarray(dots.get_ydata()), strict=True)
         if np.isfinite(y)
     }
-    dot_of = {look.words: look.dot for look in LOOKS.values()}
+    dot_of = {look.words: getattr(LIGHT, look.line) for look in LOOKS.values()}
     expected = set()
     for cell in range(161):
         one = line().isel(amplitude=0, frequency_ratio=cell)
@@ -228,13 +230,15 @@ def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings() -> None:
 
 
 def test_neighbouring_classes_differ_in_lightness_or_in_their_pattern() -> None:
-    answers = {one for one, look in LOOKS.items() if not look.hatch}
     fates = {CellClass.REST, CellClass.ROCKING, CellClass.OVERTURNED}
-    for together in (answers - {CellClass.ROCKING}, fates):
-        light = [lightness(LOOKS[one].fill) for one in together]
-        assert min(abs(a - b) for k, a in enumerate(light) for b in light[:k]) > 8.0
+    for together in (set(CellClass) - {CellClass.ROCKING}, fates):
+        looks = [LOOKS[one] for one in together]
+        for one, other in itertools.combinations(looks, 2):
+            for inks in (LIGHT, DARK):
+                fills = [lightness(getattr(inks, look.fill)) for look in (one, other)]
+                assert one.hatch != other.hatch or abs(fills[0] - fills[1]) > 8.0, (one, other)
     patterns = [look.hatch for look in LOOKS.values() if look.hatch]
-    assert len(set(patterns)) == len(patterns) == 3
+    assert len(set(patterns)) == len(patterns) == 7
 
 
 def lightness(colour: str) -> float:

@@ -17,6 +17,7 @@ from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.errors import InputError
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
+from rocksteady.show.style.tokens import LIGHT
 
 CLASS_OF = {
     0: CellClass.ROCKING,
@@ -43,11 +44,13 @@ def test_each_cell_has_the_fill_of_its_fate() -> None:
     drawn = np.asarray(image.get_array())
     wanted = np.vectorize(CLASS_OF.get)(data.fate.values)
     assert np.array_equal(drawn, wanted)
-    assert to_hex(image.to_rgba(drawn)[0, -1]) == LOOKS[CellClass(int(drawn[0, -1]))].fill
+    assert to_hex(image.to_rgba(drawn)[0, -1]) == getattr(
+        LIGHT, LOOKS[CellClass(int(drawn[0, -1]))].fill
+    )
     legend = axes.get_legend()
     assert legend is not None
     texts = [text.get_text().rpartition("  ")[0] for text in legend.get_texts()]
-    assert texts == ["at rest", "still rocking", "overturned", "no such start", "not computed"]
+    assert texts == ["rests", "rocks", "falls", "no such start", "not computed"]
 
 
 def test_over_one_axis_the_fates_fill_the_axes() -> None:
@@ -65,7 +68,7 @@ def test_over_one_axis_the_fates_fill_the_axes() -> None:
             if any(each[:, 0].min() < ratio < each[:, 0].max() for each in corners)
         ]
         (code,) = set(inside)
-        assert fill == LOOKS[CLASS_OF[code]].fill
+        assert fill == getattr(LIGHT, LOOKS[CLASS_OF[code]].fill)
         assert len(inside) == int((data.fate == code).sum())
     assert len(axes.collections) == len(np.unique(data.fate)) > 2
 

@@ -18,8 +18,8 @@ from rocksteady.dynamics.maps.cell_classes import BLANK
 from rocksteady.errors import InputError
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import map_cells
-from rocksteady.show.plots.map_quantities import MOST_PERIODS, shade_of, with_values
-from rocksteady.show.style import palette
+from rocksteady.show.plots.map_quantities import MOST_PERIODS, period_fills, shade_of, with_values
+from rocksteady.show.style.tokens import LIGHT
 from tests.every import every
 from tests.show.drawn_maps import BLOCK, drawn_up, found
 
@@ -58,8 +58,8 @@ def test_exponents_are_drawn_about_zero_and_the_rest_is_set_apart() -> None:
     low, high = image.get_clim()
     assert low == -high
     middle = image.cmap(image.norm(0.0))
-    assert middle == pytest.approx(to_rgba(palette.DIVERGING[3]), abs=0.01)
-    assert legend_of(axes) == ["at rest  25.0 %", "overturned  25.0 %"]
+    assert middle == pytest.approx(to_rgba(LIGHT.paper), abs=0.01)
+    assert legend_of(axes) == ["rests  25.0 %", "falls  25.0 %"]
     (bar,) = (other for other in axes.figure.axes if other is not axes)
     assert "per forcing period" in bar.get_ylabel()
 
@@ -67,9 +67,14 @@ def test_exponents_are_drawn_about_zero_and_the_rest_is_set_apart() -> None:
 def test_a_peak_above_one_has_a_line_around_it() -> None:
     axes = plots.outcomes(made(), Figure().add_subplot(), by="peak")
     assert image_of(axes)[2].tolist() == pytest.approx([1.2] * 6)
-    (line,) = (path for each in axes.collections for path in each.get_paths())
+    (line,) = (
+        path
+        for each in axes.collections
+        if not any(getattr(each, "hatches", ()))
+        for path in each.get_paths()
+    )
     assert np.asarray(line.vertices)[:, 1] == pytest.approx(2.0 + (1.0 - 0.5) / (1.2 - 0.5))
-    assert legend_of(axes) == ["overturned  25.0 %"]
+    assert legend_of(axes) == ["falls  25.0 %", "tipping angle"]
 
 
 def test_periods_have_fills_of_their_own_and_long_ones_share_one() -> None:
@@ -79,9 +84,10 @@ def test_periods_have_fills_of_their_own_and_long_ones_share_one() -> None:
     axes = plots.outcomes(data, Figure().add_subplot(), by="period")
     image: Any = axes.images[-1]
     fills = [to_hex(image.cmap(image.norm(value))) for value in image.get_array()[1]]
-    own = [palette.PERIODS[k - 1] for k in (1, 2, 3, MOST_PERIODS)]
-    assert fills == [*own, *[palette.PERIODS[-1]] * 2]
-    assert len(set(palette.PERIODS)) == len(palette.PERIODS)
+    colours = period_fills(LIGHT)
+    assert fills == [*(colours[k - 1] for k in (1, 2, 3, MOST_PERIODS)), *[colours[-1]] * 2]
+    assert len(set(colours)) == len(colours) == MOST_PERIODS + 1
+    assert colours[0] == LIGHT.symmetric
     entries = legend_of(axes)
     assert entries[0].startswith("period 1  4.2 %")
     assert f"period ≥ {MOST_PERIODS + 1}  33.3 %" in entries  # 6 of period 9, and two of these
@@ -125,7 +131,7 @@ def test_exponents_that_tend_to_minus_infinity_do_not_stretch_the_colours() -> N
     pixels = np.frombuffer(stream.getvalue(), dtype=np.uint8).reshape(300, 400, 4)
     across, above = axes.transData.transform((1.0, 2.0))
     seen = pixels[pixels.shape[0] - 1 - int(above), int(across)] / 255.0
-    assert tuple(seen.tolist()) == pytest.approx(to_rgba(palette.DIVERGING[0]), abs=0.01)
+    assert tuple(seen.tolist()) == pytest.approx(to_rgba(LIGHT.motion), abs=0.01)
 
 
 def test_what_a_map_does_not_have_is_refused() -> None:

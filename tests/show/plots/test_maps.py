@@ -1,6 +1,8 @@
 """Plots of maps of attractors: each cell shows what was found in it, where it was found."""
 
+from collections import Counter
 from io import BytesIO
+from itertools import product
 from typing import Any
 
 import matplotlib as mpl
@@ -12,22 +14,25 @@ import pytest
 import xarray
 from hypothesis import given
 from hypothesis import strategies as st
+from matplotlib.axes._secondary_axes import SecondaryAxis
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rocksteady import Steady, map_attractors, plots
+from rocksteady import Block, Steady, map_attractors, plots
 from rocksteady.dynamics.maps.cell_classes import BLANK, CellClass
 from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import LOOKS, map_cells
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import picked, spacing_of
+from rocksteady.show.style.tokens import DARK, LIGHT, contrast
 from tests.every import every
 from tests.show.drawn_maps import (
     AXES,
     BLOCK,
     FILL_OF,
     assert_drawn,
+    colour_at,
     drawn_up,
     found,
     random_map,
@@ -82,15 +87,20 @@ def test_the_picture_itself_has_each_cell_where_the_axes_say(up: float, right: f
     data = drawn_up(spaced, kind, np.where(kind < 2, 1, 0))
     figure = Figure(figsize=(5.0, 4.0), dpi=100.0)
     axes = plots.outcomes(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)))
+    for word in list(axes.texts):
+        word.remove()
     stream = BytesIO()
     figure.savefig(stream, format="rgba", dpi=100.0)
     pixels = np.frombuffer(stream.getvalue(), dtype=np.uint8).reshape(400, 500, 4)
     for y in spaced["amplitude"]:
         for x in spaced["frequency_ratio"]:
-            across, above = axes.transData.transform((x, y))
-            seen = pixels[pixels.shape[0] - 1 - int(above), int(across)]
+            across, above = axes.transData.transform((x, y)).astype(int).tolist()
+            row = pixels.shape[0] - 1 - above
             words = words_at(data, amplitude=y, frequency_ratio=x)
-            assert to_hex(tuple((seen / 255.0).tolist())) == FILL_OF[words], (x, y)
+            near = pixels[row - 4 : row + 5, across - 4 : across + 5].reshape(-1, 4) / 255.0
+            seen = Counter(to_hex(tuple(pixel)) for pixel in near.tolist())
+            assert FILL_OF[words] in seen, (x, y)
+            assert not (set(FILL_OF.values()) - {FILL_OF[words]}) & set(seen), (x, y)
 
 
 def test_cells_reach_half_way_to_their_neighbours() -> None:
@@ -173,18 +183,18 @@ def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
         {"amplitude": np.arange(1.0, 13.0), "frequency_ratio": np.arange(1.0, 6.0)}, kind
     )
     axes = plots.outcomes(data, Figure().add_subplot())
+    classes = (CellClass.UNDECIDED, CellClass.NO_START, CellClass.NOT_COMPUTED)
     hatches = [one.hatches for one in axes.collections if hasattr(one, "hatches")]
-    assert sorted(hatches) == sorted([[LOOKS[c].hatch] for c in CellClass if LOOKS[c].hatch])
+    assert sorted(hatches) == sorted([LOOKS[one].hatch] for one in classes)
     legend = axes.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == [
-        "at rest  25.0 %",
+        "rests  25.0 %",
         "undecided  25.0 %",
         "no such start  25.0 %",
         "not computed  25.0 %",
     ]
     # A pattern lies within the cells of its class.
-    classes = (CellClass.UNDECIDED, CellClass.NO_START, CellClass.NOT_COMPUTED)
     lowest = {LOOKS[one].hatch: edge for one, edge in zip(classes, (3.5, 6.5, 9.5), strict=True)}
     for one in axes.collections:
         (path,) = [path for path in one.get_paths() if np.size(path.vertices)]
@@ -242,3 +252,42 @@ def test_of_too_many_cells_some_are_drawn_and_all_are_counted(
     assert axes.get_xlim() == pytest.approx(spacing_of(right).edges[[0, -1]])
     assert sum(cells.shares().values()) == pytest.approx(1.0)
     assert cells.shares()[CellClass.NOT_COMPUTED] == float((data.kind == BLANK).mean())
+
+
+def test_a_block_of_known_size_has_its_axes_in_g_and_hz() -> None:
+    block = Block.rectangle(width=0.4, height=2.0, restitution=0.8)
+    spaced = {"amplitude": np.linspace(0.5, 3.0, 6), "frequency_ratio": np.linspace(1.0, 8.0, 7)}
+    data = map_attractors(block, axes=spaced)
+    axes = plots.outcomes(data, Figure(figsize=(7.0, 5.0)).add_subplot())
+    g, hertz = block.uplift_acceleration / block.gravity, block.p / (2.0 * np.pi)
+    for y, x in product(*spaced.values()):
+        words = words_at(data, amplitude=y, frequency_ratio=x)
+        assert colour_at(axes, x * hertz, y * g) == FILL_OF[words], (x, y)
+    near = palette.LABELS["freq_hz"], palette.LABELS["accel_g"]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == near
+    top, right = (child for child in axes.get_children() if isinstance(child, SecondaryAxis))
+    assert top.get_xlabel() == palette.LABELS["frequency_ratio"]
+    assert right.get_ylabel() == palette.LABELS["amplitude"]
+    axes.get_figure(root=True).draw_without_rendering()  # type: ignore[union-attr]
+    assert np.asarray(right.get_ylim()) * g == pytest.approx(axes.get_ylim())
+    narrow = plots.outcomes(data, Figure(figsize=(3.3, 3.0)).add_subplot())
+    assert not any(isinstance(child, SecondaryAxis) for child in narrow.get_children())
+    si = {"acceleration_m_s2": spaced["amplitude"] * block.uplift_acceleration}
+    si |= {"frequency_hz": spaced["frequency_ratio"] * hertz}
+    same = plots.outcomes(map_attractors(block, axes=si), Figure().add_subplot())
+    assert (same.get_xlabel(), same.get_ylabel()) == near
+    assert same.get_ylim() == pytest.approx(axes.get_ylim())
+
+
+@every("dark", [False, True])
+def test_words_stand_on_their_own_areas_and_are_legible(dark: bool) -> None:
+    inks = DARK if dark else LIGHT
+    figure = Figure(figsize=(6.0, 4.5), facecolor=inks.paper)
+    axes = plots.outcomes(found(), figure.add_subplot(facecolor=inks.paper))
+    assert {"rests", "symmetric", "falls"} <= {word.get_text() for word in axes.texts}
+    for word in axes.texts:
+        x, y = axes.transData.inverted().transform(axes.transAxes.transform(word.get_position()))
+        (look,) = (one for one in LOOKS.values() if one.words.startswith(word.get_text()))
+        fill = colour_at(axes, float(x), float(y))
+        assert fill == getattr(inks, look.fill)
+        assert contrast(to_hex(str(word.get_color())), fill) >= 4.5

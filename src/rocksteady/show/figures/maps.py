@@ -17,9 +17,9 @@ from rocksteady.show.plots.maps import (
     legend_handles,
     upright,
 )
-from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend, text_size
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     import xarray
@@ -150,19 +150,19 @@ def _panels(name: str, cells: MapCells, shade: Shade | None, title: str, page: P
             axes.tick_params(labelbottom=number + across >= len(parts))
         bar = draw_bar(grid[: len(parts)].tolist(), drawn[-1], shade)
         size = text_size(grid[0], 8.0)
-        figure.supylabel(palette.axis_label(up), fontsize=size + 1.0)
+        figure.supylabel(parts[0].scale(up)[0].label, fontsize=size + 1.0)
         place = page.legend or ("right" if beside and bar is None else "below")
         if place == "below":  # where one label of all panels would meet the legend
             for axes in grid[max(0, len(parts) - across) : len(parts)]:
-                axes.set_xlabel(palette.axis_label(right))
+                axes.set_xlabel(parts[0].scale(right)[0].label)
         else:
-            figure.supxlabel(palette.axis_label(right), fontsize=size + 1.0)
+            figure.supxlabel(parts[0].scale(right)[0].label, fontsize=size + 1.0)
+        handles = legend_handles(cells, inks_of(grid[0]), shade)
         if place == "inside":
-            draw_legend(grid[0], place, handles=legend_handles(cells, shade), **SWATCHES)
+            draw_legend(grid[0], place, handles=handles, **SWATCHES)
         elif place != "none":
             outside: Any = "outside right upper" if place == "right" else "outside lower left"
             columns = 1 if place == "right" else max(1, int(page.width(natural) / 1.9))
-            handles = legend_handles(cells, shade)
             figure.legend(handles=handles, loc=outside, ncols=columns, fontsize=size, **SWATCHES)
             if place == "below":
                 rows = math.ceil(len(handles) / columns)

@@ -1,4 +1,4 @@
-"""Classes of the cells of maps and basins, and the fill of each class."""
+"""Classes of the cells of maps and basins, and how each class is drawn."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,22 +15,18 @@ from rocksteady.dynamics.maps.cell_classes import (
     flags_of_cells,
 )
 from rocksteady.errors import InputError
-from rocksteady.outcomes import AttractorKind
+from rocksteady.model.blocks.block import Block
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import swatch
+from rocksteady.show.style.scales import Scale, scale_of
+from rocksteady.show.style.tokens import HATCHES, Inks
 
 if TYPE_CHECKING:
     import xarray
     from matplotlib.patches import Patch
 
-
-FILLS = {
-    AttractorKind.OVERTURNED: palette.OVERTURNED,
-    AttractorKind.REST: palette.REST,
-    AttractorKind.SYMMETRIC: palette.SYMMETRIC,
-    AttractorKind.UNSYMMETRIC: palette.UNSYMMETRIC,
-    AttractorKind.APERIODIC: palette.APERIODIC,
-    AttractorKind.UNDECIDED: palette.UNDECIDED,
-}
+IN_SI = {"acceleration_m_s2": "amplitude", "frequency_hz": "frequency_ratio"}
+"""Axes in units, and the dimensionless ones of the same quantities."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,64 +36,51 @@ class Look:
     Attributes
     ----------
     words
-        In a legend.
+        In a legend, and upon its areas.
     fill
-        Fill of its cells.
-    dot
-        Colour of its orbits in a diagram, on white.
-    hatch
-        Pattern over the cells, for what is no answer; none of what is one.
-    ink
-        Colour of the pattern.
+        Role of the fill of its cells, whose pattern they have too.
+    line
+        Role of its orbits in a diagram.
+    pattern
+        Name of another pattern; default: that of the fill.
     outlined
         Whether its areas have an outline, because the fill alone is nearly that of another.
     """
 
     words: str
     fill: str
-    dot: str
-    hatch: str = ""
-    ink: str = palette.FAINT
+    line: str = "quiet"
+    pattern: str | None = None
     outlined: bool = False
 
-    def swatch(self, share: float) -> "Patch":
+    @property
+    def hatch(self) -> str:
+        """Pattern over its areas; empty where the fill is plain."""
+        return HATCHES.get(self.pattern or self.fill, "")
+
+    def swatch(self, inks: Inks, share: float) -> "Patch":
         """Return its entry of a legend, with the share of all cells."""
-        return swatch(self.words, self.fill, share, ink=self.ink, hatch=self.hatch)
+        return swatch(inks, self.fill, f"{self.words}  {share_text(share)}", self.pattern)
 
 
 LOOKS = {
-    CellClass.REST: Look(words="at rest", fill=palette.REST, dot=palette.FAINT),
-    CellClass.SYMMETRIC: Look(words="symmetric", fill=palette.SYMMETRIC, dot=palette.LINES[0]),
-    CellClass.UNSYMMETRIC: Look(
-        words="unsymmetric", fill=palette.UNSYMMETRIC, dot=palette.LINES[4]
-    ),
+    CellClass.REST: Look(words="rests", fill="rest"),
+    CellClass.SYMMETRIC: Look(words="symmetric", fill="symmetric", line="motion"),
+    CellClass.UNSYMMETRIC: Look(words="unsymmetric", fill="unsymmetric", line="unsymmetric_line"),
     CellClass.SUBHARMONIC: Look(
-        words="subharmonic (period ≥ 2)",
-        fill=palette.SUBHARMONIC,
-        dot=palette.SUBHARMONIC_LINES[0],
+        words="subharmonic (period ≥ 2)", fill="subharmonic", line="subharmonic_line"
     ),
-    CellClass.APERIODIC: Look(words="aperiodic", fill=palette.APERIODIC, dot=palette.APERIODIC),
-    CellClass.ROCKING: Look(words="still rocking", fill=palette.ROCKING, dot=palette.LINES[2]),
-    CellClass.OVERTURNED: Look(words="overturned", fill=palette.OVERTURNED, dot=palette.OVERTURNED),
-    CellClass.UNDECIDED: Look(
-        words="undecided",
-        fill=palette.UNDECIDED,
-        dot=palette.UNDECIDED,
-        hatch="xxxx",
-        ink=palette.NUMBER,
-    ),
+    CellClass.APERIODIC: Look(words="aperiodic", fill="aperiodic", line="aperiodic_line"),
+    CellClass.ROCKING: Look(words="rocks", fill="rocks", line="motion"),
+    CellClass.OVERTURNED: Look(words="falls", fill="falls", line="ink"),
+    CellClass.UNDECIDED: Look(words="undecided", fill="undecided"),
     CellClass.NO_START: Look(
-        words="no such start", fill="#ffffff", dot=palette.FAINT, hatch="////", outlined=True
+        words="no such start", fill="paper", pattern="no_start", outlined=True
     ),
     CellClass.NOT_COMPUTED: Look(
-        words="not computed", fill=palette.GRID, dot=palette.FAINT, hatch="....", outlined=True
+        words="not computed", fill="paper", pattern="not_computed", outlined=True
     ),
 }
-DARK_DOTS = {
-    cell_class: palette.DARK_INK if cell_class is CellClass.OVERTURNED else look.fill
-    for cell_class, look in LOOKS.items()
-}
-"""Colours of orbits in a diagram on dark paper, on which the fills stand out."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -116,6 +99,10 @@ class MapCells:
         What all cells have in common: names and values.
     reached
         A quantity of each cell, shape of the axes, nan where there is none; None without one.
+    block
+        The block of all cells where it has a size, in whose units the axes are drawn, else None.
+    gravity
+        Acceleration of gravity [m/s^2]; None where it is not known.
     """
 
     names: tuple[str, ...]
@@ -123,6 +110,8 @@ class MapCells:
     classes: Classes
     fixed: tuple[tuple[str, float], ...]
     reached: Floats | None = None
+    block: Block | None = None
+    gravity: float | None = None
 
     def having(self, reached: Floats) -> "MapCells":
         """Return the same cells with a quantity of each."""
@@ -138,19 +127,31 @@ class MapCells:
     def turned(self, names: Sequence[str]) -> "MapCells":
         """Return the same cells with the axes in another order."""
         order = [self.names.index(name) for name in names]
-        return MapCells(
+        return replace(
+            self,
             names=tuple(names),
             values=tuple(self.values[axis] for axis in order),
             classes=self.classes.transpose(order),
-            fixed=self.fixed,
             reached=None if self.reached is None else self.reached.transpose(order),
         )
+
+    def scale(self, name: str) -> tuple[Scale, Scale]:
+        """Return the scale of an axis, and the one whose dimensionless values its far side has."""
+        name_without_size = IN_SI.get(name)
+        if name_without_size is None:
+            scale = scale_of(name, self.block, at_start=True)
+            return scale, scale
+        near = Scale(1.0, palette.axis_label(name))
+        if name == "acceleration_m_s2" and self.gravity is not None:
+            near = Scale(1.0 / self.gravity, palette.axis_label("accel_g"))
+        return near, scale_of(name_without_size, self.block)
 
     def parts(self, name: str) -> "list[MapCells]":
         """Return the cells at each value of an axis, which they have in common then."""
         turned = self.turned([name, *(each for each in self.names if each != name)])
         return [
-            MapCells(
+            replace(
+                self,
                 names=turned.names[1:],
                 values=turned.values[1:],
                 classes=classes,
@@ -200,9 +201,22 @@ def map_cells(dataset: "xarray.Dataset") -> MapCells:
         if (order[1:] < order[:-1]).any():
             points, classes = points[order], np.take(classes, order, axis=axis)
         values.append(points)
+    gravity = dataset.attrs.get("gravity")
     return MapCells(
-        names=names, values=tuple(values), classes=classes, fixed=fixed_values(variables)
+        names=names,
+        values=tuple(values),
+        classes=classes,
+        fixed=fixed_values(variables),
+        block=_block_of(dataset),
+        gravity=None if gravity is None else float(gravity),
     )
+
+
+def _block_of(dataset: "xarray.Dataset") -> Block | None:
+    """Return a block of the size that all cells have; None where they have none, or several."""
+    sizes = {name: dataset.attrs.get(name) for name in ("alpha", "p", "gravity")}
+    unlike = dataset.attrs.get("alpha_ratio", 1.0) != 1.0
+    return None if None in sizes.values() or unlike else Block.from_p(**sizes, restitution=1.0)
 
 
 def has_fates(dataset: object) -> bool:
@@ -247,16 +261,6 @@ def validated_map(dataset: object, names: Sequence[str]) -> "xarray.Dataset":
             "give more values, or read the numbers of the one cell",
         )
     return variables
-
-
-def swatch(
-    words: str, fill: str, share: float, *, ink: str = palette.FAINT, hatch: str = ""
-) -> "Patch":
-    """Return the entry of a legend for cells, with their share of all."""
-    from matplotlib.patches import Patch
-
-    label = f"{words}  {share_text(share)}"
-    return Patch(fc=fill, ec=ink, hatch=hatch or None, lw=0.6, label=label)
 
 
 def share_text(share: float) -> str:

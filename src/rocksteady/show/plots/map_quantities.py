@@ -1,6 +1,6 @@
 """Quantities by which the cells of a map are coloured instead of their classes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -12,10 +12,11 @@ from rocksteady.show.plots.map_classes import (
     LOOKS,
     Look,
     MapCells,
-    swatch,
+    share_text,
     validated_map,
 )
-from rocksteady.show.style import palette
+from rocksteady.show.style.scales import scale_of
+from rocksteady.show.style.tokens import DASHED, Inks, mixed
 
 if TYPE_CHECKING:
     import xarray
@@ -27,14 +28,14 @@ Colouring = Literal["class", "period", "lyapunov", "peak"]
 OF_ATTRACTORS: tuple[Colouring, ...] = ("class", "period", "lyapunov", "peak")
 OF_FATES: tuple[Colouring, ...] = ("class",)
 
-MOST_PERIODS = len(palette.PERIODS) - 1
-"""Longest orbit with a colour of its own; the last colour is that of all longer ones."""
+PERIOD_STEPS = (0.6, 0.35, 0.1, -0.15, -0.4, -0.6)
+"""Parts of white, or of black below 0, in the fills of the periods from 2 on."""
+MOST_PERIODS = len(PERIOD_STEPS)
+"""Longest orbit with a fill of its own; the next fill is that of all longer ones."""
+LINE_WORDS, LINE_WIDTH = "tipping angle", 0.9
+"""Of the line where a peak is 1."""
 USUAL = 0.98
 """Quantile of the sizes of Lyapunov exponents that the colours reach: a few tend to -infinity."""
-REST_HATCHED = Look(
-    words="at rest", fill=palette.GROUND, dot=palette.FAINT, hatch="\\\\\\\\", outlined=True
-)
-"""Look of rest beside a palette whose middle is nearly white."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,22 +46,24 @@ class Shade:
     ----------
     by
         Name of the quantity.
-    colours, norm
-        Colours and scale of values.
+    norm
+        Scale of values.
     label
         Label of the colour bar, with its unit; empty where a legend names each value.
     extend
         At which ends of the colour bar values lie beyond it.
     line
         Value at which a line is drawn; None for none.
+    factor
+        By which values are multiplied before they are drawn.
     """
 
     by: Colouring
-    colours: "Colormap"
     norm: "Normalize"
     label: str
     extend: Literal["neither", "min", "max", "both"] = "neither"
     line: float | None = None
+    factor: float = 1.0
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -70,31 +73,67 @@ class Shade:
         assert high is not None
         return low, high
 
+    def colours(self, inks: Inks) -> "Colormap":
+        """Return the colours of values: of periods steps, about 0 two hues, else a ramp."""
+        from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+
+        if self.by == "period":
+            return ListedColormap(period_fills(inks))
+        ramp = inks.rocks_ramp
+        if self.by == "lyapunov":
+            ramp = (inks.motion, inks.paper, inks.aperiodic)
+        return LinearSegmentedColormap.from_list(self.by, ramp)
+
     def look(self, one: CellClass) -> Look:
         """Return how cells of a class are drawn that have no value."""
-        if one is CellClass.REST and self.by == "lyapunov":
-            return REST_HATCHED
+        if one is CellClass.REST:  # nearly the colour of a value of 0
+            return replace(LOOKS[one], outlined=True)
         return LOOKS[one]
 
-    def legend(self, cells: MapCells) -> "list[Artist]":
-        """Return entries for the periods, and for each class of cells without a value.
+    def words(self, inks: Inks) -> dict[int, tuple[str, str]]:
+        """Return word and fill of each value that has a word of its own, for areas."""
+        if self.by != "period":
+            return {}
+        names = [str(k) for k in range(1, MOST_PERIODS + 1)] + [f"≥ {MOST_PERIODS + 1}"]
+        return dict(enumerate(zip(names, period_fills(inks), strict=True), 1))
+
+    def grouped(self, values: Floats) -> Classes:
+        """Return the number of the word of each value, as in `words`; 0 where there is none."""
+        groups: Classes = np.minimum(np.nan_to_num(values, nan=0.0), MOST_PERIODS + 1)
+        return groups.astype(np.int8)
+
+    def legend(self, cells: MapCells, inks: Inks) -> "list[Artist]":
+        """Return entries for the periods or the line, and for each class of cells without a value.
 
         Shares are of all cells.
         """
+        from matplotlib.lines import Line2D
+        from matplotlib.patches import Patch
+
         values = values_of(cells)
         handles: list[Artist] = []
         if self.by == "period":
-            colours = palette.PERIODS
-            grouped = np.minimum(np.nan_to_num(values, nan=0.0), len(colours)).astype(np.int64)
-            counts = np.bincount(grouped.ravel(), minlength=len(colours) + 1)
-            for period, count in enumerate(counts[1:].tolist(), start=1):
-                if count:
-                    words = f"period {period}" if period <= MOST_PERIODS else f"period ≥ {period}"
-                    handles.append(swatch(words, colours[period - 1], count / values.size))
+            counts = np.bincount(self.grouped(values).ravel(), minlength=MOST_PERIODS + 2)
+            for period, (name, fill) in self.words(inks).items():
+                share = counts[period] / values.size
+                if share:
+                    words = f"period {name}  {share_text(share)}"
+                    handles.append(Patch(fc=fill, ec=inks.edge, lw=0.6, label=words))
         for cell_class, count in counts_of(without_value(cells)).items():
             if count:
-                handles.append(self.look(cell_class).swatch(count / values.size))
+                handles.append(self.look(cell_class).swatch(inks, count / values.size))
+        if self.line is not None and np.nanmin(values, initial=1.0) < 1.0 < np.nanmax(
+            values, initial=1.0
+        ):
+            handles.append(
+                Line2D([], [], color=inks.limit, ls=DASHED, lw=LINE_WIDTH, label=LINE_WORDS)
+            )
         return handles
+
+
+def period_fills(inks: Inks) -> list[str]:
+    """Return the fills of periods 1, 2, ..., the last of which is that of all longer ones."""
+    return [inks.symmetric, *(mixed(inks.subharmonic, part) for part in PERIOD_STEPS)]
 
 
 def checked_colouring(by: object, *, fates: bool) -> Colouring:
@@ -152,24 +191,18 @@ def shade_of(cells: MapCells, by: Colouring) -> Shade:
     by
         The quantity.
     """
-    from matplotlib.colors import LinearSegmentedColormap, ListedColormap, Normalize
+    from matplotlib.colors import Normalize
 
-    values = values_of(cells)
-    finite = values[np.isfinite(values)]
     if by == "period":
-        colours: Any = ListedColormap(palette.PERIODS)
-        norm = Normalize(0.5, len(palette.PERIODS) + 0.5, clip=True)
-        return Shade(by=by, colours=colours, norm=norm, label="")
-    label = palette.LABELS[by]
+        return Shade(by=by, norm=Normalize(0.5, MOST_PERIODS + 1.5, clip=True), label="")
+    scale = scale_of(by, cells.block)
+    values = scale.factor * values_of(cells)
+    finite = values[np.isfinite(values)]
     if by == "lyapunov":
-        colours = LinearSegmentedColormap.from_list("lyapunov", palette.DIVERGING)
         reach = float(np.quantile(np.abs(finite), USUAL)) if finite.size else 0.0
         reach = reach or 1.0
         below, above = bool((values < -reach).any()), bool((values > reach).any())
         ends: Any = ("neither", "min", "max", "both")[below + 2 * above]
-        return Shade(
-            by=by, colours=colours, norm=Normalize(-reach, reach), label=label, extend=ends
-        )
-    colours = LinearSegmentedColormap.from_list("sequential", palette.SEQUENTIAL)
-    highest = float(finite.max(initial=0.0)) or 1.0
-    return Shade(by=by, colours=colours, norm=Normalize(0.0, highest), label=label, line=1.0)
+        return Shade(by=by, norm=Normalize(-reach, reach), label=scale.label, extend=ends)
+    norm = Normalize(0.0, float(finite.max(initial=0.0)) or 1.0)
+    return Shade(by=by, norm=norm, label=scale.label, line=scale.factor, factor=scale.factor)

@@ -1,18 +1,17 @@
 """Plots of attractor and fate maps: filled cells over two axes, a diagram over one."""
 
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.arrays import Floats
+from rocksteady.arrays import Bools, Floats
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.units import CONVERSIONS
 from rocksteady.show.plots.map_classes import (
-    DARK_DOTS,
     LOOKS,
     Look,
     MapCells,
@@ -21,6 +20,8 @@ from rocksteady.show.plots.map_classes import (
     validated_map,
 )
 from rocksteady.show.plots.map_quantities import (
+    LINE_WIDTH,
+    LINE_WORDS,
     Colouring,
     Shade,
     checked_colouring,
@@ -29,6 +30,7 @@ from rocksteady.show.plots.map_quantities import (
     with_values,
 )
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import area_style, draw_pattern, pattern_ink, write_words
 from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import (
@@ -37,9 +39,11 @@ from rocksteady.show.style.legends import (
     draw_legend,
     figure_of,
     place_of,
+    size_of,
     text_size,
 )
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.tokens import DASHED, Inks, inks_of
 
 if TYPE_CHECKING:
     import xarray
@@ -70,8 +74,12 @@ SWATCHES: dict[str, Any] = {
 """Legend entries tall enough for a pattern."""
 BAR_ROOM = 66.0
 """Between axes and a legend to the right of their colour bar [points]."""
-LINE_WIDTH = 0.9
-"""Of the line at a value of a quantity [points]."""
+FAR_ROOM = 42.0
+"""The same to the right of a far axis [points]."""
+LEAST_FAR = 260.0
+"""Width of axes [points] from which on they have a far axis."""
+OUTLINE = 0.5
+"""Width of the line around areas whose fill alone is nearly that of others [points]."""
 STRIP = 0.035
 """Height of the strip of a diagram, in parts of the axes."""
 
@@ -90,7 +98,8 @@ def plot_outcomes(
     frequency is to the right and the other axis upwards, whatever their order in the map (else the
     first upwards, the second to the right; angle and velocity as in `plots.basins`).  Each cell
     reaches half way to its neighbours.
-    Patterns stand where there is no answer: undecided, no such start, not computed (kind -128).
+    Large areas have their word.  A block whose size is the same in all cells has its axes in g, Hz,
+    degrees and degrees per second, and the dimensionless ones on the far side where there is room.
 
     Over one axis there are two dots for each orbit, its highest and its lowest theta/alpha, as in a
     bifurcation diagram by simulation, and a strip along the upper edge with the class of each
@@ -109,7 +118,7 @@ def plot_outcomes(
         Axes to draw on; default: axes of a new figure.
     by
         Quantity of attractors: "class" (default), "period" of the orbit, the longest in one colour,
-        "lyapunov" exponent per forcing period about 0, or "peak" |theta|/alpha with a line at 1; of
+        "lyapunov" exponent per forcing period about 0, or "peak" tilt with a line at alpha; of
         fates "class" alone.  Cells without a value keep the fill of their class.
     legend
         "inside" the axes, to their "right", "below" them or "none"; by default to their
@@ -145,9 +154,9 @@ def plot_outcomes(
     >>> axes = plot_outcomes(result, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
-    at rest  33.3 %
+    rests  33.3 %
     symmetric  33.3 %
-    overturned  33.3 %
+    falls  33.3 %
     """
     cells = map_cells(dataset)
     if len(cells.names) > 2:
@@ -186,21 +195,42 @@ def draw_map(
     legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the cells of a map of one or two axes, with title, colour bar and legend."""
-    bar = None
+    bar, far = None, False
     if len(cells.names) == 1:
-        draw_diagram(axes, cells, dataset, shade)
+        far = draw_diagram(axes, cells, dataset, shade)
     else:
         drawn = draw_cells(axes, cells, shade)
+        far = draw_far_axes(axes, cells, with_bar=shade is not None and bool(shade.label))
         bar = draw_bar([axes], drawn, shade)
     if cells.fixed:
         axes.set_title(fixed_text(cells), loc="left")
     place = place_of(axes, legend, "right" if bar is None else "below")
-    handles = legend_handles(cells, shade if len(cells.names) > 1 else None)
+    handles = legend_handles(cells, inks_of(axes), shade if len(cells.names) > 1 else None)
     beside = bar is not None and figure_of(axes).get_layout_engine() is None
     gap = BAR_ROOM if beside else GAP  # a layout puts the bar beyond the legend
     within = bar is not None
+    gap += FAR_ROOM if far else 0.0
     draw_legend(axes, place, handles=handles, gap=gap, within=within, **SWATCHES)
     return axes
+
+
+def draw_far_axes(axes: "Axes", cells: MapCells, *, with_bar: bool) -> bool:
+    """Draw the dimensionless axes of a map on the far sides, where there is room for them.
+
+    Returns whether the right side has one; beside a colour bar it has none.
+    """
+    if not has_far_axes(axes):
+        return False
+    up, right = (cells.scale(name)[1] for name in upright(cells).names)
+    draw_far_axis(axes, "x", right)
+    if not with_bar:
+        draw_far_axis(axes, "y", up)
+    return bool(up.far) and not with_bar
+
+
+def has_far_axes(axes: "Axes") -> bool:
+    """Return whether axes are wide enough for dimensionless axes on their far sides."""
+    return size_of(axes)[0] >= LEAST_FAR
 
 
 def draw_bar(
@@ -221,23 +251,28 @@ def draw_bar(
     bar.outline.set_edgecolor(inks.ink)
     low, high = shade.ends
     if shade.line is not None and low < shade.line < high:
-        bar.ax.axhline(shade.line, color=palette.INK, lw=LINE_WIDTH)
+        bar.ax.axhline(shade.line, color=inks.limit, ls=DASHED, lw=LINE_WIDTH)
     return bar
 
 
 def fixed_text(cells: MapCells) -> str:
     """Return what all cells have in common, in words."""
-    return ", ".join(palette.axis_value(name, value) for name, value in cells.fixed)
+    words = []
+    for name, value in cells.fixed:
+        sized = cells.block is not None and name in CONVERSIONS
+        unit_name = CONVERSIONS[name][0] if sized else name
+        words.append(palette.axis_value(unit_name, value * cells.scale(name)[0].factor))
+    return ", ".join(words)
 
 
-def legend_handles(cells: MapCells, shade: Shade | None = None) -> "list[Artist]":
+def legend_handles(cells: MapCells, inks: Inks, shade: Shade | None = None) -> "list[Artist]":
     """Return a legend entry for each class that occurs, with its share.
 
     Where a quantity colours cells, the classes are those of cells without a value.
     """
     if shade is not None:
-        return shade.legend(cells)
-    return [LOOKS[cell_class].swatch(share) for cell_class, share in cells.shares().items()]
+        return shade.legend(cells, inks)
+    return [LOOKS[cell_class].swatch(inks, share) for cell_class, share in cells.shares().items()]
 
 
 def upright(cells: MapCells) -> MapCells:
@@ -253,7 +288,10 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
     from matplotlib.colors import ListedColormap
 
     cells = upright(given)
-    up, right = (spacing_of(values) for values in cells.values)
+    inks = inks_of(axes)
+    scales = [cells.scale(name)[0] for name in cells.names]
+    points = [values * scale.factor for values, scale in zip(cells.values, scales, strict=True)]
+    up, right = (spacing_of(values) for values in points)
     even = up.even and right.even
     # A copy of what is drawn alone, so that the picture does not hold on to the whole map.
     rows, columns = (
@@ -265,12 +303,12 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
         LOOKS[cell_class] if shade is None else shade.look(cell_class) for cell_class in CellClass
     ]
     colours: dict[str, Any] = {
-        "cmap": ListedColormap([look.fill for look in looks]),
+        "cmap": ListedColormap([getattr(inks, look.fill) for look in looks]),
         "vmin": -0.5,
         "vmax": len(CellClass) - 0.5,
     }
-    prepare_axis(axes, "x", cells.names[1], cells.values[1], right)
-    prepare_axis(axes, "y", cells.names[0], cells.values[0], up)
+    prepare_axis(axes, "x", cells.names[1], points[1], right, scales[1].label)
+    prepare_axis(axes, "y", cells.names[0], points[0], up, scales[0].label)
 
     def filled(cells: NDArray[Any], **colours: Any) -> "ScalarMappable":
         if not even:
@@ -287,89 +325,146 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
 
     mappable = filled(drawn, **colours)
     mask = np.ones(drawn.shape, dtype=np.bool_)
+    words = _words(inks)
     if shade is not None:
-        values = values_of(cells)[np.ix_(rows[0], columns[0])]
+        values = shade.factor * values_of(cells)[np.ix_(rows[0], columns[0])]
         mask = np.isnan(values)
         if shade.extend != "neither":  # of what is infinite an image shows nothing
             low, high = shade.ends
             values = np.clip(values, low - 1.0, high + 1.0)
-        mappable = filled(np.ma.masked_array(values, mask), cmap=shade.colours, norm=shade.norm)
+        masked = np.ma.masked_array(values, mask)
+        mappable = filled(masked, cmap=shade.colours(inks), norm=shade.norm)
         if shade.line is not None:
             _draw_line(axes, x, y, values, shade.line)
+        groups, named = -1 - shade.grouped(values), shade.words(inks)
+        words |= {-1 - k: named[k] for k in named}
     for cell_class, look in zip(CellClass, looks, strict=True):
         where = mask & (drawn == cell_class)
-        if look.hatch and where.any():
-            _draw_pattern(axes, x, y, where, look)
+        if (look.hatch or look.outlined) and where.any():
+            _draw_pattern(axes, x, y, where, look, inks)
+    words |= {
+        one: (LOOKS[one].words.partition(" (")[0], getattr(inks, LOOKS[one].fill))
+        for one in CellClass
+    }
+    write_words(axes, x, y, drawn if shade is None else np.where(mask, drawn, groups), words)
     axes.grid(visible=False)
     return mappable
 
 
+def _words(inks: Inks) -> dict[int, tuple[str, str]]:
+    """Return word and fill of each class, for its areas."""
+    return {
+        int(one): (look.words.partition(" (")[0], getattr(inks, look.fill))
+        for one, look in LOOKS.items()
+    }
+
+
 def draw_diagram(
     axes: "Axes", cells: MapCells, dataset: "xarray.Dataset", shade: Shade | None = None
-) -> None:
+) -> bool:
     """Draw a map of one axis: a quantity as dots, and the class of each cell above them.
 
     Without a quantity the dots are what its orbits reach.  Fates have no dots: their classes fill
-    the axes.
+    the axes.  Returns whether the right side has an axis.
     """
-    (name,), (values,) = cells.names, cells.values
+    (name,), (given,) = cells.names, cells.values
+    along, far = cells.scale(name)
+    values = given * along.factor
     spacing = spacing_of(values)
-    prepare_axis(axes, "x", name, values, spacing)
+    prepare_axis(axes, "x", name, values, spacing, along.label)
     fates = has_fates(dataset)
     _draw_classes(axes, cells, spacing.edges, 1.0 if fates else STRIP)
+    if has_far_axes(axes):
+        draw_far_axis(axes, "x", far)
     if fates:
         axes.set_yticks([])
-        return
+        band = cells.classes[np.newaxis]
+        write_words(axes, spacing.edges, np.array(axes.get_ylim()), band, _words(inks_of(axes)))
+        return False
     by: Colouring = "class" if shade is None else shade.by
-    if by == "class":
-        drawn = validated_map(dataset, EXTREMES)
-        order = np.argsort(drawn[name].values)
-        reached = np.array([drawn[extreme].values[order] for extreme in EXTREMES], float)
-        reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
-    else:
-        reached = values_of(with_values(cells, dataset, by))[np.newaxis]
+    scale = _diagram_scale(by, cells)
+    reached = scale.factor * _reached(by, cells, dataset)
     inks = inks_of(axes)
-    size = min(5.0, max(1.8, 1000.0 / len(values)))
+    style: dict[str, Any] = {"ms": min(5.0, max(1.8, 1000.0 / len(values))), "mew": 0.0}
     for cell_class in cells.shares():
         chosen = cells.classes == cell_class
         x, y = np.tile(values[chosen], len(reached)), reached[:, chosen].ravel()
         if np.isfinite(y).any():
-            dot = DARK_DOTS[cell_class] if inks.dark else LOOKS[cell_class].dot
-            style: dict[str, Any] = {"color": dot, "ms": size, "mew": 0.0, "ls": "none"}
-            axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
+            style["color"] = getattr(inks, LOOKS[cell_class].line)
+            axes.plot(x, y, "o", ls="none", rasterized=len(values) > MOST_DRAWN, **style)
     finite = reached[np.isfinite(reached)]
     largest = float(np.max(np.abs(finite), initial=0.0)) or 1.0
+    axes.set_ylim(-1.05 * largest if by == "class" else -0.05 * largest, 1.12 * largest)
     if by == "lyapunov":
         low, high = (float(end) for end in (finite.min(initial=0.0), finite.max(initial=0.0)))
         room = 0.05 * (high - low or 1.0)
         axes.set_ylim(low - room, high + 3.0 * room)
-    else:
-        axes.set_ylim(-1.05 * largest if by == "class" else -0.05 * largest, 1.12 * largest)
-    level = {"lyapunov": 0.0, "peak": 1.0}.get(by, math.inf)
-    if axes.get_ylim()[0] < level < axes.get_ylim()[1]:
-        axes.axhline(level, color=inks.faint, lw=LINE_WIDTH, zorder=1.5)
-    if by == "period":
+        axes.axhline(0.0, color=inks.edge, lw=LINE_WIDTH, zorder=1.5)
+    elif by == "peak" and scale.factor < axes.get_ylim()[1]:
+        axes.axhline(scale.factor, color=inks.limit, ls=DASHED, lw=LINE_WIDTH, zorder=1.5)
+        _name_line(axes, scale.factor, values, reached[0])
+    elif by == "period":
         from matplotlib.ticker import MaxNLocator
 
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
-    label = {"class": "orbit_extremes", "period": "orbit_period"}.get(by, by)
-    axes.set_ylabel(palette.LABELS[label])
+    axes.set_ylabel(scale.label)
+    if not scale.far or not has_far_axes(axes):
+        return False
+    draw_far_axis(axes, "y", scale)
+    return True
+
+
+def _diagram_scale(by: Colouring, cells: MapCells) -> Scale:
+    """Return the scale of what a diagram shows."""
+    if by != "class":
+        return scale_of("orbit_period" if by == "period" else by, cells.block)
+    tilt = scale_of("angle", cells.block)
+    unit = "_deg" if tilt.far else ""
+    label, far = palette.LABELS[f"orbit_extremes{unit}"], palette.LABELS["orbit_extremes"]
+    return Scale(tilt.factor, label, far if tilt.far else "")
+
+
+def _reached(by: Colouring, cells: MapCells, dataset: "xarray.Dataset") -> Floats:
+    """Return what a diagram shows of each cell, in one row or two, nan where nothing."""
+    if by != "class":
+        return values_of(with_values(cells, dataset, by))[np.newaxis]
+    drawn = validated_map(dataset, EXTREMES)
+    order = np.argsort(drawn[cells.names[0]].values)
+    reached = np.array([drawn[extreme].values[order] for extreme in EXTREMES], float)
+    reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
+    return reached
+
+
+def _name_line(axes: "Axes", level: float, x: Floats, y: Floats) -> None:
+    """Name the line of the tipping angle at that end at which fewer dots are near it."""
+    low, high = axes.get_xlim()
+    near = x[np.abs(y - level) < 0.1 * axes.get_ylim()[1]]
+    left = bool((near < 0.5 * (low + high)).sum() <= 0.5 * len(near))
+    axes.annotate(
+        LINE_WORDS,
+        (0.0 if left else 1.0, level),
+        (3.0 if left else -3.0, 2.0),
+        xycoords=axes.get_yaxis_transform(),
+        textcoords="offset points",
+        ha="left" if left else "right",
+        fontsize=text_size(axes, 7.5),
+        color=inks_of(axes).limit,
+    )
 
 
 def _draw_classes(axes: "Axes", cells: MapCells, edges: Floats, height: float) -> None:
     """Draw the classes of a map of one axis: a strip from the upper edge, in parts of the axes."""
     from matplotlib.patches import Rectangle
 
+    inks = inks_of(axes)
     for cell_class in cells.shares():
+        look = LOOKS[cell_class]
         axes.broken_barh(
             runs(cells.classes == cell_class, edges),
             (1.0 - height, height),
             transform=axes.get_xaxis_transform(),
-            fc=LOOKS[cell_class].fill,
-            ec=LOOKS[cell_class].ink,
-            hatch=LOOKS[cell_class].hatch or None,
-            lw=0.0,
             zorder=4.5,
+            **area_style(inks, look.fill, look.pattern),
         )
     # Rest is hardly darker than the paper.
     axes.add_patch(
@@ -379,7 +474,7 @@ def _draw_classes(axes: "Axes", cells: MapCells, edges: Floats, height: float) -
             height,
             transform=axes.transAxes,
             fill=False,
-            ec=inks_of(axes).ink,
+            ec=inks.edge,
             lw=0.8,
             zorder=5.0,
         )
@@ -396,15 +491,18 @@ def _draw_line(axes: "Axes", right: Floats, up: Floats, values: Floats, level: f
         return
     middles = (0.5 * (edges[1:] + edges[:-1]) for edges in (x, y))
     masked = np.ma.masked_invalid(shown)
-    axes.contour(*middles, masked, levels=[level], colors=palette.INK, linewidths=LINE_WIDTH)
+    axes.contour(
+        *middles,
+        masked,
+        levels=[level],
+        colors=inks_of(axes).limit,
+        linestyles=[DASHED],
+        linewidths=LINE_WIDTH,
+    )
 
 
 def _draw_pattern(
-    axes: "Axes",
-    right: Floats,
-    up: Floats,
-    where: NDArray[np.bool_],
-    look: Look,
+    axes: "Axes", right: Floats, up: Floats, where: Bools, look: Look, inks: Inks
 ) -> None:
     """Draw the pattern of a class over its cells, where there is room for one."""
     from scipy.ndimage import maximum_filter, minimum_filter
@@ -417,11 +515,6 @@ def _draw_pattern(
     mask = maximum_filter(
         minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
     )
-    if not mask.any():
-        return
-    # Each cell as four corners, so that the pattern ends where the cells do.
-    field = np.repeat(np.repeat(mask, 2, axis=0), 2, axis=1)
-    corners = (np.repeat(edges, 2)[1:-1] for edges in (x, y))
-    drawn = axes.contourf(*corners, field, levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
-    drawn.set_edgecolor(look.ink)
-    drawn.set_linewidth(0.5 if look.outlined else 0.0)
+    ink = inks.edge if look.outlined else pattern_ink(getattr(inks, look.fill))
+    width = OUTLINE if look.outlined else 0.0
+    draw_pattern(axes, x, y, mask > 0.0, look.hatch, ink, outline=width)

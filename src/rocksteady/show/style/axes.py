@@ -121,8 +121,10 @@ def name_lane(axes: "Axes", name: str, height: float, colour: str) -> None:
     )
 
 
-def prepare_axis(axes: "Axes", which: str, name: str, values: Floats, spacing: Spacing) -> None:
-    """Give an axis its scale, its limits, its label and its ticks."""
+def prepare_axis(
+    axes: "Axes", which: str, name: str, values: Floats, spacing: Spacing, label: str = ""
+) -> None:
+    """Give an axis its scale, its limits, its label (by default that of its name) and its ticks."""
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
     if spacing.logarithmic:
@@ -130,7 +132,7 @@ def prepare_axis(axes: "Axes", which: str, name: str, values: Floats, spacing: S
     low, high = float(spacing.edges[0]), float(spacing.edges[-1])
     if name not in SIGNED and values[0] >= 0.0:
         low = max(low, 0.0)
-    axes.set(**{f"{which}lim": (low, high), f"{which}label": palette.axis_label(name)})
+    axes.set(**{f"{which}lim": (low, high), f"{which}label": label or palette.axis_label(name)})
     axis = axes.xaxis if which == "x" else axes.yaxis
     labels = [f"{value:.4g}" for value in values[: MOST_TICKS + 1].tolist()]
     if len(labels) <= MOST_TICKS and max(map(len, labels)) <= 4:

@@ -7,7 +7,7 @@ import numpy as np
 
 from rocksteady.arrays import Floats
 from rocksteady.show.style.legends import size_of, text_size
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -111,8 +111,8 @@ def draw_inset(
     inset.locator_params(nbins=4)
     inset.grid(visible=False)
     for spine in inset.spines.values():
-        spine.set(visible=True, edgecolor=inks.number, linewidth=0.8)
-    axes.indicate_inset_zoom(inset, edgecolor=inks.number, alpha=1.0, lw=0.8)
+        spine.set(visible=True, edgecolor=inks.quiet, linewidth=0.8)
+    axes.indicate_inset_zoom(inset, edgecolor=inks.quiet, alpha=1.0, lw=0.8)
     return inset
 
 

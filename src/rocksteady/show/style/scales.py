@@ -65,6 +65,9 @@ def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
         return
     functions = (lambda values: values / scale.factor, lambda values: values * scale.factor)
     if which == "x":
-        axes.secondary_xaxis("top", functions=functions).set_xlabel(scale.far)
+        far = axes.secondary_xaxis("top", functions=functions)
+        far.set_xlabel(scale.far)
     else:
-        axes.secondary_yaxis("right", functions=functions).set_ylabel(scale.far)
+        far = axes.secondary_yaxis("right", functions=functions)
+        far.set_ylabel(scale.far)
+    far.set_zorder(2.5)  # above filled cells

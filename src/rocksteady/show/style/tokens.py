@@ -29,6 +29,7 @@ HATCHES = {
     "unsymmetric": "----",
     "subharmonic": "||||",
     "aperiodic": "....",
+    "no_start": "++",
     "not_computed": "..",
 }
 """Pattern over an area beside its colour; areas without one have a plain fill."""

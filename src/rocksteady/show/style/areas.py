@@ -1,0 +1,194 @@
+"""Areas: the fill of a role with its pattern, its legend entry, and the word upon it."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.arrays import Bools, Floats
+from rocksteady.show.style.legends import size_of, text_size
+from rocksteady.show.style.tokens import (
+    DARKEST_PAPER,
+    HATCHES,
+    Inks,
+    contrast,
+    inks_of,
+    luminance,
+    mixed,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.patches import Patch
+
+ON_DARK, ON_LIGHT = 0.3, -0.4
+"""Part of white or black that makes a pattern out of its fill: seen, and quieter than a border."""
+LETTER, LINE = 0.68, 1.9
+"""Room of a letter and of a line, in parts of the size of a word on an area."""
+WIDE_ENOUGH = 0.9
+"""Part of the most room with which a word has enough, so that it stands in the middle of that."""
+SAMPLES = 220
+"""Points along a side at which room for words is looked for."""
+
+
+def pattern_ink(fill: str) -> str:
+    """Return the colour of a pattern over a fill.
+
+    Examples
+    --------
+    >>> pattern_ink("#000000"), pattern_ink("#ffffff")
+    ('#4c4c4c', '#999999')
+    """
+    return mixed(fill, ON_DARK if luminance(fill) < DARKEST_PAPER else ON_LIGHT)
+
+
+def word_ink(fill: str, inks: Inks) -> str:
+    """Return the colour of a word on a fill.
+
+    Examples
+    --------
+    >>> from rocksteady.show.style.tokens import LIGHT
+    >>> word_ink(LIGHT.falls, LIGHT) == LIGHT.on_falls, word_ink(LIGHT.rocks, LIGHT)
+    (True, '#0d1b26')
+    """
+    return max((inks.on_falls, inks.on_rocks), key=lambda ink: contrast(ink, fill))
+
+
+def area_style(inks: Inks, role: str, pattern: str | None = None) -> dict[str, Any]:
+    """Return the settings of a patch: the fill of a role, its pattern, and no outline.
+
+    Parameters
+    ----------
+    inks
+        Colours of the paper.
+    role
+        Name of a fill, such as "falls".
+    pattern
+        Name of a pattern; default: that of the role, if it has one.
+
+    Examples
+    --------
+    >>> from rocksteady.show.style.tokens import LIGHT
+    >>> area_style(LIGHT, "falls")["hatch"], area_style(LIGHT, "rocks")["hatch"]
+    ('////', None)
+    """
+    fill = getattr(inks, role)
+    hatch = HATCHES.get(role if pattern is None else pattern)
+    ink = pattern_ink(fill) if hatch else fill
+    return {"facecolor": fill, "edgecolor": ink, "hatch": hatch, "linewidth": 0.0}
+
+
+def swatch(inks: Inks, role: str, words: str, pattern: str | None = None) -> "Patch":
+    """Return the legend entry of an area, with an outline that parts it from the paper."""
+    from matplotlib.patches import Patch
+
+    style = area_style(inks, role, pattern)
+    outline = {"linewidth": 0.6} if style["hatch"] else {"linewidth": 0.6, "edgecolor": inks.edge}
+    return Patch(label=words, **(style | outline))
+
+
+def draw_pattern(
+    axes: "Axes",
+    right: Floats,
+    up: Floats,
+    where: NDArray[np.bool_],
+    hatch: str,
+    ink: str,
+    *,
+    outline: float = 0.0,
+) -> None:
+    """Draw a pattern over cells, as one area that ends where they do.
+
+    Parameters
+    ----------
+    axes
+        Axes with the cells.
+    right, up
+        Edges of the columns and of the rows.
+    where
+        Which cells it covers, shape (rows, columns).
+    hatch
+        The pattern; empty for an outline alone.
+    ink
+        Its colour.
+    outline
+        Width of a line around the area [points].
+    """
+    if not where.any():
+        return
+    # Each cell as four corners, so that the pattern ends where the cells do.
+    field = np.repeat(np.repeat(where.astype(np.float32), 2, axis=0), 2, axis=1)
+    corners = (np.repeat(edges, 2)[1:-1] for edges in (right, up))
+    drawn = axes.contourf(
+        *corners, field, levels=[0.5, 1.5], colors="none", hatches=[hatch or None]
+    )
+    drawn.set_edgecolor(ink)
+    drawn.set_linewidth(outline)
+    drawn.set_zorder(1.2)
+
+
+def write_words(
+    axes: "Axes",
+    right: Floats,
+    up: Floats,
+    codes: NDArray[Any],
+    words: Mapping[int, tuple[str, str]],
+) -> None:
+    """Write words upon the areas of classes, each where it has most room, or not at all.
+
+    Parameters
+    ----------
+    axes
+        Axes with the cells, their limits and scales final.
+    right, up
+        Edges of the columns and of the rows.
+    codes
+        Class of each cell, shape (rows, columns).
+    words
+        Word and fill of each class that has one.
+    """
+    from matplotlib.patheffects import Normal, Stroke
+
+    inks, size = inks_of(axes), text_size(axes, 8.5)
+    fractions = (np.arange(SAMPLES) + 0.5) / SAMPLES
+    places = axes.transAxes.transform(np.column_stack([fractions, fractions]))
+    x, y = axes.transData.inverted().transform(places).T
+    columns, rows = (
+        np.searchsorted(edges, at, side="right") - 1 for edges, at in ((right, x), (up, y))
+    )
+    inside = ((rows >= 0) & (rows < codes.shape[0]))[:, np.newaxis]
+    inside = inside & (columns >= 0) & (columns < codes.shape[1])
+    shown = codes[np.ix_(rows.clip(0, codes.shape[0] - 1), columns.clip(0, codes.shape[1] - 1))]
+    point = np.array(size_of(axes))[::-1] / SAMPLES  # of a sample: height and width
+    for code, (word, fill) in words.items():
+        box = size * np.array([LINE, LETTER * (len(word) + 1.5)])
+        middle = _roomiest(inside & (shown == code), np.ceil(box / point).astype(int), point)
+        if middle is None:
+            continue
+        axes.text(
+            fractions[middle[1]],
+            fractions[middle[0]],
+            word,
+            transform=axes.transAxes,
+            ha="center",
+            va="center",
+            fontsize=size,
+            fontweight="bold",
+            color=word_ink(fill, inks),
+            path_effects=[Stroke(linewidth=2.5, foreground=fill), Normal()],
+            zorder=5.5,
+        )
+
+
+def _roomiest(where: Bools, box: NDArray[np.int_], point: Floats) -> tuple[int, int] | None:
+    """Return the middle of the roomiest place of a box among samples; None if it does not fit."""
+    from scipy.ndimage import distance_transform_edt, minimum_filter
+
+    fits = minimum_filter(where, box, mode="constant", cval=False)
+    if not fits.any():
+        return None
+    room = distance_transform_edt(np.pad(where, 1), sampling=point.tolist())[1:-1, 1:-1]
+    most = np.argwhere(fits & (room >= WIDE_ENOUGH * room[fits].max()))
+    row, column = most[((most - most.mean(axis=0)) ** 2).sum(axis=1).argmin()].tolist()
+    return row, column
