@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.arrays import Bools, Floats
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.maps.cell_classes import CellClass
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.show.plots.map_classes import (
     LOOKS,
-    Look,
     MapCells,
     has_fates,
     map_cells,
@@ -30,7 +29,13 @@ from rocksteady.show.plots.map_quantities import (
     with_values,
 )
 from rocksteady.show.style import palette
-from rocksteady.show.style.areas import area_style, draw_pattern, pattern_ink, write_words
+from rocksteady.show.style.areas import (
+    MOST_PATTERNED,
+    area_style,
+    draw_pattern,
+    pattern_ink,
+    write_words,
+)
 from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import (
@@ -39,10 +44,9 @@ from rocksteady.show.style.legends import (
     draw_legend,
     figure_of,
     place_of,
-    size_of,
     text_size,
 )
-from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.scales import FAR_ROOM, Scale, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, Inks, inks_of
 
 if TYPE_CHECKING:
@@ -59,12 +63,6 @@ MOST_DRAWN = 2400
 """Cells along a side that are drawn of evenly spaced ones: more than a picture has pixels."""
 MOST_MESHED = 1000
 """The same of unevenly spaced ones, each of which is a shape of its own."""
-MOST_HATCHED = 60
-"""Cells along a side each of which is wide enough for a pattern."""
-MOST_OUTLINED = 200
-"""The same for an outline."""
-MOST_PATTERNED = 600
-"""Cells along a side by which a pattern finds its borders: nearer than the width of a line."""
 SWATCHES: dict[str, Any] = {
     "handlelength": 1.5,
     "handleheight": 1.5,
@@ -74,10 +72,6 @@ SWATCHES: dict[str, Any] = {
 """Legend entries tall enough for a pattern."""
 BAR_ROOM = 66.0
 """Between axes and a legend to the right of their colour bar [points]."""
-FAR_ROOM = 42.0
-"""The same to the right of a far axis [points]."""
-LEAST_FAR = 260.0
-"""Width of axes [points] from which on they have a far axis."""
 OUTLINE = 0.5
 """Width of the line around areas whose fill alone is nearly that of others [points]."""
 STRIP = 0.035
@@ -200,7 +194,9 @@ def draw_map(
         far = draw_diagram(axes, cells, dataset, shade)
     else:
         drawn = draw_cells(axes, cells, shade)
-        far = draw_far_axes(axes, cells, with_bar=shade is not None and bool(shade.label))
+        up, right = (cells.scale(name)[1] for name in upright(cells).names)
+        with_bar = shade is not None and bool(shade.label)
+        far = draw_far_axes(axes, right, None if with_bar else up)
         bar = draw_bar([axes], drawn, shade)
     if cells.fixed:
         axes.set_title(fixed_text(cells), loc="left")
@@ -212,25 +208,6 @@ def draw_map(
     gap += FAR_ROOM if far else 0.0
     draw_legend(axes, place, handles=handles, gap=gap, within=within, **SWATCHES)
     return axes
-
-
-def draw_far_axes(axes: "Axes", cells: MapCells, *, with_bar: bool) -> bool:
-    """Draw the dimensionless axes of a map on the far sides, where there is room for them.
-
-    Returns whether the right side has one; beside a colour bar it has none.
-    """
-    if not has_far_axes(axes):
-        return False
-    up, right = (cells.scale(name)[1] for name in upright(cells).names)
-    draw_far_axis(axes, "x", right)
-    if not with_bar:
-        draw_far_axis(axes, "y", up)
-    return bool(up.far) and not with_bar
-
-
-def has_far_axes(axes: "Axes") -> bool:
-    """Return whether axes are wide enough for dimensionless axes on their far sides."""
-    return size_of(axes)[0] >= LEAST_FAR
 
 
 def draw_bar(
@@ -340,13 +317,14 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
         words |= {-1 - k: named[k] for k in named}
     for cell_class, look in zip(CellClass, looks, strict=True):
         where = mask & (drawn == cell_class)
-        if (look.hatch or look.outlined) and where.any():
-            _draw_pattern(axes, x, y, where, look, inks)
+        ink = inks.edge if look.outlined else pattern_ink(getattr(inks, look.fill))
+        outline = OUTLINE if look.outlined else 0.0
+        draw_pattern(axes, (x, y), where, look.hatch, ink, outline=outline)
     words |= {
         one: (LOOKS[one].words.partition(" (")[0], getattr(inks, LOOKS[one].fill))
         for one in CellClass
     }
-    write_words(axes, x, y, drawn if shade is None else np.where(mask, drawn, groups), words)
+    write_words(axes, (x, y), drawn if shade is None else np.where(mask, drawn, groups), words)
     axes.grid(visible=False)
     return mappable
 
@@ -374,12 +352,11 @@ def draw_diagram(
     prepare_axis(axes, "x", name, values, spacing, along.label)
     fates = has_fates(dataset)
     _draw_classes(axes, cells, spacing.edges, 1.0 if fates else STRIP)
-    if has_far_axes(axes):
-        draw_far_axis(axes, "x", far)
     if fates:
+        draw_far_axes(axes, far)
         axes.set_yticks([])
         band = cells.classes[np.newaxis]
-        write_words(axes, spacing.edges, np.array(axes.get_ylim()), band, _words(inks_of(axes)))
+        write_words(axes, (spacing.edges, np.array(axes.get_ylim())), band, _words(inks_of(axes)))
         return False
     by: Colouring = "class" if shade is None else shade.by
     scale = _diagram_scale(by, cells)
@@ -408,10 +385,7 @@ def draw_diagram(
 
         axes.yaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_ylabel(scale.label)
-    if not scale.far or not has_far_axes(axes):
-        return False
-    draw_far_axis(axes, "y", scale)
-    return True
+    return draw_far_axes(axes, far, scale)
 
 
 def _diagram_scale(by: Colouring, cells: MapCells) -> Scale:
@@ -499,22 +473,3 @@ def _draw_line(axes: "Axes", right: Floats, up: Floats, values: Floats, level: f
         linestyles=[DASHED],
         linewidths=LINE_WIDTH,
     )
-
-
-def _draw_pattern(
-    axes: "Axes", right: Floats, up: Floats, where: Bools, look: Look, inks: Inks
-) -> None:
-    """Draw the pattern of a class over its cells, where there is room for one."""
-    from scipy.ndimage import maximum_filter, minimum_filter
-
-    (rows, y), (columns, x) = (picked(edges, MOST_PATTERNED) for edges in (up, right))
-    mask = where[np.ix_(rows, columns)].astype(np.float32)
-    # An opening: what is too narrow to show a pattern, or its outline, gets none.
-    widest = MOST_OUTLINED if look.outlined else MOST_HATCHED
-    room = [max(1, round(count / widest)) for count in mask.shape]
-    mask = maximum_filter(
-        minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
-    )
-    ink = inks.edge if look.outlined else pattern_ink(getattr(inks, look.fill))
-    width = OUTLINE if look.outlined else 0.0
-    draw_pattern(axes, x, y, mask > 0.0, look.hatch, ink, outline=width)

@@ -1,12 +1,13 @@
 """Areas: the fill of a role with its pattern, its legend entry, and the word upon it."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.arrays import Bools, Floats
+from rocksteady.show.style.axes import picked
 from rocksteady.show.style.legends import size_of, text_size
 from rocksteady.show.style.tokens import (
     DARKEST_PAPER,
@@ -22,14 +23,33 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.patches import Patch
 
+MOST_HATCHED = 60
+"""Cells along a side each of which is wide enough for a pattern."""
+MOST_OUTLINED = 200
+"""The same for an outline."""
+MOST_PATTERNED = 600
+"""Cells along a side by which a pattern finds its borders: nearer than the width of a line."""
 ON_DARK, ON_LIGHT = 0.3, -0.4
 """Part of white or black that makes a pattern out of its fill: seen, and quieter than a border."""
 LETTER, LINE = 0.68, 1.9
 """Room of a letter and of a line, in parts of the size of a word on an area."""
 WIDE_ENOUGH = 0.9
 """Part of the most room with which a word has enough, so that it stands in the middle of that."""
+MARK = 6.0
+"""Radius around marks of which words keep clear [points]."""
 SAMPLES = 220
 """Points along a side at which room for words is looked for."""
+
+
+class Area(NamedTuple):
+    """How one class of cells is drawn."""
+
+    fill: str
+    """Its colour."""
+    hatch: str = ""
+    """Its pattern; empty for none."""
+    word: str = ""
+    """What stands upon it where it is large; empty for nothing."""
 
 
 def pattern_ink(fill: str) -> str:
@@ -90,9 +110,8 @@ def swatch(inks: Inks, role: str, words: str, pattern: str | None = None) -> "Pa
 
 def draw_pattern(
     axes: "Axes",
-    right: Floats,
-    up: Floats,
-    where: NDArray[np.bool_],
+    edges: tuple[Floats, Floats],
+    where: Bools,
     hatch: str,
     ink: str,
     *,
@@ -100,11 +119,13 @@ def draw_pattern(
 ) -> None:
     """Draw a pattern over cells, as one area that ends where they do.
 
+    What is too narrow to show a pattern, or an outline, gets none.
+
     Parameters
     ----------
     axes
         Axes with the cells.
-    right, up
+    edges
         Edges of the columns and of the rows.
     where
         Which cells it covers, shape (rows, columns).
@@ -115,11 +136,22 @@ def draw_pattern(
     outline
         Width of a line around the area [points].
     """
-    if not where.any():
+    from scipy.ndimage import maximum_filter, minimum_filter
+
+    if not where.any() or not (hatch or outline):
+        return
+    (columns, x), (rows, y) = (picked(each, MOST_PATTERNED) for each in edges)
+    mask = where[np.ix_(rows, columns)].astype(np.float32)
+    widest = MOST_OUTLINED if outline else MOST_HATCHED
+    room = [max(1, round(count / widest)) for count in mask.shape]
+    mask = maximum_filter(
+        minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
+    )
+    if not mask.any():
         return
     # Each cell as four corners, so that the pattern ends where the cells do.
-    field = np.repeat(np.repeat(where.astype(np.float32), 2, axis=0), 2, axis=1)
-    corners = (np.repeat(edges, 2)[1:-1] for edges in (right, up))
+    field = np.repeat(np.repeat(mask, 2, axis=0), 2, axis=1)
+    corners = (np.repeat(each, 2)[1:-1] for each in (x, y))
     drawn = axes.contourf(
         *corners, field, levels=[0.5, 1.5], colors="none", hatches=[hatch or None]
     )
@@ -130,10 +162,10 @@ def draw_pattern(
 
 def write_words(
     axes: "Axes",
-    right: Floats,
-    up: Floats,
+    edges: tuple[Floats, Floats],
     codes: NDArray[Any],
     words: Mapping[int, tuple[str, str]],
+    marks: ArrayLike = (),
 ) -> None:
     """Write words upon the areas of classes, each where it has most room, or not at all.
 
@@ -141,12 +173,14 @@ def write_words(
     ----------
     axes
         Axes with the cells, their limits and scales final.
-    right, up
+    edges
         Edges of the columns and of the rows.
     codes
         Class of each cell, shape (rows, columns).
     words
         Word and fill of each class that has one.
+    marks
+        Points of which words keep clear, in the units of the axes, shape (points, 2).
     """
     from matplotlib.patheffects import Normal, Stroke
 
@@ -155,12 +189,30 @@ def write_words(
     places = axes.transAxes.transform(np.column_stack([fractions, fractions]))
     x, y = axes.transData.inverted().transform(places).T
     columns, rows = (
-        np.searchsorted(edges, at, side="right") - 1 for edges, at in ((right, x), (up, y))
+        np.searchsorted(each, at, side="right") - 1 for each, at in zip(edges, (x, y), strict=True)
     )
     inside = ((rows >= 0) & (rows < codes.shape[0]))[:, np.newaxis]
     inside = inside & (columns >= 0) & (columns < codes.shape[1])
     shown = codes[np.ix_(rows.clip(0, codes.shape[0] - 1), columns.clip(0, codes.shape[1] - 1))]
     point = np.array(size_of(axes))[::-1] / SAMPLES  # of a sample: height and width
+    to_axes = axes.transData + axes.transAxes.inverted()
+    for across, high in to_axes.transform(np.reshape(marks, (-1, 2))).tolist():
+        above, beside = ((fractions - at) * SAMPLES for at in (high, across))
+        inside &= np.hypot(point[0] * above[:, np.newaxis], point[1] * beside) > MARK
+    columns, rows = (
+        np.searchsorted(each, at, side="right") - 1 for each, at in zip(edges, (x, y), strict=True)
+    )
+    inside = ((rows >= 0) & (rows < codes.shape[0]))[:, np.newaxis]
+    inside = inside & (columns >= 0) & (columns < codes.shape[1])
+    shown = codes[np.ix_(rows.clip(0, codes.shape[0] - 1), columns.clip(0, codes.shape[1] - 1))]
+    point = np.array(size_of(axes))[::-1] / SAMPLES  # of a sample: height and width
+    to_axes = axes.transData + axes.transAxes.inverted()
+    for across, high in to_axes.transform(np.reshape(marks, (-1, 2))).tolist():
+        away = [
+            (fractions - at) * SAMPLES * each
+            for at, each in zip((high, across), point, strict=True)
+        ]
+        inside &= np.hypot(away[0][:, np.newaxis], away[1]) > MARK
     for code, (word, fill) in words.items():
         box = size * np.array([LINE, LETTER * (len(word) + 1.5)])
         middle = _roomiest(inside & (shown == code), np.ceil(box / point).astype(int), point)

@@ -6,9 +6,15 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.units import CONVERSIONS
 from rocksteady.show.style import palette
+from rocksteady.show.style.legends import size_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+FAR_ROOM = 42.0
+"""Between axes and a legend to the right of their far axis [points]."""
+LEAST_FAR = 260.0
+"""Width of axes [points] from which on they have a far axis."""
 
 
 class Scale(NamedTuple):
@@ -71,3 +77,27 @@ def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
         far = axes.secondary_yaxis("right", functions=functions)
         far.set_ylabel(scale.far)
     far.set_zorder(2.5)  # above filled cells
+
+
+def draw_far_axes(axes: "Axes", right: Scale, up: Scale | None = None) -> bool:
+    """Draw the dimensionless axes on the far sides where axes are wide enough for them.
+
+    Parameters
+    ----------
+    axes
+        With the limits and scales of the near axes.
+    right, up
+        Scales of abscissa and ordinate; None for no axis on the right.
+
+    Returns
+    -------
+    bool
+        Whether there is one on the right, for which a legend there leaves `FAR_ROOM`.
+    """
+    if size_of(axes)[0] < LEAST_FAR:
+        return False
+    draw_far_axis(axes, "x", right)
+    if up is None or not up.far:
+        return False
+    draw_far_axis(axes, "y", up)
+    return True

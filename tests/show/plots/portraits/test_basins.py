@@ -16,11 +16,12 @@ from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, compute_basins, compute_erosion, plots
-from rocksteady.basins import Basins, Erosion
+from rocksteady.basins import Basins, Erosion, find_hilltop_saddles
 from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import basins_figure, erosion_figure
-from rocksteady.show.plots.portraits.basins import fills_of, plot_safe_basin
+from rocksteady.show.plots.portraits.basins import STEPS, areas_of, plain_name, plot_safe_basin
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, mixed
 from tests.every import every
 
 WINDOW = np.linspace(-1.0, 1.0, 41)
@@ -93,7 +94,7 @@ def colours_seen(axes: Axes) -> "np.ndarray[tuple[int, ...], np.dtype[np.str_]]"
 def test_each_cell_has_the_fill_of_its_attractor() -> None:
     given = found()
     axes = plots.basins(given, Figure().add_subplot())
-    fills = np.array(fills_of(given.attractors))
+    fills = np.array([area.fill for area in areas_of(given.attractors, LIGHT)])
     assert np.array_equal(colours_seen(axes), fills[given.label])
     (image,) = axes.images
     half = 0.5 * (WINDOW[1] - WINDOW[0])
@@ -127,7 +128,9 @@ def test_the_legend_has_every_share() -> None:
     assert legend is not None
     texts = [text.get_text() for text in legend.get_texts()]
     for text, one, part in zip(texts, given.attractors, given.fractions(), strict=True):
-        assert text == f"{one.name}  {100.0 * part.share:.1f} %"
+        name = plain_name(one.kind, one.name)
+        assert text == f"{name}  {100.0 * part.share:.1f} %"
+    assert {"falls", "rests"} <= {text.partition("  ")[0] for text in texts}
 
 
 def lightness(colour: str) -> float:
@@ -136,20 +139,47 @@ def lightness(colour: str) -> float:
 
 def test_attractors_of_one_kind_differ_in_lightness() -> None:
     given = found(2.0, 1.9, 0.8)
-    fills = fills_of(given.attractors)
-    assert len(set(fills)) == len(fills) == 3
-    assert fills[0] == palette.OVERTURNED
-    light = [lightness(fill) for fill in fills]
-    assert min(abs(one - other) for k, one in enumerate(light) for other in light[:k]) > 0.15
-    for hue in (palette.SYMMETRIC, palette.UNSYMMETRIC, palette.SUBHARMONIC):
-        tints = [lightness(palette.tinted(hue, part)) for part in palette.TINTS]
-        assert len({round(tint, 2) for tint in tints}) == len(tints)
+    for inks in (LIGHT, DARK):
+        fills = [area.fill for area in areas_of(given.attractors, inks)]
+        assert len(set(fills)) == len(fills) == 3
+        assert fills[0] == inks.falls
+        light = [lightness(fill) for fill in fills]
+        assert min(abs(one - other) for k, one in enumerate(light) for other in light[:k]) > 0.15
+        for role in ("symmetric", "unsymmetric", "subharmonic"):
+            steps = [lightness(mixed(getattr(inks, role), part)) for part in STEPS]
+            assert len({round(step, 2) for step in steps}) == len(steps)
 
 
-def test_tints_go_to_white_and_to_black() -> None:
-    assert palette.tinted("#102030", 0.0) == "#102030"
-    assert palette.tinted("#102030", 1.0) == "#ffffff"
-    assert palette.tinted("#102030", -1.0) == "#000000"
+def test_a_block_of_known_size_has_its_window_in_degrees() -> None:
+    block = Block.rectangle(width=0.4, height=2.0, restitution=0.95)
+    motion = Harmonic(amplitude=0.5, frequency_ratio=2.0, phase=0.4)
+    sized = compute_basins(block, motion, angles=WINDOW, velocities=WINDOW)
+    axes = plots.basins(sized, Figure(figsize=(8.0, 5.0)).add_subplot())
+    assert axes.get_xlabel() == palette.LABELS["angle_deg_at_start"]
+    assert axes.get_ylabel() == palette.LABELS["velocity_deg_s_at_start"]
+    degree = np.degrees(block.alpha)
+    half = 0.5 * (WINDOW[1] - WINDOW[0])
+    assert np.array(axes.get_xlim()) / degree == pytest.approx([-1.0 - half, 1.0 + half])
+    assert np.array(axes.get_ylim()) / (degree * block.p) == pytest.approx(
+        [-1.0 - half, 1.0 + half]
+    )
+    marks = np.concatenate([line.get_xydata() for line in axes.lines[1::2]])
+    expected = np.concatenate(sized.stroboscopic) * (degree, degree * block.p)
+    np.testing.assert_allclose(marks, expected)
+    # What is drawn upon it later is in its units.
+    saddles = find_hilltop_saddles(block, motion)
+    plots.edge_state(saddles[0], axes)
+    highest = max(float(np.max(line.get_xdata())) for line in axes.lines)
+    assert highest > 1.05 * degree > 5.0
+
+
+def test_words_keep_clear_of_the_attractors() -> None:
+    axes = plots.basins(found(), Figure(figsize=(8.0, 5.0)).add_subplot())
+    axes.get_figure(root=True).draw_without_rendering()  # type: ignore[union-attr]
+    boxes = [word.get_window_extent() for word in axes.texts]
+    assert boxes
+    points = axes.transData.transform(np.concatenate(found().stroboscopic))
+    assert not any(box.contains(*point) for box in boxes for point in points)
 
 
 def test_the_erosion_is_drawn_with_its_threshold_and_drops() -> None:
@@ -193,7 +223,7 @@ def test_without_a_threshold_there_is_no_line_of_it() -> None:
 def test_safe_states_are_light() -> None:
     given = eroded()
     seen = colours_seen(plot_safe_basin(given, 1, Figure().add_subplot()))
-    assert np.array_equal(seen == palette.SYMMETRIC, given.safe[1])
+    assert np.array_equal(seen == LIGHT.rest, given.safe[1])
 
 
 def test_figures_have_a_title_and_their_panels() -> None:

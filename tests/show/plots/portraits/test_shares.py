@@ -17,7 +17,9 @@ from rocksteady import DimensionlessBlock, Harmonic, plots
 from rocksteady.basins import BasinShares, SamplingOptions, compute_basin_shares
 from rocksteady.errors import InputError
 from rocksteady.outcomes import AttractorKind
+from rocksteady.show.plots.portraits.basins import plain_name
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 
 WINDOW = np.linspace(-1.2, 1.2, 30)
 
@@ -61,8 +63,8 @@ def test_rest_is_below_and_what_overturns_above_in_their_fills() -> None:
     shares = found()
     drawn = bands(plots.basin_shares(shares, Figure(figsize=(7, 4)).add_subplot()))
     fills = [to_hex(tuple(np.asarray(band.get_facecolor())[0].tolist())) for band in drawn]
-    assert (fills[0], fills[-1]) == (palette.REST, palette.OVERTURNED)
-    assert palette.SYMMETRIC in fills
+    assert (fills[0], fills[-1]) == (LIGHT.rest, LIGHT.falls)
+    assert LIGHT.symmetric in fills
     assert len(set(fills)) == len(fills)
 
 
@@ -73,8 +75,8 @@ def test_every_family_is_named_in_its_band_in_the_legend_or_counted() -> None:
     legend = axes.get_legend()
     assert legend is not None
     listed = [text.get_text() for text in legend.get_texts()]
-    assert "overturned" in named
-    names = [one.name for one in shares.families]
+    assert {"falls", "rests"} <= {*named, *listed}
+    names = [plain_name(one.typical.kind, one.name) for one in shares.families]
     thin = [name for name in names if name not in named + listed]
     assert not thin or f"and {len(thin)} below" in listed[-1]
     assert not set(named) & set(listed)

@@ -2,28 +2,33 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady.arrays import Floats
 from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
-from rocksteady.dynamics.basins.fate_basins import FateBasins
 from rocksteady.dynamics.basins.labels import BasinAttractor
+from rocksteady.dynamics.maps.cell_classes import MEANINGS
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
-from rocksteady.show.plots.map_classes import FILLS, share_text
+from rocksteady.outcomes import AttractorKind
+from rocksteady.show.plots.map_classes import LOOKS, share_text
+from rocksteady.show.plots.portraits._window import draw_window
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import Area, pattern_ink
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.scales import Scale, draw_far_axes, scale_of
+from rocksteady.show.style.tokens import DASHED, HATCHES, MARKS, Inks, inks_of, mixed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+STEPS = (0.0, -0.35, 0.6, -0.6, 0.35, 0.8)
+"""Of a fill, where several attractors share it: parts of white, or of black below 0.  Each step is
+one of lightness, which is seen in grey and by the colour-blind too."""
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 
 
@@ -33,9 +38,9 @@ def plot_basins(
 ) -> "Axes":
     """Draw the basins of attraction over the window, and the attractors at that phase.
 
-    Each state of the window has the fill of the attractor to which it goes: dark where the block
-    overturns, and one hue per kind of attractor.  Several of one kind differ in lightness and in
-    their marks, which stand where the attractor is at the phase of the initial states; one that
+    Each state of the window has the fill of the attractor to which it goes: dark and hatched where
+    the block falls, and one hue per kind of attractor.  Several of one kind differ in lightness and
+    in their marks, which stand where the attractor is at the phase of the initial states; one that
     repeats itself after n forcing periods has n of them.  The legend has the shares.
 
     Parameters
@@ -51,7 +56,8 @@ def plot_basins(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
+        The axes: tilt [degrees] and its velocity [degrees/s] of a block with sizes, else
+        u = theta/alpha and d(theta/alpha)/d(pt).
 
     Examples
     --------
@@ -62,43 +68,48 @@ def plot_basins(
     ...     compute_basins(DimensionlessBlock(restitution=0.8), shaking), Figure().add_subplot()
     ... )
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
-    ['overturned  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
+    ['falls  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
     """
     from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
 
     axes = axes_or_new(ax)
-    fills = fills_of(basins.attractors)
-    window = draw_window(axes, basins, basins.label, fills)
+    inks = inks_of(axes)
+    areas = areas_of(basins.attractors, inks)
+    window = draw_window(axes, basins, basins.label, areas, basins.stroboscopic)
     handles, marked = [], 0
-    parts = zip(basins.attractors, fills, basins.stroboscopic, basins.fractions(), strict=True)
-    for attractor, fill, points, fraction in parts:
+    parts = zip(areas, basins.stroboscopic, basins.fractions(), strict=True)
+    for (fill, hatch, word), points, fraction in parts:
         mark = "none"
         if len(points):
-            mark = palette.MARKS[marked % len(palette.MARKS)]
+            mark = MARKS[marked % len(MARKS)]
             marked += 1
             # A white rim around a dark one is seen on every fill.
-            for colour, rim in (("white", 2.4), (palette.INK, 1.0)):
+            for colour, rim in ((inks.on_falls, 2.4), (inks.on_rocks, 1.0)):
                 axes.plot(
-                    *points.T, mark, ls="none", ms=5.5, mfc=fill, mec=colour, mew=rim, zorder=4.0
+                    *(points * window.factors).T,
+                    mark,
+                    ls="none",
+                    ms=5.5,
+                    mfc=fill,
+                    mec=colour,
+                    mew=rim,
+                    zorder=6.0,
                 )
-        handles.append(
-            (
-                Line2D(
-                    [], [], ls="none", marker="s", ms=10.0, mfc=fill, mec=palette.FAINT, mew=0.6
-                ),
-                Line2D([], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=palette.INK, mew=0.9),
-                f"{attractor.name}  {share_text(fraction.share)}",
-            )
-        )
-    axes.set(xlim=window[:2], ylim=window[2:])
+        patch = Patch(fc=fill, ec=pattern_ink(fill), hatch=hatch or None, lw=0.6)
+        dot = Line2D([], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=inks.on_rocks, mew=0.9)
+        handles.append(((patch, dot), f"{word}  {share_text(fraction.share)}"))
+    axes.set(xlim=window.ends[:2], ylim=window.ends[2:])
     draw_legend(
         axes,
         place_of(axes, legend, "right"),
-        handles=[(swatch, mark) for swatch, mark, _ in handles],
-        labels=[text for _, _, text in handles],
-        handlelength=1.2,
+        handles=[handle for handle, _ in handles],
+        labels=[text for _, text in handles],
+        gap=window.gap,
+        handlelength=1.5,
+        handleheight=1.5,
         handletextpad=0.6,
-        labelspacing=0.7,
+        labelspacing=0.6,
     )
     return axes
 
@@ -132,7 +143,8 @@ def plot_erosion(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: A = a_max/(alpha g), and integrity, which is 1 on a still base.
+        The axes: a_max [g] of a block with sizes, else A = a_max/(alpha g), and integrity, which is
+        1 on a still base.
 
     Examples
     --------
@@ -145,44 +157,45 @@ def plot_erosion(
     ['integrity factor', 'global integrity measure']
     """
     axes = axes_or_new(ax)
-    a = erosion.amplitude
+    scale = scale_of("amplitude", erosion.block)
+    a = erosion.amplitude * scale.factor
     inks, place = inks_of(axes), place_of(axes, legend, "inside", width=225.0)
     spread = spaced_by_ratio(a)
-    colours: dict[str, str] = {}
+    colours = dict(zip(WORDS, inks.series("motion", len(WORDS)), strict=True))
     abscissas, curves = [], []
     for series, (name, label) in enumerate(WORDS.items()):
-        known = dict(zip(a.tolist(), erosion.measure(name).tolist(), strict=True))
+        known = dict(zip(erosion.amplitude.tolist(), erosion.measure(name).tolist(), strict=True))
         for drop in drops:
             if drop.measure == name:  # a search has computed more of the curve
                 ends = {drop.low: drop.above, drop.high: drop.below}
                 known |= {at: value for at, value in ends.items() if at > 0.0 or not spread}
         x, values = np.array(sorted(known.items())).T
-        colours[name] = inks.lines[series]
+        x = x * scale.factor
         abscissas.append(x)
         curves.append(values)
         axes.plot(
             x,
             values,
-            color=inks.lines[series],
-            ls=palette.DASHES[series],
+            color=colours[name],
             marker="os"[series] if len(a) <= 60 else "none",
             ms=3.0,
             label=label,
         )
     where = erosion.heteroclinic
     if where is not None:
-        seen = where <= a[-1]
+        seen = where <= erosion.amplitude[-1]
         axes.axvline(
-            where,
-            color=inks.ink,
+            where * scale.factor,
+            color=inks.limit,
             lw=1.0,
-            ls=palette.DASHES[4],
-            label=f"heteroclinic tangency, A = {where:.4g}" + ("" if seen else " (beyond)"),
+            ls=DASHED,
+            label=f"heteroclinic tangency, {_amplitude(where, scale)}"
+            + ("" if seen else " (beyond)"),
         )
     for drop in drops:
         part = (drop.above - drop.level) / (drop.above - drop.below)
         axes.plot(
-            drop.low + part * (drop.high - drop.low),
+            (drop.low + part * (drop.high - drop.low)) * scale.factor,
             drop.level,
             "v",
             ms=6.5,
@@ -191,17 +204,19 @@ def plot_erosion(
             mew=0.8,
             ls="none",
             zorder=4.0,
-            label=f"{WORDS[drop.measure]} falls below {drop.level:g} at A = {drop.high:.4g}",
+            label=f"{WORDS[drop.measure]} drops below {drop.level:g} at "
+            f"{_amplitude(drop.high, scale)}",
         )
     if spread:
         axes.set_xscale("log")
     top = max(1.0, float(erosion.global_integrity.max()), float(erosion.integrity_factor.max()))
     axes.set(
-        xlabel=palette.LABELS["amplitude"],
+        xlabel=scale.label,
         ylabel=palette.LABELS["integrity"],
         xlim=(float(a[0]) if spread else 0.0, float(a[-1])),
         ylim=(0.0, 1.05 * top),
     )
+    draw_far_axes(axes, scale)
     points = np.concatenate(abscissas), np.concatenate(curves)
     size = extent(axes, width=225.0, height=12.0 * (3 + len(drops)) + 10.0)
     draw_legend(axes, place, corner=emptiest_corner(axes, points, size))
@@ -210,7 +225,7 @@ def plot_erosion(
 
 @checked
 def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "Axes":
-    """Draw the safe basin at one amplitude: light where the block stands.
+    """Draw the safe basin at one amplitude: where the block stands, and where it falls.
 
     Parameters
     ----------
@@ -224,63 +239,47 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
+        The axes: as those of `plot_basins`.
     """
     index = index_value(index, len(erosion.amplitude), "amplitude")
     axes = axes_or_new(ax)
-    draw_window(axes, erosion, erosion.safe[index], [palette.OVERTURNED, palette.SYMMETRIC])
-    axes.set_title(f"A = {erosion.amplitude[index]:.4g}")
+    inks = inks_of(axes)
+    areas = Area(inks.falls, HATCHES["falls"], "falls"), Area(inks.rest, word="stands")
+    draw_window(axes, erosion, erosion.safe[index], areas)
+    scale = scale_of("amplitude", erosion.block)
+    axes.set_title(_amplitude(float(erosion.amplitude[index]), scale))
     return axes
 
 
-def draw_window(
-    axes: "Axes", states: Basins | Erosion | FateBasins, codes: NDArray[Any], fills: Sequence[str]
-) -> tuple[float, float, float, float]:
-    """Fill each state of a window of angles and velocities by its code; return the window's ends.
+def _amplitude(amplitude: float, scale: Scale) -> str:
+    """Return an amplitude as in a title: in g where its scale is."""
+    return f"{amplitude * scale.factor:.4g} g" if scale.far else f"A = {amplitude:.4g}"
 
-    Parameters
-    ----------
-    axes
-        Axes to draw on, which get their labels.
-    states
-        Angles and velocities of the window.
-    codes
-        Number of the fill of each state, shape (velocities, angles).
-    fills
-        Colours by number.
+
+def plain_name(kind: AttractorKind, name: str) -> str:
+    """Return what a block does in a legend: a plain word, or the name of an orbit.
+
+    Examples
+    --------
+    >>> plain_name(AttractorKind.OVERTURNED, "overturned"), plain_name(AttractorKind.REST, "rest")
+    ('falls', 'rests')
+    >>> plain_name(AttractorKind.SYMMETRIC, "symmetric-1")
+    'symmetric-1'
     """
-    from matplotlib.colors import ListedColormap
-
-    window = (*_ends(states.angle), *_ends(states.velocity))
-    axes.imshow(
-        codes,
-        cmap=ListedColormap(fills),
-        vmin=-0.5,
-        vmax=len(fills) - 0.5,
-        extent=window,
-        origin="lower",
-        aspect="auto",
-        interpolation="nearest",
-    )
-    axes.grid(visible=False)
-    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
-    return window
+    plain = {AttractorKind.OVERTURNED: "falls", AttractorKind.REST: "rests"}
+    return plain.get(kind, name)
 
 
-def fills_of(attractors: Sequence[BasinAttractor]) -> list[str]:
-    """Return a fill for each attractor, no two alike as long as the tints last."""
+def areas_of(attractors: Sequence[BasinAttractor], inks: Inks) -> list[Area]:
+    """Return how basins are drawn, no two in one fill as long as the steps last."""
     used: Counter[str] = Counter()
-    fills = []
+    areas = []
     for attractor in attractors:
-        hue = FILLS[attractor.kind]
+        role = LOOKS[MEANINGS[attractor.kind.value]].fill
         if attractor.orbit is not None and attractor.orbit.period > 1:
-            hue = palette.SUBHARMONIC
-        fills.append(palette.tinted(hue, palette.TINTS[used[hue] % len(palette.TINTS)]))
-        used[hue] += 1
-    return fills
-
-
-def _ends(axis: Floats) -> tuple[float, float]:
-    """Return the edges of the outermost cells around the points of an axis."""
-    half = 0.5 * float(axis[-1] - axis[0]) / (len(axis) - 1)
-    return float(axis[0]) - half, float(axis[-1]) + half
+            role = "subharmonic"
+        fill = mixed(getattr(inks, role), STEPS[used[role] % len(STEPS)])
+        word = plain_name(attractor.kind, attractor.name)
+        areas.append(Area(fill, HATCHES.get(role, ""), word))
+        used[role] += 1
+    return areas

@@ -1,17 +1,18 @@
 """Plots of edge states and of the motions tracked to them."""
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rocksteady.dynamics.edges.edge_state import EdgeState
 from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.portraits._window import plane_scales
 from rocksteady.show.plots.portraits.manifolds import saddle_at
-from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.scales import draw_far_axes
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,9 +27,9 @@ def plot_edge_state(
 ) -> "Axes":
     """Draw an edge state over angle and velocity, with the motion tracked to it.
 
-    The line is the course of the saddle over its period, the cross where it is at the phase of the
-    shaking.  Dots are the tracked motion at that phase, joined in their order; filled marks are
-    the states between which the border was sought.
+    The dashed line is the course of the saddle over its period, the cross where it is at the phase
+    of the shaking.  Dots are the tracked motion at that phase, joined in their order;
+    filled marks are the states between which the border was sought.
 
     Parameters
     ----------
@@ -42,7 +43,8 @@ def plot_edge_state(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
+        The axes: tilt [degrees] and its velocity [degrees/s] of a block with sizes, else
+        u = theta/alpha and d(theta/alpha)/d(pt).
 
     Examples
     --------
@@ -52,54 +54,59 @@ def plot_edge_state(
     >>> edge = find_edge_state(DimensionlessBlock(restitution=0.9), motion)
     >>> axes = plot_edge_state(edge, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
-    ['hilltop saddle', 'tracked, period by period']
+    ['hilltop saddle', 'saddle at this phase']
     """
     given = ax is not None and ax.has_data()
     axes = axes_or_new(ax)
     inks = inks_of(axes)
+    right, up = plane_scales(axes, edge.block)
+    factors = np.array([right.factor, up.factor])
     limits = axes.get_xlim(), axes.get_ylim()
     saddle = edge if isinstance(edge, HilltopSaddle) else edge.saddle
     if saddle is not None:
         words = "hilltop saddle"
         if not isinstance(saddle, HilltopSaddle):
             words = f"unstable orbit, period {saddle.period}"
-        axes.plot(*saddle.trajectory().phase_path(), color=inks.lines[2], lw=1.6, label=words)
-        points = saddle_at(saddle, edge.motion.phase)
-        for colour, width in ((inks.paper, 3.4), (inks.ink, 1.5)):
-            axes.plot(*points.T, "x", ms=6.5, mew=width, color=colour, ls="none", zorder=4.0)
+        course = np.column_stack(saddle.trajectory().phase_path()) * factors
+        axes.plot(*course.T, color=inks.motion, ls=DASHED, lw=1.6, label=words)
+        points = saddle_at(saddle, edge.motion.phase) * factors
+        cross: dict[str, Any] = {"ms": 6.5, "ls": "none", "zorder": 4.0}
+        axes.plot(*points.T, "x", mew=3.4, color=inks.paper, **cross)
+        axes.plot(*points.T, "x", mew=1.5, color=inks.ink, label="saddle at this phase", **cross)
     if isinstance(edge, EdgeState):
         axes.plot(
-            edge.angle,
-            edge.velocity,
+            edge.angle * right.factor,
+            edge.velocity * up.factor,
             "o-",
             ms=3.2,
             lw=0.6,
-            color=inks.faint,
-            mfc=inks.lines[3],
-            mec=inks.lines[3],
+            color=inks.edge,
+            mfc=inks.quiet,
+            mec=inks.quiet,
             zorder=3.0,
             label="tracked, period by period",
         )
         ends = zip((edge.start, edge.other), edge.outcomes, "os", strict=True)
         for state, outcome, mark in ends:
             axes.plot(
-                state.angle,
-                state.velocity,
+                state.angle * right.factor,
+                state.velocity * up.factor,
                 mark,
                 ms=5.5,
                 mfc=inks.ink,
                 mec=inks.paper,
                 ls="none",
                 zorder=3.5,
-                label=outcome,
+                label="rests" if outcome == "rest" else outcome.replace("overturned", "falls"),
             )
     if given:
         axes.set(xlim=limits[0], ylim=limits[1])
     else:
-        axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+        axes.set(xlabel=right.label, ylabel=up.label)
         axes.margins(0.08)
         if isinstance(edge, EdgeState) and len(np.unique(edge.angle)) == 1:
-            axes.set(xlim=(edge.angle[0] - 1.0, edge.angle[0] + 1.0))
+            axes.set(xlim=(edge.angle[0] + np.array([-1.0, 1.0])) * right.factor)
+        draw_far_axes(axes, right, up)
     place = place_of(axes, legend, "below")
     if place != "none":
         draw_legend(axes, place)

@@ -5,33 +5,34 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.basins.fate_basins import ORDER, FateBasins
+from rocksteady.dynamics.basins.fate_basins import FateBasins
 from rocksteady.model.checks.arguments import checked
 from rocksteady.outcomes import Status
-from rocksteady.show.plots.map_classes import swatch
-from rocksteady.show.plots.portraits.basins import draw_window
-from rocksteady.show.style import palette
+from rocksteady.show.plots.map_classes import share_text
+from rocksteady.show.plots.portraits._window import draw_window
+from rocksteady.show.style.areas import Area, pattern_ink
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.tokens import DASHED, HATCHES, Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
 
-FILLS = {
-    (Status.ROCKING, 0): palette.ROCKING,
-    (Status.OVERTURNED, 1): palette.OVERTURNED,
-    (Status.OVERTURNED, -1): palette.tinted(palette.OVERTURNED, 0.45),
-    (Status.LOST_CONTACT, 0): palette.SUBHARMONIC,
-    (Status.UNDECIDED, 0): palette.UNDECIDED,
+AREAS = {
+    (Status.ROCKING, 0): ("rocks", "rocks", None),
+    (Status.OVERTURNED, 1): ("falls to the positive side", "falls", None),
+    (Status.OVERTURNED, -1): ("falls to the negative side", "falls", "falls_negative"),
+    (Status.LOST_CONTACT, 0): ("lost contact", "paper", "no_start"),
+    (Status.UNDECIDED, 0): ("undecided", "undecided", None),
 }
-"""Fill of each fate and side; states at rest have fills by their peaks."""
+"""Words, role and pattern of each fate and side; states that rest have steps by their peaks."""
 PEAKS = (
-    (0.5, "peak up to 0.5", palette.tinted(palette.SYMMETRIC, 0.85)),
-    (1.0, "peak up to 1", palette.tinted(palette.SYMMETRIC, 0.5)),
-    (np.inf, "peak above 1", palette.SYMMETRIC),
+    (0.5, "rests, tilt up to α/2", 0),
+    (1.0, "rests, tilt up to α", 1),
+    (np.inf, "rests, tilt above α", 3),
 )
-"""Largest |theta|/alpha of the states at rest at the end, in words, and their fill."""
+"""Largest |theta|/alpha of the states at rest at the end, in words, and their step of the ramp."""
 
 
 @checked
@@ -40,8 +41,8 @@ def plot_fate_basins(
 ) -> "Axes":
     """Draw the fate of each state of a window, and how far the safe ones rock.
 
-    Dark where the block overturns, darker to the positive side; where it comes to rest the deeper
-    the fill, the larger the peak of |theta|/alpha on the way.  A dashed line is the border of the
+    Dark where the block falls, with hatches that lean to the side to which it does; where it comes
+    to rest the deeper the fill, the larger the tilt on the way.  A dashed line is the border of the
     states that are safe on a still base.  The legend has the shares.
 
     Parameters
@@ -57,7 +58,8 @@ def plot_fate_basins(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
+        The axes: tilt [degrees] and its velocity [degrees/s] of a block with sizes, else
+        u = theta/alpha and d(theta/alpha)/d(pt).
 
     Examples
     --------
@@ -71,61 +73,65 @@ def plot_fate_basins(
     >>> axes = plot_fate_basins(basins, Figure().add_subplot())
     >>> for text in axes.get_legend().get_texts():
     ...     print(text.get_text())
-    at rest, peak up to 0.5  7.1 %
-    at rest, peak up to 1  12.4 %
-    at rest, peak above 1  7.1 %
-    overturned, positive side  42.2 %
-    overturned, negative side  31.1 %
+    rests, tilt up to α/2  7.1 %
+    rests, tilt up to α  12.4 %
+    rests, tilt above α  7.1 %
+    falls to the positive side  42.2 %
+    falls to the negative side  31.1 %
     safe on a still base
     """
     from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
 
     axes = axes_or_new(ax)
-    classes, kinds = _classes(fates)
-    window = draw_window(axes, fates, classes, [fill for _, fill, _ in kinds])
-    if fates.still_safe.any() and not fates.still_safe.all():
-        axes.contour(
-            fates.angle,
-            fates.velocity,
-            fates.still_safe.astype(np.float64),
-            levels=[0.5],
-            colors=[palette.UNSYMMETRIC],
-            linestyles=[palette.DASHES[1]],
-            linewidths=1.2 * line_scale(axes),
-        )
-    axes.set(xlim=window[:2], ylim=window[2:])
+    inks = inks_of(axes)
+    codes, words, areas = _areas(fates, inks)
+    window = draw_window(axes, fates, codes, areas)
     handles: list[Artist] = [
-        swatch(words, fill, count / fates.fate.size) for words, fill, count in kinds if count
+        Patch(
+            fc=area.fill,
+            ec=pattern_ink(area.fill) if area.hatch else inks.edge,
+            hatch=area.hatch or None,
+            lw=0.6,
+            label=f"{words[code]}  {share_text(float((codes == code).mean()))}",
+        )
+        for code, area in enumerate(areas)
+        if (codes == code).any()
     ]
     if fates.still_safe.any() and not fates.still_safe.all():
-        handles.append(
-            Line2D(
-                [],
-                [],
-                color=palette.UNSYMMETRIC,
-                ls=palette.DASHES[1],
-                label="safe on a still base",
+        width = 1.2 * line_scale(axes)
+        where = fates.angle * window.factors[0], fates.velocity * window.factors[1]
+        safe = fates.still_safe.astype(np.float64)
+        for colour, dashes, wide in ((inks.paper, "-", 1.6), (inks.limit, DASHED, 0.0)):
+            axes.contour(
+                *where,
+                safe,
+                levels=[0.5],
+                colors=[colour],
+                linestyles=[dashes],
+                linewidths=width + wide,
             )
-        )
-    draw_legend(axes, place_of(axes, legend, "right"), handles=handles, handlelength=1.5)
+        handles.append(Line2D([], [], color=inks.limit, ls=DASHED, label="safe on a still base"))
+    axes.set(xlim=window.ends[:2], ylim=window.ends[2:])
+    place = place_of(axes, legend, "right")
+    draw_legend(axes, place, handles=handles, gap=window.gap, handlelength=1.5, handleheight=1.3)
     return axes
 
 
-def _classes(fates: FateBasins) -> tuple[NDArray[np.int8], list[tuple[str, str, int]]]:
-    """Return the class of each state, and the words, the fill and the number of each class."""
-    rest = fates.fate == Status.AT_REST
-    masks, classes = [], []
-    below = -np.inf
-    for most, words, fill in PEAKS:
-        masks.append(rest & (fates.peak > below) & (fates.peak <= most))
-        classes.append((f"at rest, {words}", fill))
-        below = most
-    for status, side, name in ORDER:
-        if (status, side) in FILLS:
-            masks.append((fates.fate == status) & (fates.side == side))
-            classes.append((name, FILLS[status, side]))
+def _areas(fates: FateBasins, inks: Inks) -> tuple[NDArray[np.int8], list[str], list[Area]]:
+    """Return the class of each state, and the words and the look of each class."""
     codes = np.zeros(fates.fate.shape, dtype=np.int8)
-    for index, mask in enumerate(masks):
-        codes[mask] = index
-    counts = (int(np.count_nonzero(mask)) for mask in masks)
-    return codes, [(*entry, count) for entry, count in zip(classes, counts, strict=True)]
+    names, areas = [], []
+    below = -np.inf
+    for code, (most, words, step) in enumerate(PEAKS):
+        rests = (fates.fate == Status.AT_REST) & (fates.peak > below) & (fates.peak <= most)
+        codes[rests] = code
+        names.append(words)
+        areas.append(Area(inks.rocks_ramp[step]))
+        below = most
+    for code, ((status, side), (words, role, pattern)) in enumerate(AREAS.items(), len(PEAKS)):
+        codes[(fates.fate == status) & (fates.side == side)] = code
+        names.append(words)
+        word = role if role in ("falls", "rocks") else ""
+        areas.append(Area(getattr(inks, role), HATCHES.get(pattern or role, ""), word))
+    return codes, names, areas

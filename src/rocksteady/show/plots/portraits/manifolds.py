@@ -11,11 +11,14 @@ from rocksteady.dynamics.edges.hilltop import HilltopSaddle
 from rocksteady.dynamics.edges.manifold import Manifold, ManifoldBranch
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.portraits._window import plane_scales
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.scales import Scale, draw_far_axes, scale_of
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -36,8 +39,8 @@ def plot_manifolds(
     """Draw manifolds of saddles: stable ones solid, unstable ones dashed, saddles as crosses.
 
     On axes of `plots.basins` or `plots.poincare_section` they are drawn over the existing picture,
-    in white casings over basins, and nothing else changes.  Over a phase, basins of that phase
-    have the stable manifolds as their borders.
+    in its units and in casings over basins, and nothing else changes.  Over a phase, basins of
+    that phase have the stable manifolds as their borders.
 
     Parameters
     ----------
@@ -53,7 +56,8 @@ def plot_manifolds(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(pt), or phase of the shaking and speed.
+        The axes: tilt and its velocity, or phase of the shaking and speed; in degrees and degrees/s
+        of a block with sizes, else u = theta/alpha by pt.
 
     Raises
     ------
@@ -74,61 +78,48 @@ def plot_manifolds(
     ['stable manifold', 'saddle']
     """
     from matplotlib.lines import Line2D
-    from matplotlib.patheffects import Normal, Stroke
 
     listed = [manifolds] if isinstance(manifolds, Manifold) else list(manifolds)
     _alike(listed)
     given = ax is not None and ax.has_data()
     axes = axes_or_new(ax)
     _fits(axes, listed[0].over)
-    inks, filled = inks_of(axes), bool(axes.images)
+    scales = _scales(axes, listed[0])
+    factors = np.array([scale.factor for scale in scales])
+    inks = inks_of(axes)
     limits = axes.get_xlim(), axes.get_ylim()
-    colours = (
-        palette.MANIFOLDS_ON_FILLS
-        if filled
-        else {"stable": inks.lines[1], "unstable": inks.lines[0]}
-    )
-    styles: dict[str, Any] = {"stable": "-", "unstable": (0, (4, 1.5))}
-    effects = []
-    if filled:
-        effects = [Stroke(linewidth=CASING, foreground="white"), Normal()]
-    rim = "white" if filled else inks.paper
+    styles: dict[str, Any] = {"stable": "-", "unstable": DASHED}
+    cased = bool(axes.images)
     seen = {manifold.kind: f"{manifold.kind} manifold" for manifold in listed}
     unnamed = dict(seen)
     for manifold in listed:
         for branch in manifold.branches:
-            for x, y in _pieces(branch, manifold.over):
+            for piece in _pieces(branch, manifold.over):
+                points = np.column_stack(piece) * factors
+                if cased:
+                    axes.plot(*points.T, color=inks.paper, lw=CASING, zorder=2.9)
                 axes.plot(
-                    x,
-                    y,
-                    color=colours[manifold.kind],
-                    ls=styles[manifold.kind] if not filled else "-",
+                    *points.T,
+                    color=inks.motion,
+                    ls=styles[manifold.kind],
                     lw=WIDTH,
-                    path_effects=effects,
                     solid_joinstyle="round",
                     zorder=3.0 if manifold.kind == "stable" else 3.2,
                     label=unnamed.pop(manifold.kind, "_nolegend_"),
                 )
     for manifold in listed:
-        points = _saddle_points(manifold)
+        points = _saddle_points(manifold) * factors
         if len(points):
-            for colour, width in ((rim, 3.2), (inks.ink if not filled else palette.INK, 1.4)):
+            for colour, width in ((inks.paper, 3.2), (inks.ink, 1.4)):
                 axes.plot(*points.T, "x", ms=6.0, mew=width, color=colour, ls="none", zorder=4.2)
     if given:
         axes.set(xlim=limits[0], ylim=limits[1])
     else:
-        _frame(axes, listed)
+        _frame(axes, listed, scales)
     chosen = legend if legend is not None or not given else "none"
     place = place_of(axes, chosen, "below")
     handles = [
-        Line2D(
-            [],
-            [],
-            color=colours[kind],
-            ls=styles[kind] if not filled else "-",
-            lw=1.4,
-            label=words,
-        )
+        Line2D([], [], color=inks.motion, ls=styles[kind], lw=1.4, label=words)
         for kind, words in seen.items()
     ]
     if any(len(_saddle_points(manifold)) for manifold in listed):
@@ -143,18 +134,33 @@ def plot_manifolds(
     return axes
 
 
-def _frame(axes: "Axes", manifolds: list[Manifold]) -> None:
+def _scales(axes: "Axes", manifold: Manifold) -> tuple[Scale, Scale]:
+    """Return the scales of both coordinates: those of axes that are drawn on, else the block's."""
+    if manifold.over == "phase":
+        return plane_scales(axes, manifold.block)
+    bare = palette.LABELS["speed"]
+    speed = Scale(1.0, bare)
+    if isinstance(manifold.block, Block) and axes.get_ylabel() != bare:
+        factor = scale_of("velocity", manifold.block).factor
+        speed = Scale(factor, palette.LABELS["speed_deg_s"], bare)
+    return Scale(1.0, palette.LABELS["phase"]), speed
+
+
+def _frame(axes: "Axes", manifolds: list[Manifold], scales: tuple[Scale, Scale]) -> None:
     """Set limits and labels of new axes."""
-    reach = np.max([manifold.window for manifold in manifolds], axis=0).tolist()
+    right, up = scales
+    window = np.max([manifold.window for manifold in manifolds], axis=0)
+    reach = (window * (right.factor, up.factor)).tolist()
+    axes.set(xlabel=right.label, ylabel=up.label)
     if manifolds[0].over == "phase":
         low = 0.0 if all(manifold.block.one_sided for manifold in manifolds) else -reach[0]
         axes.set(xlim=(low, reach[0]), ylim=(-reach[1], reach[1]))
-        axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+        draw_far_axes(axes, right, up)
         return
     axes.set(xlim=(0.0, TURN), ylim=(0.0, reach[1]))
-    axes.set(xlabel=palette.LABELS["phase"], ylabel=palette.LABELS["speed"])
     turns = ("0", r"$\pi/2$", r"$\pi$", r"$3\pi/2$", r"$2\pi$")
     axes.set_xticks([0.25 * TURN * k for k in range(5)], turns)
+    draw_far_axes(axes, right, up)
 
 
 def _alike(manifolds: list[Manifold]) -> None:
@@ -176,7 +182,8 @@ def _alike(manifolds: list[Manifold]) -> None:
 
 def _fits(axes: "Axes", over: str) -> None:
     """Refuse manifolds over a phase on axes of impacts, and the other way round."""
-    drawn = {palette.LABELS["phase"]: "impacts", palette.LABELS["angle"]: "phase"}
+    tilts = ("angle", "angle_at_start", "angle_deg", "angle_deg_at_start")
+    drawn = {palette.LABELS["phase"]: "impacts"} | {palette.LABELS[name]: "phase" for name in tilts}
     quantity = drawn.get(axes.get_xlabel(), over)
     if quantity != over:
         names = {"impacts": "impacts", "phase": "states at a phase"}

@@ -1,7 +1,8 @@
 """Plot of the shares of basins of attraction over a parameter."""
 
 import math
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,11 +13,12 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.outcomes import AttractorKind
-from rocksteady.show.plots.portraits.basins import fills_of
-from rocksteady.show.style import palette
+from rocksteady.show.plots.portraits.basins import areas_of
+from rocksteady.show.style.areas import pattern_ink, word_ink
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
-from rocksteady.show.style.line_colours import DARKEST_PAPER, inks_of, luminance
+from rocksteady.show.style.scales import draw_far_axes, scale_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -47,7 +49,7 @@ def plot_basin_shares(
 ) -> "Axes":
     """Draw the shares of basins over a parameter as bands that add up to 100 %.
 
-    Rest is at the bottom, then come orbits, and what overturns is at the top; fills are those of
+    Rest is at the bottom, then come orbits, and what falls is at the top; fills are those of
     `plots.basins`.  Between two values a band is drawn straight.  A band has its name where there
     is room for it, else in the legend.  Bands thinner than a point everywhere are counted there.
     The axis is logarithmic where the values are spaced by ratio.
@@ -90,7 +92,7 @@ def plot_basin_shares(
     ... )
     >>> axes = plot_basin_shares(shares, Figure().add_subplot())
     >>> sorted(text.get_text() for text in axes.texts)[:2]
-    ['overturned', 'rest']
+    ['falls', 'rests']
     """
     from matplotlib.patches import Patch
 
@@ -101,44 +103,52 @@ def plot_basin_shares(
     axes = axes_or_new(ax)
     inks = inks_of(axes)
     order = np.argsort(shares.values)
-    values = shares.values[order]
+    scale = scale_of(shares.parameter, shares.block, at_start=True)
+    values = shares.values[order] * scale.factor
     families = sorted(shares.families, key=_place)
-    # The largest basins have tints of their own, those of a kind as long as these last.
+    # The largest basins have steps of their own, those of a kind as long as these last.
     largest = sorted(shares.families, key=lambda family: -float(shares.share[family.label].sum()))
     labels_by_size = [family.label for family in largest]
-    tints = dict(zip(labels_by_size, fills_of([family.typical for family in largest]), strict=True))
-    fills = [tints[family.label] for family in families]
+    typical = [replace(family.typical, name=family.name) for family in largest]
+    by_label = dict(zip(labels_by_size, areas_of(typical, inks), strict=True))
+    areas = [by_label[family.label] for family in families]
     edges = np.vstack(
         [
             np.zeros(len(values)),
             np.cumsum([100.0 * shares.share[family.label][order] for family in families], axis=0),
         ]
     )
-    for low, high, fill in zip(edges[:-1], edges[1:], fills, strict=True):
-        # The rim keeps a light band from the paper and two dark ones apart.
-        axes.fill_between(values, low, high, fc=fill, ec=inks.paper, lw=0.5, zorder=1.0)
+    styles: list[dict[str, Any]] = [
+        {"fc": area.fill, "ec": pattern_ink(area.fill), "hatch": area.hatch or None}
+        for area in areas
+    ]
+    for low, high, style in zip(edges[:-1], edges[1:], styles, strict=True):
+        axes.fill_between(values, low, high, lw=0.0, zorder=1.0, **style)
+    # Lines keep a light band from the paper and two dark ones apart.
+    axes.plot(values, edges.T, color=inks.paper, lw=0.5, zorder=1.5)
     logarithmic = spaced_by_ratio(values)
     if logarithmic:
         axes.set_xscale("log")
         plain_ticks(axes)
     axes.set(
-        xlabel=palette.axis_label(shares.parameter),
+        xlabel=scale.label,
         ylabel="share of the window [%]",
         xlim=(float(values[0]), float(values[-1])),
         ylim=(0.0, 100.0 * upper),
     )
     axes.grid(visible=False)
+    draw_far_axes(axes, scale)
     along = np.log(values) if logarithmic else values
     point = 100.0 * upper / size_of(axes)[1]
-    listed: list[tuple[str, str]] = []
+    handles: list[Patch] = []
+    labels: list[str] = []
     thin = 0
-    for family, fill, low, high in zip(families, fills, edges[:-1], edges[1:], strict=True):
+    for area, style, low, high in zip(areas, styles, edges[:-1], edges[1:], strict=True):
         if float((high - low).max()) < point:
             thin += 1
-        elif not _named(axes, family.name, fill, (along, low, high)):
-            listed.append((family.name, fill))
-    handles = [Patch(fc=fill, ec=inks.faint, lw=0.6) for _, fill in listed]
-    labels = [name for name, _ in listed]
+        elif not _named(axes, area.word, area.fill, (along, low, high)):
+            handles.append(Patch(lw=0.6, **style))
+            labels.append(area.word)
     if thin:
         handles.append(Patch(fc="none", ec="none"))
         labels.append(f"and {thin} below {_percent(point)} %")
@@ -147,7 +157,8 @@ def plot_basin_shares(
         place_of(axes, legend, "right"),
         handles=handles,
         labels=labels,
-        handlelength=1.2,
+        handlelength=1.5,
+        handleheight=1.3,
         handletextpad=0.6,
     )
     return axes
@@ -168,6 +179,8 @@ def _place(family: BasinFamily) -> tuple[int, int]:
 
 def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Floats]) -> bool:
     """Write a name into its band where that is widest; return whether there is room for it."""
+    from matplotlib.patheffects import Normal, Stroke
+
     along, low, high = band
     wide, tall = size_of(axes)
     size = text_size(axes, 8.0)
@@ -190,7 +203,6 @@ def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Float
     # Where there is room enough, near the middle.
     enough = [room for room in rooms if room[0] >= min(best, 2.5 * line)]
     where = min(enough, key=lambda room: abs(room[1] - 0.5))
-    colour = "white" if luminance(fill) < DARKEST_PAPER else palette.INK
     axes.text(
         where[1],
         where[2] / top,
@@ -199,7 +211,9 @@ def _named(axes: "Axes", name: str, fill: str, band: tuple[Floats, Floats, Float
         ha="center",
         va="center",
         fontsize=size,
-        color=colour,
+        fontweight="bold",
+        color=word_ink(fill, inks_of(axes)),
+        path_effects=[Stroke(linewidth=2.5, foreground=fill), Normal()],
         zorder=3.0,
     )
     return True
