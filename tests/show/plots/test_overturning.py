@@ -25,6 +25,7 @@ from rocksteady.overturning import OverturningWindows
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import LIGHT
 from tests.every import every
 
 
@@ -71,10 +72,10 @@ def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
         plt.close("all")
 
 
-def fill_at(axes: Axes, x: float, y: float) -> str | None:
-    """The fill of the one piece that covers a point; None on white paper."""
+def hatch_at(axes: Axes, x: float, y: float) -> str | None:
+    """The pattern of the one piece that covers a point, all of which fall; None where it stands."""
     covering = [
-        to_hex(np.asarray(collection.get_facecolor())[0].tolist())
+        collection.get_hatch()
         for collection in axes.collections
         if isinstance(collection, PolyCollection)
         for outline in collection.get_paths()
@@ -89,14 +90,16 @@ def fill_at(axes: Axes, x: float, y: float) -> str | None:
 def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
     windows = found(shape)
     axes = plots.overturning(windows, Figure().add_subplot())
-    colour = {least: fill for _, fill, least in MODES}
+    pattern = {least: hatch for _, hatch, least, _ in MODES}
+    fills = [each for each in axes.collections if isinstance(each, PolyCollection)]
+    assert {to_hex(each.get_facecolor()[0]) for each in fills} == {LIGHT.falls}
     seen = set()
     for index in range(1, 35):
         w = float(windows.frequency_ratio[index])
         for a in np.linspace(1.05, 11.9, 60).tolist():
             inside = [one for one in windows.at(index) if one.low < a < one.high]
-            expected = colour[min(inside[0].impacts, 2)] if inside else None
-            assert fill_at(axes, w, a) == expected, (w, a)
+            expected = pattern[min(inside[0].impacts, 2)] if inside else None
+            assert hatch_at(axes, w, a) == expected, (w, a)
             seen.add(expected)
     assert len(seen) >= 3
 
@@ -114,12 +117,16 @@ def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
     full = find_overturning_windows(block, "one-sine", [4.0, 5.0], model=Nonlinear())
     axes = plots.overturning(full, Figure().add_subplot())
     (line,) = axes.lines
-    assert line.get_label() == "without an impact, linear model"
+    assert line.get_label() == "closed form of the linear model"
     assert line.get_linestyle() == "--"
+    g, hertz = block.uplift_acceleration / block.gravity, block.p / (2.0 * np.pi)
     for index, w in enumerate((4.01, 4.99)):
         for window in full.at(index):
-            colour = {least: fill for _, fill, least in MODES}[window.impacts]
-            assert fill_at(axes, w, 0.5 * (window.low + window.high)) == colour
+            pattern = {least: hatch for _, hatch, least, _ in MODES}[window.impacts]
+            assert hatch_at(axes, w * hertz, 0.5 * (window.low + window.high) * g) == pattern
+    assert axes.get_xlabel() == palette.LABELS["freq_hz"]
+    assert axes.get_xlim() == pytest.approx((4.0 * hertz, 5.0 * hertz))
+    assert axes.get_ylabel() == palette.LABELS["accel_g"]
 
 
 def test_the_legend_names_what_is_there_and_no_more() -> None:
@@ -129,7 +136,7 @@ def test_the_legend_names_what_is_there_and_no_more() -> None:
         return [text.get_text() for text in legend.get_texts()]
 
     assert words("one-sine", 12.0)[0] == MODES[0][0]
-    assert words("one-sine", 12.0)[-1] == "stands"
+    assert words("one-sine", 12.0)[-2:] == ["stands", "closed form, without an impact"]
     assert MODES[1][0] not in words("half-sine", 3.0)
 
 
@@ -175,11 +182,11 @@ def drawn(*ends: tuple[float, float, int, float, float, int]) -> Axes:
 
 def test_a_narrow_window_that_leans_is_drawn_through_to_the_next_frequency() -> None:
     leans = drawn((2.0, 2.1, 0, 2.3, 2.4, 0), (5.0, 6.0, 1, 5.0, 6.0, 1))
-    assert fill_at(leans, 2.5, 2.2) == MODES[0][1]
+    assert hatch_at(leans, 2.5, 2.2) == MODES[0][1]
     jumps = drawn((2.0, 2.1, 0, 3.0, 3.1, 0), (5.0, 6.0, 1, 5.0, 6.0, 1))
-    assert fill_at(jumps, 2.5, 2.55) is None
+    assert hatch_at(jumps, 2.5, 2.55) is None
     alone = drawn((2.0, 2.1, 0, 2.3, 2.4, 0))
-    assert fill_at(alone, 2.5, 2.2) == MODES[0][1]
+    assert hatch_at(alone, 2.5, 2.2) == MODES[0][1]
 
 
 def test_windows_of_one_way_that_touch_are_one_piece() -> None:

@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from rocksteady import Block, DimensionlessBlock, Pulse, compute_noise_fates
 from rocksteady.motions import BandNoise
 from rocksteady.show.plots.overturning_noise import plot_noise_fates
+from rocksteady.show.style.tokens import LIGHT
 
 NOISE = BandNoise(rms=1.0, band=(0.5, 6.0), duration=8.0, seed=3)
 PULSE = Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=4.0)
@@ -21,9 +22,14 @@ def test_each_scale_has_a_line_over_the_rms() -> None:
     for line, share in zip(axes.get_lines(), found.share, strict=True):
         assert np.asarray(line.get_xdata()).tolist() == [0.0, 0.5, 1.0]
         np.testing.assert_allclose(np.asarray(line.get_ydata()), 100.0 * share[[1, 2, 0]])
-    legend = axes.get_legend()
-    assert legend is not None
-    assert [text.get_text() for text in legend.get_texts()] == ["0", "4"]
+    assert axes.get_legend() is None
+    names = {text.get_text(): text.get_color() for text in axes.texts}
+    assert set(names) == {"0", "4", "scale of the motion"}
+    colours = [line.get_color() for line in axes.get_lines()]
+    assert [names["0"], names["4"]] == colours == LIGHT.series("risk", 2)
+    low, high = axes.get_ylim()
+    assert low < 0.0
+    assert high > 100.0
 
 
 def test_the_longer_axis_is_to_the_right_and_in_si_where_there_is_a_size() -> None:
@@ -38,10 +44,8 @@ def test_the_longer_axis_is_to_the_right_and_in_si_where_there_is_a_size() -> No
     worst = np.sort(order[:6])
     for line, level in zip(axes.get_lines(), worst, strict=True):
         np.testing.assert_allclose(np.asarray(line.get_ydata()), 100.0 * found.share[:, level])
-    legend = axes.get_legend()
-    assert legend is not None
-    title = "rms of the noise [m/s$^2$]\n2 lower ones left out"
-    assert legend.get_title().get_text() == title
-    named = [float(text.get_text()) for text in legend.get_texts()]
+    *names, title = (text.get_text() for text in axes.texts)
+    assert title == "rms of the noise\n[m/s$^2$]\n2 lower ones left out"
+    named = sorted(float(name) for name in names)
     rms = found.level[worst] * block.uplift_acceleration
-    np.testing.assert_allclose(named, rms, rtol=1e-3)
+    np.testing.assert_allclose(named, np.sort(rms), rtol=1e-3)

@@ -23,6 +23,7 @@ from rocksteady.model.equations import Linear
 from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 from rocksteady.show.plots.spectra import MOST_CURVES, Quantity
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import HATCHES, LIGHT
 from tests.every import every
 from tests.seismic.grounds import ground
 
@@ -104,18 +105,26 @@ def test_bars_stand_where_blocks_overturn_a_row_a_slenderness() -> None:
     rows = [row for row in fell.values if row.any()]
     assert len(rows) == len(bars) > 1
     for row, bar in zip(rows, bars, strict=True):
-        assert to_hex(tuple(np.asarray(bar.get_facecolor())[0])) == palette.OVERTURNED
+        assert to_hex(tuple(np.asarray(bar.get_facecolor())[0])) == LIGHT.falls
+        assert bar.get_hatch() == HATCHES["falls"]
         boxes = [path.get_extents() for path in bar.get_paths()]
         covered = [any(box.x0 < period < box.x1 for box in boxes) for period in PERIODS]
         assert covered == row.tolist()
-    assert "overturned" in [text.get_text() for text in axes.get_legend().get_texts()]  # type: ignore[union-attr]
+    names = [text.get_text() for text in axes.texts]
+    assert sum(name.startswith("falls, ") for name in names) == len(bars)
+    assert sum(name.startswith("α = ") for name in names) == 3
+    drawn = [line.get_color() for line in curves(axes)]
+    assert drawn == LIGHT.series("motion", 3)
+    legend = plots.rocking_spectrum(found(), Figure().add_subplot(), legend="inside").get_legend()
+    assert "falls" in [text.get_text() for text in legend.get_texts()]  # type: ignore[union-attr]
 
 
 def test_a_spectrum_without_a_fall_says_nothing_of_falls() -> None:
     safe = compute_rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS, model=Linear())
     axes = plots.rocking_spectrum(safe, Figure().add_subplot())
     assert not axes.collections
-    assert len(axes.get_legend().get_texts()) == 1  # type: ignore[union-attr]
+    assert not any("falls" in text.get_text() for text in axes.texts)
+    assert curves(axes)[0].get_color() == LIGHT.motion
 
 
 def test_a_map_has_the_peaks_and_the_shares() -> None:
@@ -129,7 +138,7 @@ def test_a_map_has_the_peaks_and_the_shares() -> None:
     np.testing.assert_array_equal(peaks, one.peak_angle.where(rocked).values)
     share = 100.0 * float((whole.status == Status.OVERTURNED).mean())
     words = [text.get_text() for text in axes.get_legend().get_texts()]  # type: ignore[union-attr]
-    assert words[0] == f"overturned  {share:.3g} %"
+    assert words[0] == f"falls  {share:.3g} %"
 
 
 def test_the_suite_has_its_median_and_shares() -> None:
@@ -140,11 +149,15 @@ def test_the_suite_has_its_median_and_shares() -> None:
     finite = np.isfinite(median)
     np.testing.assert_array_equal(drawn[finite], np.minimum(median[finite], 2.0))
     assert (drawn[~finite] > axes.get_ylim()[1]).all()
-    words = [text.get_text() for text in axes.get_legend().get_texts()]  # type: ignore[union-attr]
-    assert words == ["median of 4 records", "16 to 84 %"]
+    words = [text.get_text() for text in axes.texts]
+    assert sorted(words) == ["16 to 84 %", "median of\n4 records"]
     share = plots.share_that_falls(part, Figure().add_subplot())
-    box = share.collections[0].get_paths()[0].get_extents()
-    assert box.y1 == pytest.approx(100.0 * float(part.overturned.max()))
+    (line,) = share.lines
+    np.testing.assert_allclose(line.get_ydata(), 100.0 * part.overturned)
+    assert line.get_color() == LIGHT.risk
+    low, high = share.get_ylim()
+    assert low < 0.0
+    assert high > 100.0
 
 
 def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:

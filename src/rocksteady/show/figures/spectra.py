@@ -42,7 +42,9 @@ def spectrum_figure(dataset: "xarray.Dataset", title: str = "", page: Page = SCR
         # One legend, on that side of the figure on which it goes: two would repeat the same.
         last = page.legend == "right" and not stacked
         draw(dataset, first, legend="none" if last else page.legend)
-        draw(dataset, second, quantity="peak_velocity", legend="right" if last else "none")
+        # Curves without a legend have names at their ends, in both panels.
+        others = None if curves and page.legend is None else "none"
+        draw(dataset, second, quantity="peak_velocity", legend="right" if last else others)
     return figure
 
 
@@ -73,12 +75,12 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
             above = figure.add_subplot(grid[2 * row, column])
             below = figure.add_subplot(grid[2 * row + 1, column], sharex=above)
             last = number + 1 == len(parts)
-            has_legend = last if page.legend == "right" else number == 0
+            has_legend = number == 0 if page.legend in ("inside", "below") else last
             plot_suite_spectrum(part, above, legend=page.legend if has_legend else "none")
             plot_share_that_falls(part, below)
             above.set(xlabel="", title=slenderness_text(float(part["alpha"])))
             above.tick_params(labelbottom=False)
-            below.set_ylabel("overturned [%]")
+            below.set_ylabel("fall [%]")
             if column:
                 above.set_ylabel("")
                 below.set_ylabel("")

@@ -16,25 +16,29 @@ from rocksteady.dynamics.overturning.window_lists import OverturningWindow
 from rocksteady.dynamics.overturning.windows import OverturningWindows, threshold_without_impact
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Linear
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import area_style, swatch, write_words
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, place_of
+from rocksteady.show.style.scales import FAR_ROOM, draw_far_axes, scale_of
+from rocksteady.show.style.tokens import DASHED, MARKS, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
 MODES = (
-    ("overturns without an impact", palette.tinted(palette.OVERTURNED, 0.45), 0),
-    ("overturns after one impact", palette.SYMMETRIC, 1),
-    ("overturns after two or more", palette.UNSYMMETRIC, 2),
+    ("falls without an impact", "//", 0, "falls at once"),
+    ("falls after one impact", "////", 1, "after 1 impact"),
+    ("falls after two or more", "//////", 2, "after 2 or more"),
 )
-"""Words, fill and least number of impacts of each way of overturning, as the legend has them."""
+"""Words, pattern, least number of impacts and words upon the area of each way of falling, as the
+legend has them: the more impacts, the denser the pattern."""
+STANDS = -1
+"""Code of the area where the block stands, beside those numbers."""
 CLOSED_FORM = {
-    "linear": "without an impact, closed form",
-    "nonlinear": "without an impact, linear model",
+    "linear": "closed form, without an impact",
+    "nonlinear": "closed form of the linear model",
 }
 """What the curve of the linear model's closed form is called."""
 TALL = 5.0
@@ -43,6 +47,8 @@ TOUCHING = 1.0 + 1e-9
 """Factor between the ends of windows that touch."""
 LEAN = 1.3
 """Largest factor by which a window moves from one frequency to the next."""
+ROWS = 240
+"""Heights at which room for words is looked for."""
 LONGEST_PERIOD = 20.0
 """Up to which p T is drawn: towards theta0 = alpha it has no bound."""
 
@@ -55,11 +61,11 @@ def plot_overturning(
     closed_form: bool = True,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the amplitudes at which a pulse overturns a block, over the frequency ratio.
+    """Draw the amplitudes at which a block falls under a pulse, over the frequency ratio.
 
-    Each way of overturning has its fill; where the block stands the paper is white.  Where the
-    pulse has one, the closed form of overturning without an impact is drawn over it, which is that
-    of the linear model.
+    The more impacts before the fall, the denser the pattern; where the block stands the area is
+    pale.  Where the pulse has one, the closed form of falling without an impact is drawn over it,
+    dashed, which is that of the linear model.
 
     Parameters
     ----------
@@ -76,7 +82,8 @@ def plot_overturning(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: omega/p and a_max/(alpha g).
+        The axes: frequency [Hz] and a_max [g] of a block with sizes, else omega/p and
+        a_max/(alpha g).
 
     Raises
     ------
@@ -92,11 +99,11 @@ def plot_overturning(
     ... )
     >>> axes = plot_overturning(windows, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
-    ['overturns without an impact', 'without an impact, closed form']
+    ['falls without an impact', 'falls after one impact']
     """
-    from matplotlib.collections import PolyCollection
+    from matplotlib.collections import LineCollection, PolyCollection
     from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
+    from matplotlib.patches import Patch, Rectangle
 
     w = windows.frequency_ratio
     if len(w) < 2:
@@ -112,47 +119,84 @@ def plot_overturning(
     low, high = windows.within
     uplift = min(ratio for _, ratio, _ in windows.block.dimensionless().sides)
     low = max(low, uplift) if high > uplift else low
+    right, up = (scale_of(name, windows.block) for name in ("frequency_ratio", "amplitude"))
+    factors = np.array([right.factor, up.factor])
     parts = _parts(windows, by_ratio=by_ratio)
+    style = area_style(inks, "falls")
     handles: list[Patch | Line2D] = []
-    for words, colour, least in MODES:
+    lines: list[Line2D] = []
+    for words, hatch, least, _ in MODES:
         if not parts[least]:
             continue
-        axes.add_collection(
-            PolyCollection(
-                parts[least], facecolors=colour, edgecolors=colour, linewidths=0.2, zorder=1.5
-            ),
-            autolim=False,
-        )
-        handles.append(Patch(facecolor=colour, edgecolor="none", label=words))
+        outlines = [part * factors for part in parts[least]]
+        drawn = PolyCollection(outlines, **(style | {"hatch": hatch}), zorder=1.5)
+        axes.add_collection(drawn, autolim=False)
+        # Lines along the borders keep areas apart that touch.
+        borders = [half for part in outlines for half in np.split(part, 2)]
+        rims = LineCollection(borders, colors=inks.rest, linewidths=0.8, zorder=1.6)
+        axes.add_collection(rims, autolim=False)
+        handles.append(Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words))
     # A wall holds the block in the first half of a reversed pulse: there is no closed form.
     held = windows.block.one_sided and windows.pulse.reverse
     if closed_form and windows.pulse.shape in THRESHOLDS and not held:
         spread = np.geomspace if by_ratio else np.linspace
         fine = spread(w[0], w[-1], 400)
+        threshold = threshold_without_impact(windows.block, windows.pulse, fine)
+        path = np.column_stack([fine, threshold]) * factors
+        casing = LineCollection([path], colors=inks.rest, linewidths=3.0, zorder=2.9)
+        axes.add_collection(casing, autolim=False)  # seen on what falls
         (line,) = axes.plot(
-            fine,
-            threshold_without_impact(windows.block, windows.pulse, fine),
-            color=inks.ink,
+            *path.T,
+            color=inks.limit,
             lw=1.4,
-            ls="-" if isinstance(windows.model, Linear) else palette.DASHES[1],
+            ls=DASHED,
             zorder=3.0,
             label=CLOSED_FORM[windows.model.name],
         )
-        handles.insert(1 if parts[0] else 0, line)
+        lines.append(line)
     if by_ratio:
         axes.set_xscale("log")
     if high > TALL * low > 0.0:
         axes.set_yscale("log")
     axes.set(
-        xlabel=palette.LABELS["frequency_ratio"],
-        ylabel=palette.LABELS["amplitude"],
-        xlim=(float(w[0]), float(w[-1])),
-        ylim=(low, high),
+        xlabel=right.label,
+        ylabel=up.label,
+        xlim=(float(w[0]) * right.factor, float(w[-1]) * right.factor),
+        ylim=(low * up.factor, high * up.factor),
     )
+    axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, fc=inks.rest, zorder=0.5))
+    axes.grid(visible=False)
     plain_ticks(axes)
-    handles.append(Patch(facecolor=inks.paper, edgecolor=inks.faint, lw=0.6, label="stands"))
-    draw_legend(axes, place, handles=handles)
+    gap = FAR_ROOM + GAP if draw_far_axes(axes, right, up) else GAP
+    _write_words(axes, windows, factors, by_ratio=by_ratio)
+    draw_legend(
+        axes,
+        place,
+        handles=[*handles, swatch(inks, "rest", "stands"), *lines],
+        gap=gap,
+        handleheight=1.3,
+    )
     return axes
+
+
+def _write_words(
+    axes: "Axes", windows: OverturningWindows, factors: Floats, *, by_ratio: bool
+) -> None:
+    """Write what the block does upon the large areas, as they are at the frequencies."""
+    inks, w = inks_of(axes), windows.frequency_ratio
+    between = [_between(w, k, by_ratio=by_ratio) for k in range(-1, len(w))]
+    spread = np.geomspace if axes.get_yscale() == "log" else np.linspace
+    low, high = axes.get_ylim()
+    rows = spread(low, high, ROWS + 1)
+    middles = 0.5 * (rows[1:] + rows[:-1]) / factors[1]
+    codes = np.full((ROWS, len(w)), STANDS)
+    for k in range(len(w)):
+        for window in windows.at(k):
+            inside = (middles > window.low) & (middles < window.high)
+            codes[inside, k] = min(window.impacts, 2)
+    words = {least: (text, inks.falls) for _, _, least, text in MODES}
+    words[STANDS] = ("stands", inks.rest)
+    write_words(axes, (np.array(between) * factors[0], rows), codes, words)
 
 
 @checked
@@ -193,15 +237,16 @@ def plot_free_rocking(
     # Denser at the ends: the slope is infinite at both.
     amplitude = 0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 801))[:-6]
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
-    axes.plot(amplitude, free_rocking_period(amplitude), color=inks.ink)
+    axes.plot(amplitude, free_rocking_period(amplitude), color=inks.motion)
     given = np.atleast_1d(np.asarray(restitutions, dtype=np.float64)).tolist()
+    colours = inks.series("motion", max(1, len(given)))
     for series, ratio in enumerate(given):
         peaks = free_rocking_peaks(0.9, ratio, impacts)
         axes.plot(
             peaks,
             free_rocking_period(peaks),
-            palette.MARKS[series % len(palette.MARKS)],
-            color=inks.lines[series % len(inks.lines)],
+            MARKS[series % len(MARKS)],
+            color=colours[series],
             ms=5.0,
             mec=inks.paper,
             mew=0.6,
@@ -228,7 +273,7 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
     half-way to the next frequency, and narrows to a point if nothing overturns there.
     """
     w = windows.frequency_ratio
-    parts: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
+    parts: dict[int, list[Floats]] = {least: [] for _, _, least, _ in MODES}
     columns = [_merged(windows.at(k)) for k in range(len(w))]
     growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
     for k, column in enumerate(columns):
@@ -306,7 +351,7 @@ def _partners(here: Sequence[_Drawn], next_windows: Sequence[_Drawn]) -> dict[in
     fixed = [(-1, -1), *sorted(partners.items()), (len(here), len(next_windows))]
     for (i, k), (next_i, next_k) in pairwise(fixed):
         between = [range(i + 1, next_i), range(k + 1, next_k)]
-        for _, _, way in MODES:
+        for _, _, way, _ in MODES:
             old, new = (
                 [place for place in places if column[place].way == way]
                 for places, column in zip(between, (here, next_windows), strict=True)

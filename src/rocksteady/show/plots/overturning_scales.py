@@ -10,18 +10,19 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import area_style, swatch
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 SIDES = (
-    (1, "falls to the positive side", palette.SYMMETRIC),
-    (-1, "to the negative", palette.UNSYMMETRIC),
+    (1, "falls to the positive side", "falls"),
+    (-1, "falls to the negative side", "falls_negative"),
 )
-"""Words and fill of each side, as the legend has them."""
+"""Words and pattern of each side, as the legend has them."""
 LONGEST_NAME = 18
 BAR = 0.7
 
@@ -30,7 +31,7 @@ BAR = 0.7
 def plot_overturning_scales(
     scales: OverturningScales, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the scales at which records overturn a block, a bar for each record.
+    """Draw the scales at which a block falls under records, a bar for each record.
 
     Parameters
     ----------
@@ -57,26 +58,25 @@ def plot_overturning_scales(
     >>> [label.get_text() for label in axes.get_yticklabels()]
     ['shock']
     """
-    from matplotlib.patches import Patch
-
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
     low, high = scales.within
     handles = []
     for row, top in enumerate(scales.top.tolist()):
-        axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.faint, lw=0.6)
-    for side, words, colour in SIDES:
+        axes.barh(row, top - low, BAR, left=low, facecolor=inks.rest, edgecolor=inks.edge, lw=0.6)
+    for side, words, pattern in SIDES:
         drawn = False
         for row in range(len(scales.names)):
             parts = [(w.low, w.high - w.low) for w in scales.at(row) if w.side == side]
             if parts:
                 drawn = True
-                axes.broken_barh(
-                    parts, (row - 0.5 * BAR, BAR), facecolor=colour, edgecolor=colour, lw=0.2
-                )
+                place_of_row = (row - 0.5 * BAR, BAR)
+                axes.broken_barh(parts, place_of_row, **area_style(inks, "falls", pattern))
+                # A rim keeps falls to either side apart.
+                axes.broken_barh(parts, place_of_row, fc="none", ec=inks.rest, lw=0.8)
         if drawn:
-            handles.append(Patch(facecolor=colour, edgecolor="none", label=words))
-    handles.append(Patch(facecolor=inks.paper, edgecolor=inks.faint, lw=0.6, label="stands"))
+            handles.append(swatch(inks, "falls", words, pattern))
+    handles.append(swatch(inks, "rest", "stands"))
     axes.set_xscale("log")
     axes.set(
         xlabel="scale of the record",
@@ -86,10 +86,21 @@ def plot_overturning_scales(
         yticklabels=[palette.shortened(name, LONGEST_NAME) for name in scales.names],
     )
     if low < 1.0 < high:
-        axes.axvline(1.0, color=inks.ink, lw=1.0, ls=palette.DASHES[2], zorder=3.0)
+        axes.axvline(1.0, color=inks.paper, lw=2.4, zorder=2.9)  # seen on what falls
+        axes.axvline(1.0, color=inks.limit, lw=1.0, ls=DASHED, zorder=3.0)
+        axes.annotate(
+            "as recorded",
+            (1.0, 1.0),
+            (0.0, 2.0),
+            xycoords=axes.get_xaxis_transform(),
+            textcoords="offset points",
+            ha="center",
+            fontsize=text_size(axes, 7.5),
+            color=inks.limit,
+        )
     axes.grid(visible=False)
     plain_ticks(axes)
-    draw_legend(axes, place, handles=handles)
+    draw_legend(axes, place, handles=handles, handleheight=1.3)
     return axes
 
 
@@ -97,7 +108,7 @@ def plot_overturning_scales(
 def plot_fatal_kicks(
     kicks: FatalKicks, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the least kick that overturns a block, over its time.
+    """Draw the least kick that makes a block fall, over its time.
 
     The nearer a curve comes to 0, the nearer the block is to its fall at that moment.
 
@@ -136,6 +147,7 @@ def plot_fatal_kicks(
         )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "below")
+    colours = inks.series("motion", len(SIGNS))
     sized = isinstance(kicks.block, Block)
     unit, rate = (kicks.unit_m_s, kicks.block.p) if isinstance(kicks.block, Block) else (1.0, 1.0)
     order = np.argsort(kicks.time_pt, kind="stable")
@@ -143,8 +155,7 @@ def plot_fatal_kicks(
         axes.plot(
             kicks.time_pt[order] / rate,
             np.abs(kicks.signed[order, place_of_sign]) * unit,
-            color=inks.lines[place_of_sign],
-            ls=palette.DASHES[place_of_sign],
+            color=colours[place_of_sign],
             label="positive kick" if sign > 0 else "negative kick",
         )
     axes.set(

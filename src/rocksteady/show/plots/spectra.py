@@ -1,6 +1,6 @@
 """Plots of rocking spectra: curves or a map for one record, bands for a suite."""
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.outcomes import Status
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import area_style, draw_pattern, swatch, write_words
 from rocksteady.show.style.axes import (
     Spacing,
     lane_of,
@@ -25,9 +26,10 @@ from rocksteady.show.style.legends import (
     checked_place,
     draw_legend,
     figure_of,
-    place_of,
+    text_size,
 )
-from rocksteady.show.style.line_colours import inks_of
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
+from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
 if TYPE_CHECKING:
     import xarray
@@ -37,10 +39,10 @@ if TYPE_CHECKING:
 Quantity = Literal["peak_angle", "peak_velocity"]
 
 LABELS = {"peak_angle": palette.LABELS["peak"], "peak_velocity": palette.LABELS["peak_velocity"]}
-MOST_CURVES = len(palette.LINES)
+MOST_CURVES = 6
 """Most slendernesses drawn as curves; more are drawn as a map."""
-BAND = 0.22
-"""Opacity of the band between two quantiles."""
+TIPPING = "tipping angle"
+"""Name of the line at a peak of alpha."""
 
 
 @checked
@@ -53,8 +55,8 @@ def plot_rocking_spectrum(
 ) -> "Axes":
     """Draw the rocking spectrum of a record, one curve per slenderness.
 
-    Where a block overturns its curve has a gap, and a bar along the upper edge, in a row of its own
-    with the slenderness in degrees beside it, in the colour of the curve.
+    Each curve has its slenderness at its end.  Where a block falls its curve has a gap, and a
+    hatched bar along the upper edge, in a row of its own that has the slenderness too.
 
     Parameters
     ----------
@@ -66,7 +68,8 @@ def plot_rocking_spectrum(
     quantity
         "peak_angle" or "peak_velocity".
     legend
-        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+        "inside" the axes, to their "right", "below" them or "none"; default: names at the ends of
+        the curves.
 
     Returns
     -------
@@ -85,14 +88,9 @@ def plot_rocking_spectrum(
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> spectrum = compute_rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
     >>> axes = plot_rocking_spectrum(spectrum, Figure().add_subplot())
-    >>> for entry in axes.get_legend().get_texts():
-    ...     print(entry.get_text())
-    α = 0.1 rad = 5.73°
-    α = 0.2 rad = 11.5°
-    overturned
+    >>> [text.get_text() for text in axes.texts]
+    ['falls, 5.73°', 'falls, 11.5°', 'α = 11.5°', 'α = 5.73°']
     """
-    from matplotlib.patches import Patch
-
     _check_quantity(quantity)
     spectrum = drawable(dataset)
     if "alpha" not in spectrum.dims:
@@ -105,41 +103,47 @@ def plot_rocking_spectrum(
             "draw a map of them with plot_spectrum_map, or select some with .sel",
         )
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=130.0)
+    inks, place = inks_of(axes), checked_place(legend)
     spacing = _prepare(axes, spectrum)
     fell = spectrum["status"].transpose("alpha", "period").values == Status.OVERTURNED
     peaks = spectrum[quantity].transpose("alpha", "period").values
     peaks = np.where(
         _answered(spectrum["status"].transpose("alpha", "period").values), peaks, np.nan
     )
-    # Bars have an outline on dark paper.
-    outline = {"ec": inks.ink, "lw": 0.6} if inks.dark else {"ec": "none", "lw": 0.0}
-    fallen: dict[str, Any] = {"fc": palette.OVERTURNED, **outline}
     handles: list[Artist] = []
     periods = spectrum["period"].values
     lanes = [row for row in range(len(peaks)) if fell[row].any()]
     height = lane_of(axes)
     top = 1.0 - height * len(lanes)
-    for row, alpha in enumerate(spectrum["alpha"].values.tolist()):
-        style: dict[str, Any] = {"color": inks.lines[row], "ls": palette.DASHES[row]}
+    slenderness = spectrum["alpha"].values.tolist()
+    colours = inks.series("motion", len(slenderness))
+    for row, (alpha, colour) in enumerate(zip(slenderness, colours, strict=True)):
         # A peak between two falls has no line: its dot would be lost without a mark.
         alone = _alone(peaks[row])
-        handles += axes.plot(periods, peaks[row], label=slenderness_text(alpha), **style)
-        axes.plot(periods[alone], peaks[row, alone], "o", ms=2.2, color=style["color"])
+        handles += axes.plot(periods, peaks[row], label=slenderness_text(alpha), color=colour)
+        axes.plot(periods[alone], peaks[row, alone], "o", ms=2.2, color=colour)
         if fell[row].any():
             lane = 1.0 - height * (lanes.index(row) + 1)
             bars = runs(fell[row], spacing.edges)
             edges = axes.get_xaxis_transform()
-            axes.broken_barh(bars, (lane, 0.8 * height), transform=edges, zorder=4.5, **fallen)
-            name_lane(axes, f"{np.degrees(alpha):.3g}°", lane + 0.4 * height, inks.lines[row])
+            style = area_style(inks, "falls") | {"linewidth": 0.4}
+            axes.broken_barh(bars, (lane, 0.8 * height), transform=edges, zorder=4.5, **style)
+            words = "falls" if len(slenderness) == 1 else f"falls, {_degrees(alpha)}"
+            name_lane(axes, words, lane + 0.4 * height, colour)
     highest = float(np.nanmax(peaks, initial=0.0)) or 1.0
     axes.set_ylim(0.0, highest / (top - 0.03))
     if quantity == "peak_angle" and highest > 0.9:  # where a block balances
-        axes.axhline(1.0, color=inks.faint, lw=0.8, zorder=1.2)
+        axes.axhline(1.0, color=inks.limit, lw=0.8, ls=DASHED, zorder=1.2)
+        _name_limit(axes, TIPPING, 1.0)
     axes.set_ylabel(LABELS[quantity])
+    if place is None:
+        names = zip(slenderness, peaks, colours, strict=True)
+        ends = [LineEnd(f"α = {_degrees(alpha)}", row, colour) for alpha, row, colour in names]
+        name_line_ends(axes, ends, most=min(1.0, top) - 0.5 * height)
+        return axes
     if lanes:
-        handles.append(Patch(label="overturned", **fallen))
-    draw_legend(axes, place, handles=handles, gap=30.0 if lanes else GAP)
+        handles.append(swatch(inks, "falls", "falls"))
+    draw_legend(axes, place, handles=handles, gap=50.0 if lanes else GAP)
     return axes
 
 
@@ -153,8 +157,8 @@ def plot_spectrum_map(
 ) -> "Axes":
     """Draw the rocking spectrum of a record over slenderness and size, as filled cells.
 
-    Overturned blocks are black, blocks at rest throughout the colour of paper, and where there is
-    no answer (undecided, lost contact) cells are grey.
+    Where the block falls cells are hatched, where it rests throughout pale, and where there is no
+    answer (undecided, lost contact) grey with a crosshatch.
 
     Parameters
     ----------
@@ -190,10 +194,9 @@ def plot_spectrum_map(
     >>> axes = plot_spectrum_map(spectrum, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
-    overturned  25 %
+    falls  25 %
     """
     from matplotlib.colors import LinearSegmentedColormap, ListedColormap
-    from matplotlib.patches import Patch
 
     _check_quantity(quantity)
     spectrum = drawable(dataset)
@@ -215,7 +218,7 @@ def plot_spectrum_map(
     status, peaks = spectrum["status"].values, spectrum[quantity].values
     fell, still = status == Status.OVERTURNED, _answered(status) & (peaks == 0.0)
     rocked = _answered(status) & ~still
-    colours = LinearSegmentedColormap.from_list("peaks", PEAK_COLOURS)
+    colours = LinearSegmentedColormap.from_list("peaks", inks.rocks_ramp)
     highest = 1.0 if quantity == "peak_angle" else float(np.max(peaks[rocked], initial=0.0)) or 1.0
     places = across.edges, up.edges
     drawn = axes.pcolormesh(
@@ -223,23 +226,28 @@ def plot_spectrum_map(
     )
     drawn.set_rasterized(True)
     handles = []
-    for which, colour, words in (
-        (fell, palette.OVERTURNED, "overturned"),
-        (still, palette.REST, "does not lift off"),
-        (~(fell | still | rocked), palette.UNDECIDED, "no answer"),
-    ):
+    codes = np.where(rocked, 0, np.where(fell, 1, np.where(still, 2, 3)))
+    named = {}
+    for code, (role, words) in enumerate(AREAS, 1):
+        which = codes == code
         if not which.any():
             continue
+        style = area_style(inks, role)
         cells = np.ma.masked_array(np.ones(which.shape), ~which)
-        axes.pcolormesh(*places, cells, cmap=ListedColormap([colour]), rasterized=True)
-        label = f"{words}  {100.0 * which.mean():.3g} %"
-        handles.append(Patch(facecolor=colour, edgecolor=inks.faint, lw=0.6, label=label))
+        fill = ListedColormap([style["facecolor"]])
+        axes.pcolormesh(*places, cells, cmap=fill, rasterized=True)
+        draw_pattern(axes, places, which, style["hatch"] or "", style["edgecolor"])
+        named[code] = (words, style["facecolor"])
+        handles.append(swatch(inks, role, f"{words}  {100.0 * which.mean():.3g} %"))
+    write_words(axes, places, codes, named)
     axes.grid(visible=False)
     bar = figure_of(axes).colorbar(drawn, ax=axes, pad=0.02)
     bar.set_label(LABELS[quantity], color=inks.ink)
     bar.ax.tick_params(colors=inks.ink)
     if place is None:
-        above = draw_legend(axes, "inside", handles=handles, corner="lower left", columns=3)
+        above = draw_legend(
+            axes, "inside", handles=handles, corner="lower left", columns=3, handleheight=1.3
+        )
         if above is not None:
             above.set_bbox_to_anchor((0.0, 1.0), axes.transAxes)
     else:
@@ -247,8 +255,8 @@ def plot_spectrum_map(
     return axes
 
 
-PEAK_COLOURS = ("#e4f2fd", palette.SYMMETRIC, palette.LINES[0], palette.APERIODIC)
-"""From a peak of 0 to the largest: ever darker, for grey and for the colour-blind."""
+AREAS = (("falls", "falls"), ("rest", "rests"), ("undecided", "no answer"))
+"""Roles and words of what has no peak."""
 
 
 @checked
@@ -259,10 +267,9 @@ def plot_suite_spectrum(
     quantity: Quantity = "peak_angle",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the rocking spectrum of a suite for one slenderness: median and band.
+    r"""Draw the rocking spectrum of a suite for one slenderness: median and band.
 
-    A quantile of which the record overturns the block is drawn up to the upper edge: no peak is as
-    large.
+    A quantile at which the block falls is drawn up to the upper edge: no peak is as large.
 
     Parameters
     ----------
@@ -274,7 +281,8 @@ def plot_suite_spectrum(
     quantity
         "peak_angle" or "peak_velocity".
     legend
-        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+        "inside" the axes, to their "right", "below" them or "none"; default: names at the ends of
+        line and band.
 
     Returns
     -------
@@ -295,13 +303,13 @@ def plot_suite_spectrum(
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 1.0)]
     >>> spectrum = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
     >>> axes = plot_suite_spectrum(compute_suite_spectrum(spectrum), Figure().add_subplot())
-    >>> [text.get_text() for text in axes.get_legend().get_texts()]
-    ['median of 3 records', '16 to 84 %']
+    >>> [text.get_text() for text in axes.texts]
+    ['median of\n3 records', '16 to 84 %']
     """
     _check_quantity(quantity)
     curve, quantiles = _one_slenderness(summary)
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=110.0)
+    inks, place = inks_of(axes), checked_place(legend)
     _prepare(axes, curve)
     values = curve[quantity].transpose("quantile", "period").values
     if quantity == "peak_angle":
@@ -313,16 +321,21 @@ def plot_suite_spectrum(
     words = f"{100 * quantiles[0]:.3g} to {100 * quantiles[2]:.3g} %"
     name = "median" if quantiles[1] == 0.5 else f"{100 * quantiles[1]:.3g} %"
     axes.fill_between(
-        periods, low, high, color=inks.lines[0], alpha=BAND, lw=0.0, label=words, zorder=1.5
+        periods, low, high, color=inks.motion, alpha=DOUBT, lw=0.0, label=words, zorder=1.5
     )
     axes.plot(
         periods,
         middle,
-        color=inks.lines[0],
+        color=inks.motion,
         lw=1.8,
         label=f"{name} of {summary.attrs['records']} records",
     )
     axes.set(ylim=(0.0, ceiling), ylabel=LABELS[quantity])
+    if place is None:
+        median = f"{name} of\n{summary.attrs['records']} records"
+        ends = LineEnd(median, middle, inks.motion), LineEnd(words, high, inks.motion)
+        name_line_ends(axes, ends)
+        return axes
     handles, labels = axes.get_legend_handles_labels()
     draw_legend(axes, place, handles=handles[::-1], labels=labels[::-1])
     return axes
@@ -330,7 +343,7 @@ def plot_suite_spectrum(
 
 @checked
 def plot_share_that_falls(summary: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
-    """Draw the share of records that overturn blocks of one slenderness.
+    """Draw the share of records under which blocks of one slenderness fall.
 
     Parameters
     ----------
@@ -358,14 +371,14 @@ def plot_share_that_falls(summary: "xarray.Dataset", ax: "Axes | None" = None) -
     >>> spectra = compute_rocking_spectrum(make_synthetic_suite(3), alpha=0.2, periods_s=[1.0, 2.0])
     >>> axes = plot_share_that_falls(compute_suite_spectrum(spectra), Figure().add_subplot())
     >>> axes.get_ylabel()
-    'share of records that overturn [%]'
+    'share of records that fall [%]'
     """
     curve, _ = _one_slenderness(summary)
     axes = axes_or_new(ax)
     _prepare(axes, curve)
     share = 100.0 * curve["overturned"].values
-    axes.fill_between(curve["period"].values, 0.0, share, color=inks_of(axes).ink, lw=0.0)
-    axes.set(ylim=(0.0, 100.0), ylabel=palette.LABELS["overturned_share"])
+    axes.plot(curve["period"].values, share, color=inks_of(axes).risk, lw=1.8, clip_on=False)
+    axes.set(ylim=(-3.0, 103.0), ylabel=palette.LABELS["overturned_share"], yticks=(0, 50, 100))
     return axes
 
 
@@ -401,6 +414,26 @@ def drawable(dataset: "xarray.Dataset") -> "xarray.Dataset":
 def slenderness_text(alpha: float) -> str:
     """Return a slenderness in radians and degrees."""
     return f"α = {alpha:.4g} rad = {np.degrees(alpha):.3g}°"
+
+
+def _degrees(alpha: float) -> str:
+    """Return a slenderness in degrees."""
+    return f"{np.degrees(alpha):.3g}°"
+
+
+def _name_limit(axes: "Axes", name: str, level: float) -> None:
+    """Name a horizontal line at its right end, below it: curves and falls are to the left."""
+    axes.annotate(
+        name,
+        (1.0, level),
+        (-3.0, -2.0),
+        xycoords=axes.get_yaxis_transform(),
+        textcoords="offset points",
+        ha="right",
+        va="top",
+        fontsize=text_size(axes, 7.5),
+        color=inks_of(axes).limit,
+    )
 
 
 def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[float]]:

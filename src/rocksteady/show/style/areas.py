@@ -31,7 +31,7 @@ MOST_PATTERNED = 600
 """Cells along a side by which a pattern finds its borders: nearer than the width of a line."""
 ON_DARK, ON_LIGHT = 0.3, -0.4
 """Part of white or black that makes a pattern out of its fill: seen, and quieter than a border."""
-LETTER, LINE = 0.68, 1.9
+LETTER, LINE = 0.82, 1.9
 """Room of a letter and of a line, in parts of the size of a word on an area."""
 WIDE_ENOUGH = 0.9
 """Part of the most room with which a word has enough, so that it stands in the middle of that."""

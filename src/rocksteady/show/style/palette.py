@@ -99,7 +99,7 @@ LABELS = {
     "half_cycle": r"time since impact  $\omega t/2\pi$ [forcing periods]",
     "rocking_period": r"size of the block  $2\pi/p$ [s]",
     "peak_velocity": r"peak  $|\dot\theta|_{\max}/(\alpha p)$",
-    "overturned_share": "share of records that overturn [%]",
+    "overturned_share": "share of records that fall [%]",
     "pivot_time": "pivot time  $pt$",
     "seconds": "time [s]",
     "ground_acceleration": "acceleration [g]",

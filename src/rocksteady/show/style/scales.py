@@ -67,6 +67,8 @@ def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
 
     To be called when the near axis has its limits and its scale.
     """
+    from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+
     if not scale.far:
         return
     functions = (lambda values: values / scale.factor, lambda values: values * scale.factor)
@@ -77,6 +79,11 @@ def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
         far = axes.secondary_yaxis("right", functions=functions)
         far.set_ylabel(scale.far)
     far.set_zorder(2.5)  # above filled cells
+    axis, kind = (far.xaxis, axes.get_xscale()) if which == "x" else (far.yaxis, axes.get_yscale())
+    if kind == "log":
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axis.set_major_formatter(StrMethodFormatter("{x:g}"))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def draw_far_axes(axes: "Axes", right: Scale, up: Scale | None = None) -> bool:

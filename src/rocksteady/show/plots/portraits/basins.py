@@ -16,7 +16,7 @@ from rocksteady.outcomes import AttractorKind
 from rocksteady.show.plots.map_classes import LOOKS, share_text
 from rocksteady.show.plots.portraits._window import draw_window
 from rocksteady.show.style import palette
-from rocksteady.show.style.areas import Area, pattern_ink
+from rocksteady.show.style.areas import Area, pattern_ink, word_ink
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.style.scales import Scale, draw_far_axes, scale_of
@@ -97,7 +97,9 @@ def plot_basins(
                     zorder=6.0,
                 )
         patch = Patch(fc=fill, ec=pattern_ink(fill), hatch=hatch or None, lw=0.6)
-        dot = Line2D([], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=inks.on_rocks, mew=0.9)
+        dot = Line2D(
+            [], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=word_ink(fill, inks), mew=0.9
+        )
         handles.append(((patch, dot), f"{word}  {share_text(fraction.share)}"))
     axes.set(xlim=window.ends[:2], ylim=window.ends[2:])
     draw_legend(
