@@ -116,10 +116,11 @@ def draw_pattern(
     ink: str,
     *,
     outline: float = 0.0,
+    thin: bool = False,
 ) -> None:
     """Draw a pattern over cells, as one area that ends where they do.
 
-    What is too narrow to show a pattern, or an outline, gets none.
+    What is too narrow to show a pattern, or an outline, gets none unless `thin`.
 
     Parameters
     ----------
@@ -135,6 +136,8 @@ def draw_pattern(
         Its colour.
     outline
         Width of a line around the area [points].
+    thin
+        Whether narrow parts have the pattern too.
     """
     from scipy.ndimage import maximum_filter, minimum_filter
 
@@ -142,7 +145,7 @@ def draw_pattern(
         return
     (columns, x), (rows, y) = (picked(each, MOST_PATTERNED) for each in edges)
     mask = where[np.ix_(rows, columns)].astype(np.float32)
-    widest = MOST_OUTLINED if outline else MOST_HATCHED
+    widest = MOST_PATTERNED if thin else MOST_OUTLINED if outline else MOST_HATCHED
     room = [max(1, round(count / widest)) for count in mask.shape]
     mask = maximum_filter(
         minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]

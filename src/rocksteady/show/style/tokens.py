@@ -29,6 +29,7 @@ HATCHES = {
     "unsymmetric": "----",
     "subharmonic": "||||",
     "aperiodic": "....",
+    "with_rests": "oo",
     "no_start": "++",
     "not_computed": "..",
 }

@@ -105,7 +105,9 @@ class Plane:
         from matplotlib.patches import Patch
 
         from rocksteady.show.style import palette
+        from rocksteady.show.style.areas import draw_pattern
         from rocksteady.show.style.legends import draw_legend
+        from rocksteady.show.style.tokens import HATCHES, inks_of
 
         states = self.states
         assert states.admissible is not None
@@ -117,18 +119,15 @@ class Plane:
             axes.set_xlim(0.0, HIGHEST_FREQUENCY)
             through = (states.region != 4) & ~states.admissible[0]
             if through.any():
-                hatched = axes.contourf(
-                    states.frequency_ratio,
-                    states.amplitude,
-                    np.where(through, 1.0, 0.0),
-                    levels=[0.5, 1.5],
-                    colors="none",
-                    hatches=["////"],
+                inks = inks_of(axes)
+                edges = (
+                    np.linspace(0.0, HIGHEST_FREQUENCY, GRID + 1),
+                    np.linspace(0.0, HIGHEST_AMPLITUDE, GRID + 1),
                 )
-                hatched.set_edgecolor(palette.FAINT)
-                hatched.set_linewidth(0.0)
+                hatch = HATCHES["no_start"]
+                draw_pattern(axes, edges, through, hatch, inks.edge, thin=True)
                 handles, words = axes.get_legend_handles_labels()
-                handles.append(Patch(fc="none", ec=palette.FAINT, hatch="////"))
+                handles.append(Patch(fc="none", ec=inks.edge, hatch=hatch))
                 words.append("branch 1 passes\nthrough the floor")
                 draw_legend(axes, "right", handles=handles, labels=words)
             axes.set_title(
