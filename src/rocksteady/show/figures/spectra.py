@@ -11,6 +11,7 @@ from rocksteady.show.plots.spectra import (
     plot_suite_spectrum,
     slenderness_text,
 )
+from rocksteady.show.style.legends import LegendPlace
 from rocksteady.show.style.page import SCREEN, Page
 
 NARROWEST = 1.9
@@ -43,7 +44,7 @@ def spectrum_figure(dataset: "xarray.Dataset", title: str = "", page: Page = SCR
         last = page.legend == "right" and not stacked
         draw(dataset, first, legend="none" if last else page.legend)
         # Curves without a legend have names at their ends, in both panels.
-        others = None if curves and page.legend is None else "none"
+        others: LegendPlace | None = None if curves and page.legend is None else "none"
         draw(dataset, second, quantity="peak_velocity", legend="right" if last else others)
     return figure
 

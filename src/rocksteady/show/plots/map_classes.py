@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -214,7 +214,7 @@ def map_cells(dataset: "xarray.Dataset") -> MapCells:
 
 def _block_of(dataset: "xarray.Dataset") -> Block | None:
     """Return a block of the size that all cells have; None where they have none, or several."""
-    sizes = {name: dataset.attrs.get(name) for name in ("alpha", "p", "gravity")}
+    sizes: dict[str, Any] = {name: dataset.attrs.get(name) for name in ("alpha", "p", "gravity")}
     unlike = dataset.attrs.get("alpha_ratio", 1.0) != 1.0
     return None if None in sizes.values() or unlike else Block.from_p(**sizes, restitution=1.0)
 

@@ -30,7 +30,7 @@ def test_the_strip_of_fates_is_coloured_as_the_fates_are_on_its_side() -> None:
             ]  # fmt: skip
             (bar,) = covering
             role = LOOKS[fate.kind][1]
-            assert to_hex(bar.get_facecolor()[0]) == getattr(LIGHT, role)
+            assert to_hex(np.asarray(bar.get_facecolor())[0].tolist()) == getattr(LIGHT, role)
             assert bar.get_hatch() == HATCHES.get(role)
     places = sorted(
         float(np.asarray(line.get_xdata(), dtype=float)[0])

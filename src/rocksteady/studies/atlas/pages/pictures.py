@@ -88,11 +88,11 @@ def draw_families(
     with palette.style():
         figure = Figure(figsize=(7.2, 0.9 + 2.7 * len(families)))
         rows = figure.subplots(len(families), 1, squeeze=False)[:, 0]
+        inks = inks_of(rows[0])
         for axes, family in zip(rows, families, strict=True):
             title = f"n = {family.order}: {family_name(family.order)}"
             prepare(axes, plane, title=title, bottom=axes is rows[-1])
             edges = family.edges
-            inks = inks_of(axes)
             _draw_bands(axes, plane, edges)
             for window in strips:
                 if window.orbits.period == family.order:

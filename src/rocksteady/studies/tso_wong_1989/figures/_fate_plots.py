@@ -73,8 +73,8 @@ def plot_fates(fates: Mapping[int, Sequence[Fate]], axes: "Axes") -> None:
     half = 0.5 * decades / (len(KICKS) - 1)
     for side in SIDES:
         cells = [LOOKS[fate.kind][1] for fate in fates[side]][::side]
-        ends = (gap - half, gap + decades + half)
-        edges = side * np.linspace(*ends[::side], len(cells) + 1)
+        low, high = sorted((side * (gap - half), side * (gap + decades + half)))
+        edges = np.linspace(low, high, len(cells) + 1)
         for role in dict.fromkeys(cells):
             chosen = np.array([cell == role for cell in cells])
             axes.broken_barh(runs(chosen, edges), (0.0, 1.0), **area_style(inks, role))
