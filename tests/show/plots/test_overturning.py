@@ -92,7 +92,7 @@ def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
     axes = plots.overturning(windows, Figure().add_subplot())
     pattern = {least: hatch for _, hatch, least, _ in MODES}
     fills = [each for each in axes.collections if isinstance(each, PolyCollection)]
-    assert {to_hex(each.get_facecolor()[0]) for each in fills} == {LIGHT.falls}
+    assert {to_hex(np.asarray(each.get_facecolor())[0].tolist()) for each in fills} == {LIGHT.falls}
     seen = set()
     for index in range(1, 35):
         w = float(windows.frequency_ratio[index])

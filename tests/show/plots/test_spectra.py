@@ -153,7 +153,7 @@ def test_the_suite_has_its_median_and_shares() -> None:
     assert sorted(words) == ["16 to 84 %", "median of\n4 records"]
     share = plots.share_that_falls(part, Figure().add_subplot())
     (line,) = share.lines
-    np.testing.assert_allclose(line.get_ydata(), 100.0 * part.overturned)
+    np.testing.assert_allclose(np.asarray(line.get_ydata(), dtype=float), 100.0 * part.overturned)
     assert line.get_color() == LIGHT.risk
     low, high = share.get_ylim()
     assert low < 0.0

@@ -302,7 +302,7 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
 
     mappable = filled(drawn, **colours)
     mask = np.ones(drawn.shape, dtype=np.bool_)
-    words = _words(inks)
+    codes, words = drawn, _words(inks)
     if shade is not None:
         values = shade.factor * values_of(cells)[np.ix_(rows[0], columns[0])]
         mask = np.isnan(values)
@@ -313,18 +313,14 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
         mappable = filled(masked, cmap=shade.colours(inks), norm=shade.norm)
         if shade.line is not None:
             _draw_line(axes, x, y, values, shade.line)
-        groups, named = -1 - shade.grouped(values), shade.words(inks)
-        words |= {-1 - k: named[k] for k in named}
+        codes = np.where(mask, drawn, -1 - shade.grouped(values))
+        words |= {-1 - value: pair for value, pair in shade.words(inks).items()}
     for cell_class, look in zip(CellClass, looks, strict=True):
         where = mask & (drawn == cell_class)
         ink = inks.edge if look.outlined else pattern_ink(getattr(inks, look.fill))
         outline = OUTLINE if look.outlined else 0.0
         draw_pattern(axes, (x, y), where, look.hatch, ink, outline=outline)
-    words |= {
-        one: (LOOKS[one].words.partition(" (")[0], getattr(inks, LOOKS[one].fill))
-        for one in CellClass
-    }
-    write_words(axes, (x, y), drawn if shade is None else np.where(mask, drawn, groups), words)
+    write_words(axes, (x, y), codes, words)
     axes.grid(visible=False)
     return mappable
 

@@ -1,6 +1,7 @@
 """Areas: the fill of a role with its pattern, its legend entry, and the word upon it."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -116,10 +117,11 @@ def draw_pattern(
     ink: str,
     *,
     outline: float = 0.0,
+    thin: bool = False,
 ) -> None:
     """Draw a pattern over cells, as one area that ends where they do.
 
-    What is too narrow to show a pattern, or an outline, gets none.
+    What is too narrow to show a pattern, or an outline, gets none unless `thin`.
 
     Parameters
     ----------
@@ -135,6 +137,8 @@ def draw_pattern(
         Its colour.
     outline
         Width of a line around the area [points].
+    thin
+        Whether narrow parts have the pattern too.
     """
     from scipy.ndimage import maximum_filter, minimum_filter
 
@@ -142,7 +146,7 @@ def draw_pattern(
         return
     (columns, x), (rows, y) = (picked(each, MOST_PATTERNED) for each in edges)
     mask = where[np.ix_(rows, columns)].astype(np.float32)
-    widest = MOST_OUTLINED if outline else MOST_HATCHED
+    widest = MOST_PATTERNED if thin else MOST_OUTLINED if outline else MOST_HATCHED
     room = [max(1, round(count / widest)) for count in mask.shape]
     mask = maximum_filter(
         minimum_filter(mask, room, mode="nearest"), room, origin=[k % 2 - 1 for k in room]
@@ -215,7 +219,9 @@ def write_words(
         inside &= np.hypot(away[0][:, np.newaxis], away[1]) > MARK
     for code, (word, fill) in words.items():
         box = size * np.array([LINE, LETTER * (len(word) + 1.5)])
-        middle = _roomiest(inside & (shown == code), np.ceil(box / point).astype(int), point)
+        middle = _roomiest(
+            inside & (shown == code), [math.ceil(each) for each in box / point], point
+        )
         if middle is None:
             continue
         axes.text(
@@ -233,11 +239,11 @@ def write_words(
         )
 
 
-def _roomiest(where: Bools, box: NDArray[np.int_], point: Floats) -> tuple[int, int] | None:
+def _roomiest(where: Bools, box: Sequence[int], point: Floats) -> tuple[int, int] | None:
     """Return the middle of the roomiest place of a box among samples; None if it does not fit."""
     from scipy.ndimage import distance_transform_edt, minimum_filter
 
-    fits = minimum_filter(where, box.tolist(), mode="constant", cval=False)
+    fits = minimum_filter(where, tuple(box), mode="constant", cval=False)
     if not fits.any():
         return None
     room = distance_transform_edt(np.pad(where, 1), sampling=point.tolist())[1:-1, 1:-1]

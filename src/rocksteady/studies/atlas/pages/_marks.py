@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 from rocksteady.formulas import heteroclinic_amplitude
 from rocksteady.show.style import palette
+from rocksteady.show.style.areas import area_style, draw_pattern
+from rocksteady.show.style.tokens import Inks, inks_of
 from rocksteady.studies.atlas.analysis.lines import Line, fine_ratios
 from rocksteady.studies.atlas.analysis.plane import Plane
 
@@ -36,7 +38,7 @@ WORDS = {
     "graze": "graze",
 }
 CASING = 1.6
-"""Width of the white on either side of a line."""
+"""Width of the casing on either side of a line."""
 
 
 def prepare(axes: "Axes", plane: Plane, *, title: str = "", bottom: bool = True) -> None:
@@ -54,46 +56,33 @@ def prepare(axes: "Axes", plane: Plane, *, title: str = "", bottom: bool = True)
 def draw_lines(
     axes: "Axes", lines: Iterable[Line], *, only: Sequence[str] = (), cased: bool = True
 ) -> None:
-    """Draw borders of families, with a white casing where they cross dark areas."""
+    """Draw borders of families, with a casing where they cross dark areas."""
     for line in lines:
         if only and line.name not in only:
             continue
-        style = STYLES[line.name]
-        _drawn(axes, line.frequency_ratio, line.amplitude, palette.INK, style, cased=cased)
+        _drawn(axes, line.frequency_ratio, line.amplitude, STYLES[line.name], cased=cased)
 
 
 def draw_thresholds(axes: "Axes", plane: Plane) -> None:
     """Draw the uplift of a block at rest, and the heteroclinic curve."""
     ratios = fine_ratios(plane)
-    _drawn(axes, ratios, np.ones_like(ratios), palette.LINES[0], UPLIFT)
+    _drawn(axes, ratios, np.ones_like(ratios), UPLIFT)
     values = heteroclinic_amplitude(ratios, plane.restitution)
-    _drawn(axes, ratios, values, palette.LINES[1], HETEROCLINIC)
+    _drawn(axes, ratios, values, HETEROCLINIC)
 
 
 UPLIFT: dict[str, Any] = {"ls": (0, (8, 2, 1.5, 2, 1.5, 2)), "lw": 1.2}
 HETEROCLINIC: dict[str, Any] = {"ls": (0, (6, 1.5, 1.5, 1.5)), "lw": 1.4}
 
 
-def line_handles(names: Iterable[str], *, thresholds: bool = False) -> "list[Artist]":
+def line_handles(inks: Inks, names: Iterable[str], *, thresholds: bool = False) -> "list[Artist]":
     """Return what a legend shows of lines."""
     from matplotlib.lines import Line2D
 
-    handles: list[Artist] = [
-        Line2D([], [], color=palette.INK, label=WORDS[name], **STYLES[name]) for name in names
-    ]
+    styles = [(WORDS[name], STYLES[name]) for name in names]
     if thresholds:
-        handles += [
-            Line2D([], [], color=palette.LINES[0], label="uplift from rest, A = 1", **UPLIFT),
-            Line2D([], [], color=palette.LINES[1], label="heteroclinic curve", **HETEROCLINIC),
-        ]
-    return handles
-
-
-def patch(label: str, fill: str, hatch: str = "", ink: str = palette.INK) -> "Artist":
-    """Return what a legend shows of an area."""
-    from matplotlib.patches import Patch
-
-    return Patch(facecolor=fill, edgecolor=ink, hatch=hatch, lw=0.0 if hatch else 0.4, label=label)
+        styles += [("uplift from rest, A = 1", UPLIFT), ("heteroclinic curve", HETEROCLINIC)]
+    return [Line2D([], [], color=inks.limit, label=words, **style) for words, style in styles]
 
 
 def draw_cells(
@@ -115,24 +104,15 @@ def draw_cells(
     )
 
 
-def draw_pattern(
-    axes: "Axes", plane: Plane, where: NDArray[np.bool_], hatch: str, ink: str
+def draw_area(
+    axes: "Axes", plane: Plane, where: NDArray[np.bool_], role: str, pattern: str | None = None
 ) -> None:
-    """Draw a pattern over the cells of a class, which it shows in grey too."""
-    if not where.any():
-        return
+    """Draw the pattern of an area over its cells, narrow ones too; none where its fill is plain."""
+    style = area_style(inks_of(axes), role, pattern)
     left, right, low, high = plane.window
     rows, columns = where.shape
-    # Each cell as four corners, so that the pattern ends where the cells do.
-    field = np.repeat(np.repeat(where.astype(float), 2, axis=0), 2, axis=1)
-    x, y = (
-        np.repeat(np.linspace(start, end, count + 1), 2)[1:-1]
-        for start, end, count in ((left, right, columns), (low, high, rows))
-    )
-    drawn = axes.contourf(x, y, field, levels=[0.5, 1.5], colors="none", hatches=[hatch])
-    drawn.set_edgecolor(ink)
-    drawn.set_linewidth(0.0)
-    drawn.set_zorder(0.8)
+    edges = np.linspace(left, right, columns + 1), np.linspace(low, high, rows + 1)
+    draw_pattern(axes, edges, where, style["hatch"] or "", style["edgecolor"], thin=True)
 
 
 def draw_edge(axes: "Axes", plane: Plane, where: NDArray[np.bool_], **style: Any) -> None:
@@ -156,18 +136,17 @@ def legend_below(figure: "Figure", handles: "Sequence[Artist]", columns: int) ->
     )
 
 
-def shades(low: str, high: str, count: int) -> list[str]:
-    """Return colours from one to another, evenly lighter or darker."""
+def shades(ramp: Sequence[str], count: int) -> list[str]:
+    """Return colours from one end of a ramp to the other."""
     from matplotlib.colors import LinearSegmentedColormap, to_hex
 
-    ramp = LinearSegmentedColormap.from_list("ramp", [low, high])
-    return [to_hex(ramp(share)) for share in np.linspace(0.0, 1.0, count)]
+    colours = LinearSegmentedColormap.from_list("ramp", list(ramp))
+    return [to_hex(colours(share)) for share in np.linspace(0.0, 1.0, count)]
 
 
-def _drawn(
-    axes: "Axes", x: Any, y: Any, colour: str, style: dict[str, Any], *, cased: bool = True
-) -> None:
-    from matplotlib.patheffects import Normal, Stroke
-
-    effects = [Stroke(linewidth=style["lw"] + CASING, foreground="white"), Normal()]
-    axes.plot(x, y, color=colour, **style, zorder=3.0, path_effects=effects if cased else None)
+def _drawn(axes: "Axes", x: Any, y: Any, style: dict[str, Any], *, cased: bool = True) -> None:
+    """Draw a border, upon a line in the colour of the paper where it crosses dark areas."""
+    inks = inks_of(axes)
+    if cased:
+        axes.plot(x, y, color=inks.paper, lw=style["lw"] + CASING, zorder=2.9)
+    axes.plot(x, y, color=inks.limit, **style, zorder=3.0)

@@ -245,11 +245,12 @@ class History:
         return figure
 
     def _heading(self, side: int, fate: Fate) -> str:
+        words = fate.label.replace("overturns", "falls").replace("at rest", "rests")
         if self.stable:
-            return f"stable: {fate.label}"
+            return f"stable: {words}"
         later = KICK * self.growth < 0.1 and fate.kind is not Kind.OVERTURNED
         return (
-            f"unstable, left on the {sign(side)} side: {fate.label}"
+            f"unstable, left on the {sign(side)} side: {words}"
             f"{', later than drawn here' if later else ''}"
         )
 
