@@ -17,12 +17,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import rocksteady as rs
 from tests.cli.program import rocksteady
 from tests.every import every
 from tests.show.calibrated import without_pictures
-from tools.manual import gallery
+from tools.manual import images
+from tools.manual.twins import dark_twin
 from tools.namespace import MODULES, PLACES
 
 ROOT = Path(__file__).parents[1]
@@ -374,17 +376,29 @@ def test_what_the_table_of_questions_names_is_where_it_says() -> None:
             assert not wanted or wanted <= defined_in(folder / path), (path, wanted)
 
 
+MADE = images.makers()
+ELSEWHERE_MADE = {"architecture.png", "facade-checks.png", "facade-checks-wall.png"}
+"""Pictures of `make architecture`, and of records that nobody may pass on."""
+
+
+def test_captions_name_what_makes_each_picture_and_it_is_there_on_both_papers_and_small() -> None:
+    scripts = {maker for maker in MADE.values() if maker.startswith("examples/")}
+    assert all((ROOT / script).is_file() for script in scripts)
+    pictures = {file.name: file.stat().st_size for file in images.IMAGES.glob("*.png")}
+    twins = {dark_twin(Path(name)).name for name in MADE}
+    assert set(pictures) == {*MADE, *twins, *ELSEWHERE_MADE}
+    assert max(pictures.values()) < 150_000
+
+
 @pytest.mark.slow
-def test_examples_draw_the_pictures_that_pages_show_as_theirs(tmp_path: Path) -> None:
-    captions = {
-        Path(picture).name: script
-        for text in PAGES.values()
-        for picture, script in re.findall(
-            r"\]\(([\w./-]+\.png)\)\n\n(?:(?!\n\n)[\s\S])*?`examples/([\w/]+\.py)`", text
-        )
-    }
-    assert captions == gallery.GUIDES
-    gallery.main(tmp_path)
-    drawn = {picture.name: picture.stat().st_size for picture in tmp_path.iterdir()}
-    assert set(drawn) == set(captions)
-    assert min(drawn.values()) > 10_000
+@every("name", ["wall.png", "basins.png"])  # of a script, and of a command line
+def test_a_picture_is_drawn_on_both_papers_by_what_its_caption_names(
+    name: str, tmp_path: Path
+) -> None:
+    maker = MADE[name].replace(":400", ":60")
+    images.draw(name, maker, tmp_path)
+    for file in (tmp_path / name, dark_twin(tmp_path / name)):
+        assert 5_000 < file.stat().st_size < 150_000
+        with Image.open(file) as picture:
+            assert picture.info["Source"] == maker
+            assert picture.convert("RGBA").getpixel((0, 0))[3] == 0  # type: ignore[index]

@@ -18,8 +18,12 @@ demand = rs.Demand(pga_g=0.6, pgv_m_s=0.6)
 bound = [rs.screen_block(each, demand).row("Ishiyama bound").value for each in blocks]
 runs = [rs.risk.assess_by_formula(each, 0.6, 0.6) for each in blocks]
 fig, ax = plt.subplots(layout="constrained")
-ax.plot(widths, [each.median_pgv_m_s for each in runs], label="published runs")
-ax.plot(widths, [each.other_median_pgv_m_s for each in runs], "--", label="runs of this package")
-ax.plot(widths, bound, ":", label="Ishiyama's bound")
-ax.set(xlabel="width of a block of 1.8 m [m]", ylabel="peak ground velocity [m/s]", ylim=(0, 1.4))
-ax.legend(loc="upper left")
+for name, values in (
+    ("published runs", [each.median_pgv_m_s for each in runs]),
+    ("runs of this package", [each.other_median_pgv_m_s for each in runs]),
+    ("Ishiyama's bound", bound),
+):
+    ax.plot(widths, values, "C4--")
+    ax.text(0.81, values[-1], name, va="center")
+ax.set(xlabel="width of a block of 1.8 m [m]", ylabel="peak ground velocity [m/s]")
+ax.set(xlim=(0.2, 1.0), ylim=(0, 1.4))

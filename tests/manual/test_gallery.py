@@ -2,18 +2,23 @@
 
 import ast
 import inspect
+import itertools
 import re
+import runpy
+from collections.abc import Iterator
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
+import numpy as np
+import pytest
 from PIL import Image
-from sphinx_gallery.gen_gallery import DEFAULT_GALLERY_CONF  # type: ignore[import-untyped]
 
 import rocksteady as rs
 from rocksteady.show.style import palette
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks, inks_of
 from tests.every import every
 from tools.manual import gallery
 from tools.namespace import MODULES, PLACES
@@ -93,44 +98,73 @@ def test_every_plot_of_the_package_is_shown() -> None:
     assert all(inspect.isfunction(attrgetter(name)(rs)) for name in PLOTS)
 
 
-def test_the_style_is_that_of_the_package_whatever_a_script_before_has_set() -> None:
+@pytest.fixture
+def _settings() -> Iterator[None]:
+    """Restore the settings of Matplotlib and close all figures."""
     before = dict(mpl.rcParams)
-    try:
-        mpl.rcParams["axes.facecolor"] = "black"
-        plt.figure()
-        gallery.set_style({}, "")
-        assert not plt.get_fignums()
-        assert mpl.rcParams["axes.facecolor"] == "white"
-        assert mpl.rcParams["font.size"] == palette.STYLE["font.size"]
-        assert list(mpl.rcParams["axes.prop_cycle"].by_key()["color"]) == list(palette.LINES)
-    finally:
-        mpl.rcParams.update(before)
+    yield
+    plt.close("all")
+    mpl.rcParams.update(before)
 
 
-def test_guides_show_pictures_of_scripts_that_there_are() -> None:
-    assert set(gallery.GUIDES.values()) <= set(SCRIPTS)
-    for name in gallery.GUIDES:
-        assert (DOCS / "images" / name).is_file()
+@every("inks", [LIGHT, DARK])
+@pytest.mark.usefixtures("_settings")
+def test_the_style_is_that_of_the_package_whatever_a_script_before_has_set(inks: Inks) -> None:
+    mpl.rcParams["axes.facecolor"] = "red"
+    plt.figure()
+    gallery.set_style(inks)
+    assert not plt.get_fignums()
+    assert mpl.rcParams["font.size"] == palette.STYLE["font.size"]
+    found = inks_of(plt.figure().add_subplot())
+    assert (found.dark, found.paper) == (inks.dark, inks.page)
+    assert mpl.rcParams["axes.prop_cycle"].by_key()["color"][0] == inks.motion
+    assert mpl.rcParams["text.color"] == inks.ink
 
 
-def test_a_film_becomes_a_small_gif_that_plays(tmp_path: Path) -> None:
-    block = rs.Block.rectangle(width=0.5, height=2.0)
-    run = rs.simulate(block, rs.Still(), start=rs.State(angle=0.8, velocity=0.0))
-    film = rs.plots.animate(run, span=(0.0, 0.5), fps=10)
-    paths = iter([str(tmp_path / "sphx_glr_film_001.png")])
-    conf = {**DEFAULT_GALLERY_CONF, "src_dir": str(tmp_path), "image_srcset": []}
-    conf["matplotlib_animations"] = (False, None)
-    variables: dict[str, Any] = {
-        "example_globals": {"film": film, "run": run},
-        "image_path_iterator": paths,
-        "src_file": str(SCRIPTS["histories/film.py"]),
+def shown(name: str, folder: Path) -> str:
+    """Return the text that shows the pictures of a script, which are saved to a folder."""
+    gallery.prepare({}, Path(name).name)
+    variables = {
+        "example_globals": runpy.run_path(str(SCRIPTS[name])),
+        "image_path_iterator": (str(folder / f"drawn_{k:03d}.png") for k in itertools.count(1)),
+        "src_file": str(SCRIPTS[name]),
     }
-    text = gallery.save_pictures(None, variables, conf)
-    assert "sphx_glr_film_001.gif" in text
+    return gallery.save_pictures(None, variables, {"src_dir": folder, "thumbnail_size": (42, 29)})
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("_settings")
+def test_a_film_becomes_two_small_gifs_that_play(tmp_path: Path) -> None:
+    text = shown("histories/film.py", tmp_path)
+    assert ".. image:: /drawn_001.gif\n" in text
     assert ":alt: How does a statue fall?\n" in text
-    with Image.open(tmp_path / "sphx_glr_film_001.gif") as picture:
-        assert getattr(picture, "n_frames", 1) > 1
-    assert not gallery.save_pictures(None, {**variables, "example_globals": {"run": run}}, conf)
+    for name in ("drawn_001.gif", "drawn_001_dark.gif", "thumb/sphx_glr_film_thumb_dark.gif"):
+        with Image.open(tmp_path / name) as picture:
+            assert getattr(picture, "n_frames", 1) > 1
+
+
+@pytest.mark.usefixtures("_settings")
+def test_a_script_draws_on_both_papers_computes_once_and_leaves_no_ground(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls = []
+
+    def simulate(*args: Any, **kwargs: Any) -> Any:
+        calls.append(args)
+        return compute(*args, **kwargs)
+
+    compute = rs.simulate
+    monkeypatch.setattr(rs, "simulate", simulate)
+    assert shown("histories/hops.py", tmp_path)
+    light, dark = (Image.open(tmp_path / f"drawn_001{end}.png") for end in ("", "_dark"))
+    assert light.size == dark.size
+    for picture in (light, dark):
+        assert picture.getpixel((0, 0))[3] == 0  # type: ignore[index]
+        assert picture.info["Source"] == "examples/histories/hops.py"
+    ink = [np.asarray(each)[np.asarray(each)[..., 3] == 255] for each in (light, dark)]
+    assert ink[0].mean() < ink[1].mean()
+    assert rs.simulate is simulate
+    assert len(calls) == 1
 
 
 def test_a_page_whose_script_is_gone_is_removed(tmp_path: Path) -> None:

@@ -64,7 +64,7 @@ class Twice:
         self._dark = []
         try:
             settings.update(dark)
-            with self._memory.again(), capture_output():
+            with self._memory.again(), twins.on_paper(DARK), capture_output():
                 again = self._shell.run_cell(result.info.raw_cell, store_history=False)
             again.raise_error()
             for data in self._dark:

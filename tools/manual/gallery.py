@@ -4,6 +4,7 @@ import ast
 import runpy
 import shutil
 from collections.abc import Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, NamedTuple, Self
 
@@ -22,6 +23,8 @@ SIZE = (7.36, 4.2)
 """Of a figure [inches]: at DPI as wide as the column of a page."""
 DPI = 100.0
 MEMORY = twins.Memory()
+PAPER = ExitStack()
+"""What a script has computed and its paper, until its pictures are saved."""
 
 
 def remove_stale_pages(folder: Path, examples: Path = EXAMPLES) -> None:
@@ -34,6 +37,8 @@ def remove_stale_pages(folder: Path, examples: Path = EXAMPLES) -> None:
 
 def prepare(_conf: Mapping[str, Any], name: str) -> None:
     """Prepare Matplotlib and the public functions for a script of a name, which is drawn twice."""
+    PAPER.close()
+    PAPER.enter_context(twins.on_paper(LIGHT))
     set_style(LIGHT)
     MEMORY.listen("".join(each.read_text(encoding="utf-8") for each in EXAMPLES.rglob(name)))
 
@@ -57,10 +62,10 @@ def save_pictures(_block: Any, variables: dict[str, Any], conf: Mapping[str, Any
     numbered = variables["image_path_iterator"]
     paths = [Path(next(numbered)).with_suffix(ending) for ending in drawn.endings]
     drawn.save(paths, script)
+    PAPER.close()
     if paths:
         with MEMORY.again():
-            dark = draw(script, DARK)
-        dark.save([twins.dark_twin(path) for path in paths], script)
+            draw_on(DARK, script, [twins.dark_twin(path) for path in paths])
         _save_dark_thumbnail(twins.dark_twin(paths[0]), script, conf["thumbnail_size"])
     MEMORY.restore()
     question = title_of(script)
@@ -129,10 +134,11 @@ def film_behind(animation: Any) -> Film:
     return film
 
 
-def draw(script: Path, inks: Inks) -> Drawn:
-    """Run a script in the style of the gallery, on light or dark paper."""
+def draw_on(inks: Inks, script: Path, files: list[Path]) -> None:
+    """Run a script on light or dark paper, and save what it draws to files."""
     import matplotlib as mpl
 
     mpl.use("agg")
     set_style(inks)
-    return Drawn.of(runpy.run_path(str(script)))
+    with twins.on_paper(inks):
+        Drawn.of(runpy.run_path(str(script))).save(files, script)

@@ -6,22 +6,19 @@
 import re
 import shlex
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from rocksteady.cli.app import run
-from rocksteady.show.style import palette
-from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+from rocksteady.show.style.tokens import DARK, LIGHT
 from tools.manual import gallery, twins
 
 ROOT = gallery.EXAMPLES.parent
 IMAGES = ROOT / "docs" / "images"
 CAPTIONED = re.compile(
-    r"\]\((?:[\w./-]*/)?([\w-]+\.png)\)(?:</picture>)?\n\n(?:(?!\n\n)[\s\S])*?"
+    r"\]\((?:[\w./-]*/)?([\w-]+\.png)\)\n\n(?:(?!\n\n)[\s\S])*?"
     r"Made\s+by\s+`((?:examples/|rocksteady )[^`]+)`"
 )
 """A picture, and the script or the command line that its caption names."""
@@ -41,30 +38,18 @@ def draw(name: str, maker: str, folder: Path) -> None:
     if maker.startswith("examples/"):
         script = ROOT / maker
         gallery.MEMORY.listen(script.read_text(encoding="utf-8"))
-        gallery.draw(script, LIGHT).save([folder / name], script)
+        gallery.draw_on(LIGHT, script, [folder / name])
         with gallery.MEMORY.again():
-            gallery.draw(script, DARK).save([twins.dark_twin(folder / name)], script)
+            gallery.draw_on(DARK, script, [twins.dark_twin(folder / name)])
         gallery.MEMORY.restore()
     else:
         for inks, file in ((LIGHT, folder / name), (DARK, twins.dark_twin(folder / name))):
-            with TemporaryDirectory() as place, _house_style_on(inks):
+            with TemporaryDirectory() as place, twins.on_paper(inks, dpi=DPI):
                 words = shlex.split(re.sub(r"--plot \S+", f"--plot '{place}/drawn.png'", maker))
                 assert run(words[1:]) == 0, maker
                 (Path(place) / "drawn.png").rename(file)
     for inks, file in ((LIGHT, folder / name), (DARK, twins.dark_twin(folder / name))):
         make_small(file, inks.page, maker)
-
-
-@contextmanager
-def _house_style_on(inks: Inks) -> Iterator[None]:
-    """Make a page of the manual the paper of the house style, inside a ``with`` block."""
-    before = dict(palette.STYLE)
-    palette.STYLE.update({**twins.paper(inks), "savefig.dpi": DPI})
-    try:
-        yield
-    finally:
-        palette.STYLE.clear()
-        palette.STYLE.update(before)
 
 
 def make_small(file: Path, ground: str, source: str) -> None:
@@ -81,7 +66,8 @@ def make_small(file: Path, ground: str, source: str) -> None:
     indices = np.array(few)
     indices[(np.array(shown) == colour).all(axis=2)] = 255
     small = Image.fromarray(indices, mode="P")
-    small.putpalette([*(few.getpalette() or [])[: 3 * 255], *colour])
+    table = (few.getpalette() or [])[: 3 * 255]
+    small.putpalette([*table, *[0] * (3 * 255 - len(table)), *colour])
     words = PngInfo()
     words.add_text("Software", "rocksteady")
     words.add_text("Source", source)

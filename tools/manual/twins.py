@@ -16,6 +16,7 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import Sphinx
 
+from rocksteady.show.style import palette
 from rocksteady.show.style.tokens import Inks
 
 LIGHT_ONLY, DARK_ONLY = "only-light", "only-dark"
@@ -43,6 +44,21 @@ def paper(inks: Inks) -> dict[str, Any]:
         "grid.color": inks.hair,
         "axes.prop_cycle": colours,
     }
+
+
+@contextmanager
+def on_paper(inks: Inks, *, dpi: float | None = None) -> Iterator[None]:
+    """Make a page of the manual the paper of the house style too, inside a ``with`` block.
+
+    Films and the pictures of commands are drawn in it, whatever the settings of Matplotlib are.
+    """
+    before = dict(palette.STYLE)
+    palette.STYLE.update(paper(inks) | ({"savefig.dpi": dpi} if dpi else {}))
+    try:
+        yield
+    finally:
+        palette.STYLE.clear()
+        palette.STYLE.update(before)
 
 
 def dark_twin(picture: Path) -> Path:
@@ -152,7 +168,7 @@ def show_twins(app: Sphinx, document: nodes.document) -> None:
     """Give pictures that have twins their classes, and put the twins of files behind them."""
     for output in document.findall(nodes.container):
         if output.get("nb_element") == "cell_code_output":
-            _pair([(each, _file(app, each)) for each in output.findall(nodes.image)])
+            pair([(each, _file(app, each)) for each in output.findall(nodes.image)])
     for picture in list(document.findall(nodes.image)):
         if dark_twin(_file(app, picture)).is_file():
             twin = picture.deepcopy()
@@ -167,7 +183,7 @@ def _file(app: Sphinx, picture: nodes.image) -> Path:
     return Path(app.env.relfn2path(picture["uri"])[1])
 
 
-def _pair(pictures: list[tuple[nodes.image, Path]]) -> None:
+def pair(pictures: list[tuple[nodes.image, Path]]) -> None:
     """Give the pictures of a cell their classes, where each has a twin."""
     on: dict[str | None, list[nodes.image]] = defaultdict(list)
     for picture, file in pictures:

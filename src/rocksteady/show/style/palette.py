@@ -1,8 +1,4 @@
-"""Colours, labels and units of all figures, defined once.
-
-The fills distinguish attractors for normal and for colour-blind sight; lines on white take darker
-shades of the same hues.
-"""
+"""Labels and units of axes, and the house style of all figures."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,64 +7,6 @@ from threading import RLock
 from typing import Any
 
 from rocksteady.show.style import tokens
-
-REST = "#fcfaf3"
-SYMMETRIC = "#76c6fe"
-UNSYMMETRIC = "#bda613"
-SUBHARMONIC = "#477f68"
-APERIODIC = "#6f3584"
-ROCKING = "#8fd0c6"
-OVERTURNED = "#272728"
-UNDECIDED = "#9a9a9a"
-
-TINTS = (0.0, 0.6, -0.45, 0.8, -0.25, 0.35)
-"""Of a fill, where several attractors share it: parts of white, or of black below 0.  Each step is
-one of lightness, which is seen in grey and by the colour-blind too."""
-MARKS = ("o", "s", "D", "^", "v", "P", "X", "p", "h", "*")
-"""Of attractors that share a picture."""
-
-INK = OVERTURNED
-FAINT = "#8b8b8b"
-NUMBER = "#5b5b5c"
-"""Numbers and labels on the fills."""
-GRID = "#dedede"
-LINES = ("#1273b8", "#8d2709", "#49a397", "#48096b", "#9c8718", "#5d645b")
-"""Line colours in the order of their use, which the colour-blind distinguish too; with the dashes
-below they differ in grey too."""
-SUBHARMONIC_LINES = ("#186432", "#3ea682", "#40068d", "#63686e", "#462033")
-"""Line colours of subharmonic orbits, one after another by their periods; no two are alike, nor
-alike the first and the fifth line colour, beside which they stand."""
-SWEEPS = ("#f2b24a", "#d0605e")
-"""Dots of the motions met by an upward and a downward sweep; lines are drawn over them."""
-MANIFOLDS_ON_FILLS = {"stable": "#d0605e", "unstable": "#8a3fc4"}
-"""Manifolds over pictures of basins, whose fills are the same on light and dark paper."""
-DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)), (0, (1, 1)), "-")
-IMPACT = "#b0531b"
-BASE = "#477f68"
-LINK = "#1273b8"
-BLOCK = SYMMETRIC
-GROUND = "#e9e6dc"
-
-DARK_PAPER = "#000000"
-DARK_INK = "#f2f2f2"
-DARK_NUMBER = "#c4c4c6"
-DARK_FAINT = "#9a9a9a"
-DARK_GRID = "#3a3a3c"
-DARK_LINES = ("#6db9f2", "#c97b55", "#48c1a2", "#ad49f2", "#f9e299", "#7d7c97")
-DARK_SUBHARMONIC_LINES = ("#58a088", "#b8e8e8", "#b85828", "#5858d0", "#287070")
-DARK_SWEEPS = ("#d8a440", "#a8484f")
-DARK_IMPACT = "#f08a4b"
-DARK_BASE = "#6cc5a1"
-"""The same on dark paper; the fills are those of light paper."""
-
-PERIODS = ("#a9d8f7", "#e08214", "#1b9e77", "#d9a0cf", "#1f4e9c", "#b2322d", "#f2e14c")
-"""Fills of cells by the period of their orbits, 1, 2, ...; the last is that of all longer ones."""
-SEQUENTIAL = ("#fff6dd", "#fdd490", "#f59a4c", "#d4572b", "#7c1d12")
-"""Ends and steps of a palette from nothing to most."""
-DIVERGING = ("#2470b3", "#6cadd6", "#c9e0ef", "#f7f7f7", "#f9d3bf", "#e8825f", "#ad1a2c")
-"""The same of a palette about zero."""
-
-REGION_FILLS = {1: "#d5edff", 2: "#ffffff", 3: "#f0e7b0", 4: "#e9e6dc", 5: "#dcc8e4"}
 
 LABELS = {
     "amplitude": r"amplitude  $A = a_{\max}/(\alpha g)$",
@@ -219,14 +157,6 @@ def shortened(name: str, longest: int = 32) -> str:
         return name
     half = (longest - 1) // 2
     return f"{name[:half]}…{name[-half:]}"
-
-
-def tinted(colour: str, part: float) -> str:
-    """Return a colour mixed with a part of white, or of black where the part is below 0."""
-    end = 255 if part > 0.0 else 0
-    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
-    mixed = (round(c + abs(part) * (end - c)) for c in channels)
-    return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
 _NO_LOOK = frozenset(

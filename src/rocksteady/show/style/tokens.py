@@ -79,6 +79,9 @@ class Inks:
     impact: str = _role("#be4d0b", "#de7139", "instants of impact")
     limit: str = _role("#1b1d21", "#eceef0", "criteria, boundaries, code values: dashed, named")
     observed: str = _role("#1b1d21", "#eceef0", "measured: a dot with its interval")
+    verdict_red: str = _role("#b3261e", "#ff9d94", "a verdict: misses its target, with the word")
+    verdict_amber: str = _role("#8a5700", "#f0b44c", "a verdict: near its target, with the word")
+    verdict_green: str = _role("#1f6f3f", "#7fd6a2", "a verdict: meets its target, with the word")
     risk: str = _role("#9a1d62", "#ffa3c4", "line: probability of falling")
     risk_ramp: tuple[str, ...] = _ramp(
         "#fbf3f4 #ecb7c6 #d67e99 #a83d66 #631440",
