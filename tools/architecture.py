@@ -18,7 +18,12 @@ from typing import TYPE_CHECKING, Any
 import grimp
 
 from rocksteady.show.style import palette
+<<<<<<< HEAD
 from rocksteady.show.style.tokens import LIGHT
+=======
+from rocksteady.show.style.tokens import DARK, LIGHT, Inks
+from tools.manual import images, twins
+>>>>>>> h-manual
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -257,7 +262,10 @@ LANE = 0.085
 """Between two lines at the right."""
 ROOMS = 5.6
 """Width that rooms may take before the lines at the right."""
+<<<<<<< HEAD
 BAND, FLOW = LIGHT.page, LIGHT.quiet
+=======
+>>>>>>> h-manual
 KEYS = (
     "At the right: a layer (▲) uses those with a dot (●) on its line.",
     (
@@ -288,7 +296,7 @@ def passing(user: str, used: str, column: int) -> str:
     return f"{user}<{used}<{column}"
 
 
-def draw(tree: Tree) -> "Figure":
+def draw(tree: Tree, inks: Inks = LIGHT) -> "Figure":
     """Return the picture: layers one below the other, their rooms from left to right."""
     from matplotlib.figure import Figure
 
@@ -299,24 +307,34 @@ def draw(tree: Tree) -> "Figure":
         tall.append(HEAD + ROW * rows + (0.04 if rows else 0.0))
         at += tall[-1] + BETWEEN
     height = at + KEY
+<<<<<<< HEAD
     with palette.style():
         figure = Figure(figsize=(WIDTH, height), facecolor=LIGHT.paper)
+=======
+    with twins.on_paper(inks), palette.style():
+        figure = Figure(figsize=(WIDTH, height))
+>>>>>>> h-manual
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set(xlim=(0.0, WIDTH), ylim=(height, 0.0))
         axes.set_axis_off()
         for layer, top, band in zip(tree.layers, tops, tall, strict=True):
-            _draw_layer(axes, layer, top, band)
-        _draw_lanes(axes, tree, [top + 0.5 * HEAD for top in tops])
+            _draw_layer(axes, layer, top, band, inks)
+        _draw_lanes(axes, tree, [top + 0.5 * HEAD for top in tops], inks)
         for k, words in enumerate(KEYS):
+<<<<<<< HEAD
             _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=LIGHT.quiet)
+=======
+            _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=inks.quiet)
+>>>>>>> h-manual
     return figure
 
 
-def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
+def _draw_layer(axes: Any, layer: Layer, top: float, tall: float, inks: Inks) -> None:
     """Draw a layer: its band, its words, its rooms and the arrows between them."""
     from matplotlib.patches import Rectangle
 
+<<<<<<< HEAD
     look: dict[str, Any] = {"fc": BAND, "ec": LIGHT.hair, "lw": 0.6}
     if layer.name == NAMESPACE:
         look = {"fc": LIGHT.paper, "ec": LIGHT.edge, "lw": 0.6, "ls": (0, (3, 2))}
@@ -324,6 +342,15 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
     left, line = MARGIN + PAD, top + 0.5 * HEAD
     _write(axes, left, line, layer.name, size=NAME, weight="bold")
     _write(axes, left + 0.86, line, layer.sentence, color=LIGHT.quiet)
+=======
+    look: dict[str, Any] = {"fc": inks.hair, "ec": inks.hair, "lw": 0.0}
+    if layer.name == NAMESPACE:
+        look = {"fc": inks.page, "ec": inks.edge, "lw": 0.6, "ls": (0, (3, 2))}
+    axes.add_patch(Rectangle((MARGIN, top), WIDTH - 2.0 * MARGIN, tall, **look))
+    left, line = MARGIN + PAD, top + 0.5 * HEAD
+    _write(axes, left, line, layer.name, size=NAME, weight="bold")
+    _write(axes, left + 0.86, line, layer.sentence, color=inks.quiet)
+>>>>>>> h-manual
 
     wide = _widths(layer)
     corner = {
@@ -351,11 +378,15 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
             ys += [y, next_y, next_y]
         xs[-1] = stops[-1][0]
         middle = [y + 0.5 * HIGH for y in ys]
-        axes.plot(xs, middle, color=FLOW, lw=0.9, solid_joinstyle="miter")
-        axes.plot(xs[-1] - 0.028, middle[-1], ">", color=FLOW, ms=3.4, mew=0.0)
+        axes.plot(xs, middle, color=inks.ink, lw=0.9, solid_joinstyle="miter")
+        axes.plot(xs[-1] - 0.028, middle[-1], ">", color=inks.ink, ms=3.4, mew=0.0)
     for room in layer.rooms:
         x, y = corner[room]
+<<<<<<< HEAD
         look = {"fc": LIGHT.paper, "ec": LIGHT.ink, "lw": 0.6, "zorder": 3, "gid": "room"}
+=======
+        look = {"fc": inks.page, "ec": inks.ink, "lw": 0.6, "zorder": 3, "gid": "room"}
+>>>>>>> h-manual
         axes.add_patch(Rectangle((x, y), box[room], HIGH, **look))
         look = {"size": ROOM, "ha": "center", "zorder": 4, "gid": "room"}
         _write(axes, x + 0.5 * box[room], y + 0.5 * HIGH, room, **look)
@@ -373,16 +404,16 @@ def _widths(layer: Layer) -> list[float]:
     return [columns[column] for column in sorted(columns)]
 
 
-def _draw_lanes(axes: Any, tree: Tree, heights: Sequence[float]) -> None:
+def _draw_lanes(axes: Any, tree: Tree, heights: Sequence[float], inks: Inks) -> None:
     """Draw a line for each layer that imports others, up to it from those that it imports."""
     height = {layer.name: at for layer, at in zip(tree.layers, heights, strict=True)}
     users = [name for name in height if any(user == name for user, _ in tree.edges)]
     for k, name in enumerate(users):
         x = WIDTH - MARGIN - PAD - LANE * k
         dots = [height[used] for user, used in tree.edges if user == name]
-        axes.plot([x, x], [height[name], max(dots)], color=FLOW, lw=0.9)
-        axes.plot([x] * len(dots), dots, "o", color=FLOW, ms=3.4, mew=0.0)
-        axes.plot(x, height[name], "^", color=FLOW, ms=4.6, mew=0.0)
+        axes.plot([x, x], [height[name], max(dots)], color=inks.ink, lw=0.9)
+        axes.plot([x] * len(dots), dots, "o", color=inks.ink, ms=3.4, mew=0.0)
+        axes.plot(x, height[name], "^", color=inks.ink, ms=4.6, mew=0.0)
 
 
 def _write(axes: Any, x: float, y: float, words: str, **look: Any) -> None:
@@ -402,12 +433,9 @@ def _width(words: str) -> float:
 
 if __name__ == "__main__":
     now = read_tree()
-    draw(now).savefig(
-        PICTURE,
-        dpi=200.0,
-        metadata={"Description": str(now), "Software": None},
-        pil_kwargs={"optimize": True},
-    )
+    for inks, file in ((LIGHT, PICTURE), (DARK, twins.dark_twin(PICTURE))):
+        draw(now, inks).savefig(file, dpi=175.0, metadata={"Description": str(now)})
+        images.make_small(file, inks.page, "tools/architecture.py")
     kept = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(written_into(kept, table(now)), encoding="utf-8")
     print(f"written: {PICTURE.relative_to(ROOT)} and the table in {PAGE.relative_to(ROOT)}")

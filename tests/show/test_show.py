@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.colors import to_hex, to_rgb
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from rocksteady import (
@@ -540,73 +540,3 @@ def test_the_style_ends_with_its_block_even_after_an_error() -> None:
 
 
 # --------------------------------------------------------------------------------- colours
-
-
-def linear(colour: str) -> Any:
-    c = np.array(to_rgb(colour))
-    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
-
-
-def lab(rgb: Any) -> Any:
-    """CIE L*a*b* of linear sRGB, white D65."""
-    matrix = np.array(
-        [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
-    )
-    xyz = matrix @ np.clip(rgb, 0.0, 1.0) / np.array([0.9505, 1.0, 1.089])
-    f = np.where(xyz > (6 / 29) ** 3, np.cbrt(xyz), xyz * (29 / 6) ** 2 / 3 + 4 / 29)
-    return np.array([116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])])
-
-
-# Machado, Oliveira and Fernandes (2009), severity 1, on linear sRGB
-SIGHTS = {
-    "normal": np.eye(3),
-    "protanopia": np.array(
-        [
-            [0.152286, 1.052583, -0.204868],
-            [0.114503, 0.786281, 0.099216],
-            [-0.003882, -0.048116, 1.051998],
-        ]
-    ),
-    "deuteranopia": np.array(
-        [
-            [0.367322, 0.860646, -0.227968],
-            [0.280085, 0.672501, 0.047413],
-            [-0.011820, 0.042940, 0.968881],
-        ]
-    ),
-}
-ATTRACTORS = (
-    palette.REST,
-    palette.SYMMETRIC,
-    palette.UNSYMMETRIC,
-    palette.SUBHARMONIC,
-    palette.APERIODIC,
-    palette.OVERTURNED,
-)
-
-
-@pytest.mark.parametrize("sight", SIGHTS)
-def test_attractors_are_told_apart_by_any_sight(sight: str) -> None:
-    seen = {colour: lab(SIGHTS[sight] @ linear(colour)) for colour in ATTRACTORS}
-    for one, other in itertools.combinations(ATTRACTORS, 2):
-        assert np.linalg.norm(seen[one] - seen[other]) > 15.0, (one, other)
-
-
-def test_undecided_is_told_apart_from_every_attractor() -> None:
-    for colour in ATTRACTORS:
-        distance = np.linalg.norm(lab(linear(colour)) - lab(linear(palette.UNDECIDED)))
-        assert distance > 15.0, colour
-
-
-def test_lines_differ_in_colour_or_dash_and_stand_out_from_white() -> None:
-    pairs = list(zip(palette.LINES, map(str, palette.DASHES), strict=True))
-    assert len(set(pairs)) == len(set(palette.LINES)) == len(palette.LINES)
-    for colour in palette.LINES:
-        luminance = float(np.array([0.2126, 0.7152, 0.0722]) @ linear(colour))
-        assert 1.05 / (luminance + 0.05) > 3.0, "the contrast that WCAG asks of graphics"
-
-
-def test_the_fills_of_the_regions_differ() -> None:
-    assert set(palette.REGION_FILLS) == {1, 2, 3, 4, 5}
-    for one, other in itertools.combinations(palette.REGION_FILLS.values(), 2):
-        assert np.linalg.norm(lab(linear(one)) - lab(linear(other))) > 5.0

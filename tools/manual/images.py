@@ -58,6 +58,7 @@ def make_small(file: Path, ground: str, source: str) -> None:
     from PIL.PngImagePlugin import PngInfo
 
     with Image.open(file) as drawn:
+        before = {name: text for name, text in drawn.info.items() if isinstance(text, str)}
         sheet = Image.new("RGBA", drawn.size, ground)
         sheet.alpha_composite(drawn.convert("RGBA"))
         shown = sheet.convert("RGB")
@@ -69,8 +70,8 @@ def make_small(file: Path, ground: str, source: str) -> None:
     table = (few.getpalette() or [])[: 3 * 255]
     small.putpalette([*table, *[0] * (3 * 255 - len(table)), *colour])
     words = PngInfo()
-    words.add_text("Software", "rocksteady")
-    words.add_text("Source", source)
+    for name, text in (before | {"Software": "rocksteady", "Source": source}).items():
+        words.add_text(name, text)
     small.save(file, optimize=True, transparency=255, pnginfo=words)
 
 
