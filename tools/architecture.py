@@ -18,12 +18,8 @@ from typing import TYPE_CHECKING, Any
 import grimp
 
 from rocksteady.show.style import palette
-<<<<<<< HEAD
-from rocksteady.show.style.tokens import LIGHT
-=======
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 from tools.manual import images, twins
->>>>>>> h-manual
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -262,10 +258,6 @@ LANE = 0.085
 """Between two lines at the right."""
 ROOMS = 5.6
 """Width that rooms may take before the lines at the right."""
-<<<<<<< HEAD
-BAND, FLOW = LIGHT.page, LIGHT.quiet
-=======
->>>>>>> h-manual
 KEYS = (
     "At the right: a layer (▲) uses those with a dot (●) on its line.",
     (
@@ -307,13 +299,8 @@ def draw(tree: Tree, inks: Inks = LIGHT) -> "Figure":
         tall.append(HEAD + ROW * rows + (0.04 if rows else 0.0))
         at += tall[-1] + BETWEEN
     height = at + KEY
-<<<<<<< HEAD
-    with palette.style():
-        figure = Figure(figsize=(WIDTH, height), facecolor=LIGHT.paper)
-=======
     with twins.on_paper(inks), palette.style():
         figure = Figure(figsize=(WIDTH, height))
->>>>>>> h-manual
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set(xlim=(0.0, WIDTH), ylim=(height, 0.0))
@@ -322,11 +309,7 @@ def draw(tree: Tree, inks: Inks = LIGHT) -> "Figure":
             _draw_layer(axes, layer, top, band, inks)
         _draw_lanes(axes, tree, [top + 0.5 * HEAD for top in tops], inks)
         for k, words in enumerate(KEYS):
-<<<<<<< HEAD
-            _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=LIGHT.quiet)
-=======
             _write(axes, MARGIN + PAD, at + 0.11 + 0.15 * k, words, color=inks.quiet)
->>>>>>> h-manual
     return figure
 
 
@@ -334,15 +317,6 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float, inks: Inks) ->
     """Draw a layer: its band, its words, its rooms and the arrows between them."""
     from matplotlib.patches import Rectangle
 
-<<<<<<< HEAD
-    look: dict[str, Any] = {"fc": BAND, "ec": LIGHT.hair, "lw": 0.6}
-    if layer.name == NAMESPACE:
-        look = {"fc": LIGHT.paper, "ec": LIGHT.edge, "lw": 0.6, "ls": (0, (3, 2))}
-    axes.add_patch(Rectangle((MARGIN, top), WIDTH - 2.0 * MARGIN, tall, **look))
-    left, line = MARGIN + PAD, top + 0.5 * HEAD
-    _write(axes, left, line, layer.name, size=NAME, weight="bold")
-    _write(axes, left + 0.86, line, layer.sentence, color=LIGHT.quiet)
-=======
     look: dict[str, Any] = {"fc": inks.hair, "ec": inks.hair, "lw": 0.0}
     if layer.name == NAMESPACE:
         look = {"fc": inks.page, "ec": inks.edge, "lw": 0.6, "ls": (0, (3, 2))}
@@ -350,7 +324,6 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float, inks: Inks) ->
     left, line = MARGIN + PAD, top + 0.5 * HEAD
     _write(axes, left, line, layer.name, size=NAME, weight="bold")
     _write(axes, left + 0.86, line, layer.sentence, color=inks.quiet)
->>>>>>> h-manual
 
     wide = _widths(layer)
     corner = {
@@ -382,11 +355,7 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float, inks: Inks) ->
         axes.plot(xs[-1] - 0.028, middle[-1], ">", color=inks.ink, ms=3.4, mew=0.0)
     for room in layer.rooms:
         x, y = corner[room]
-<<<<<<< HEAD
-        look = {"fc": LIGHT.paper, "ec": LIGHT.ink, "lw": 0.6, "zorder": 3, "gid": "room"}
-=======
         look = {"fc": inks.page, "ec": inks.ink, "lw": 0.6, "zorder": 3, "gid": "room"}
->>>>>>> h-manual
         axes.add_patch(Rectangle((x, y), box[room], HIGH, **look))
         look = {"size": ROOM, "ha": "center", "zorder": 4, "gid": "room"}
         _write(axes, x + 0.5 * box[room], y + 0.5 * HIGH, room, **look)
