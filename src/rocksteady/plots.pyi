@@ -2,6 +2,7 @@
 
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as block
+from .show.plots.attractor_kinds import plot_attractor_kinds as attractor_kinds
 from .show.plots.branches.bifurcations import plot_bifurcations as bifurcations
 from .show.plots.branches.cascades import plot_cascade as cascade
 from .show.plots.branches.curves import plot_bifurcation_curves as bifurcation_curves
@@ -12,6 +13,7 @@ from .show.plots.maps import plot_outcomes as outcomes
 from .show.plots.motion import plot_base as base
 from .show.plots.motion import plot_phase_portrait as phase_portrait
 from .show.plots.motion import plot_trajectory as trajectory
+from .show.plots.neighbours import plot_neighbours as neighbours
 from .show.plots.observations.back_analysis import plot_back_analysis as back_analysis
 from .show.plots.observations.ladders import plot_test_ladders as test_ladders
 from .show.plots.observations.posteriors import plot_posterior as posterior
@@ -41,6 +43,9 @@ from .show.plots.records import plot_response_spectra as response_spectra
 from .show.plots.risk.fragility import plot_fragility as fragility
 from .show.plots.risk.fragility import plot_fragility_states as fragility_states
 from .show.plots.risk.hazard import plot_risk as risk
+from .show.plots.risk.hazard_curve import plot_hazard_curve as hazard_curve
+from .show.plots.risk.objects import plot_objects as objects
+from .show.plots.risk.screens import plot_screens as screens
 from .show.plots.risk.tornado import plot_measure_efficiency as measure_efficiency
 from .show.plots.risk.tornado import plot_tornado as tornado
 from .show.plots.spectra import plot_rocking_spectrum as rocking_spectrum
@@ -50,9 +55,11 @@ from .show.plots.spectra import plot_suite_spectrum as suite_spectrum
 from .show.plots.steady import plot_response as response
 from .show.plots.steady import plot_steady_orbit as steady_orbit
 from .show.plots.steady import plot_steady_regions as steady_regions
+from .show.plots.steady_states import plot_steady_states as steady_states
 
 __all__ = [
     "animate",
+    "attractor_kinds",
     "back_analysis",
     "base",
     "basin_shares",
@@ -71,13 +78,16 @@ __all__ = [
     "fragility",
     "fragility_states",
     "free_rocking",
+    "hazard_curve",
     "husid",
     "integrated_record",
     "learning",
     "manifolds",
     "measure_efficiency",
     "multipliers",
+    "neighbours",
     "noise_fates",
+    "objects",
     "outcomes",
     "overturning",
     "overturning_scales",
@@ -93,10 +103,12 @@ __all__ = [
     "risk",
     "rocking_spectrum",
     "safe_basin",
+    "screens",
     "share_that_falls",
     "spectrum_map",
     "steady_orbit",
     "steady_regions",
+    "steady_states",
     "suite_spectrum",
     "temper",
     "test_ladders",

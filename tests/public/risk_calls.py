@@ -44,6 +44,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.codes.Screens: fields(t["screens"]),
         t["screens"].describe: {},
         t["screens"].row: {"name": "uplift"},
+        t["screens"].ratio: {"row": t["screen"]},
         rs.codes.Screen: fields(t["screen"]),
         t["screen"].describe: {},
         t["screen"].values: {},

@@ -219,6 +219,7 @@ def things() -> dict[str, Any]:
         ),
         "cascade": rs.branches.Cascade(parameter="amplitude", points=branch.points),
         "course": rs.measures.integrate_record(record),
+        "bifurcation": rs.branches.Bifurcation(point=fold, branches=(1,), highest=0.2, lowest=-0.2),
         "many": rs.orbits.find_attractors([0.5, 2.0], 4.0, 0.8, velocity=0.2, max_cycles=50),
         "response": rs.measures.compute_response_spectrum(record, [0.5, 1.0]),
         "curve": rs.compute_response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),

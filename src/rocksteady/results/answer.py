@@ -76,7 +76,7 @@ def doubt(warnings: Sequence[str]) -> str:
     >>> doubt(["Two records are weak. Scale them.", "The motions are few."])
     'Two records are weak; 1 more with --more'
     >>> doubt(["Of 12 records the first 11 are far too weak to fell a block of this size at all."])
-    'Of 12 records the first 11 are far too weak to ...'
+    'Of 12 records the first 11 are far too weak to fell ...'
     """
     more = f"; {len(warnings) - 1} more with --more" if len(warnings) > 1 else ""
     first = warnings[0].partition(". ")[0].rstrip(".") if warnings else ""

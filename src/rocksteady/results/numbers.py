@@ -113,15 +113,15 @@ def chance(probability: float | None, of: int = 0) -> str:
     return f"{percents:.{decimals}f} %"
 
 
-def interval(band: tuple[float, float] | None, confidence: float) -> str:
+def interval(band: tuple[float | None, float | None] | None, confidence: float) -> str:
     """Return an interval of a probability after it, its level first; empty without one.
 
     Examples
     --------
-    >>> interval((0.29, 0.428), 0.9), interval((0.0004, 0.07), 0.9), interval(None, 0.9)
+    >>> interval((0.29, 0.428), 0.9), interval((0.0004, 0.07), 0.9), interval((None, None), 0.9)
     (' (90 %: 29 to 43 %)', ' (90 %: < 0.1 to 7.0 %)', '')
     """
-    if band is None:
+    if band is None or None in band:
         return ""
     low, high = (chance(side) for side in band)
     return f" ({100.0 * confidence:g} %: {low.removesuffix(' %')} to {high})"

@@ -32,6 +32,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
+from rocksteady.model.facts import tilt_text
 from rocksteady.model.motions.fourier import PeriodicMotion
 from rocksteady.model.units import framed
 from rocksteady.results.description import Description, Fact
@@ -52,8 +53,8 @@ VALUES = 400
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Bifurcation:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Bifurcation(Result):
     """A bifurcation of a diagram.
 
     Attributes
@@ -71,6 +72,30 @@ class Bifurcation:
     branches: tuple[int, ...]
     highest: float
     lowest: float
+
+    @property
+    def model(self) -> Model:
+        """Which equations of motion hold: `Linear` or `Nonlinear`."""
+        return self.point.model
+
+    def describe(self) -> Description:
+        """Return the point, on which branches it lies, and how far its orbit tilts."""
+        point = self.point.describe()
+        numbers = ", ".join(map(str, self.branches))
+        return Description(
+            headline=f"{point.headline}; branches {numbers}",
+            facts=[
+                *point.facts,
+                Fact("branches", list(self.branches), "branches", numbers),
+                Fact("highest", self.highest, "highest", tilt_text(self.point.block, self.highest)),
+                Fact("lowest", self.lowest, "lowest", tilt_text(self.point.block, self.lowest)),
+            ],
+            notes=point.notes,
+        )
+
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the orbit there, as `BranchPoint.plot`."""
+        return self.point.plot(*arguments, **options)
 
 
 @checked_result

@@ -179,5 +179,7 @@ def _row_words(row: Mapping[str, Any]) -> str:
         beside = "no curve can be fitted"
         if row["by_curve"] is not None:
             beside = f"{chance(row['by_curve'])} by curve"
-        return f"{words}{interval(row['band'], CONFIDENCE)}, counted; {beside}"
+        return (
+            f"{words}{interval((row['band_low'], row['band_high']), CONFIDENCE)}, counted; {beside}"
+        )
     return words

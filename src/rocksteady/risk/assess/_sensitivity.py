@@ -76,9 +76,12 @@ class Case:
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, None for what does not exist."""
+        low, high = self.band or (None, None)
+        values = {**vars(self), "probability": self.probability, "band_low": low, "band_high": high}
+        del values["band"]
         return {
             key: None if isinstance(value, float) and math.isnan(value) else value
-            for key, value in {**vars(self), "probability": self.probability}.items()
+            for key, value in values.items()
         }
 
 

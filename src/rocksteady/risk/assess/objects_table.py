@@ -69,9 +69,10 @@ class ObjectsTable(Result):
         ``uplift_pga_g``, ``friction_needed``, ``friction_cause``, ``vertical_g`` and
         ``vertical_share``, ``lifted``, ``fell`` and ``trials`` of the runs at the demand,
         ``probability`` (with a PGV of the runs that lift) with its ``basis`` and ``method`` as in
-        `Assessment`, its ``band`` where it was counted, the share ``counted`` at the demand, of
-        those ``tried``, the probability ``by_curve`` and that by the ``closed_form``, ``colour``,
-        ``class``, ``verdict`` and ``sentence``; further columns of its table after them.
+        `Assessment`, where it was counted its interval from ``band_low`` to ``band_high``, the
+        share ``counted`` at the demand, of those ``tried``, the probability ``by_curve`` and that
+        by the ``closed_form``, ``colour``, ``class``, ``verdict`` and ``sentence``; further columns
+        of its table after them.
     pga_g, pgv_m_s
         The demand; the motions are scaled to its PGV, without one to its PGA.
     target_probability
@@ -115,12 +116,16 @@ class ObjectsTable(Result):
         ranked = sorted(known, key=lambda row: row[column], reverse=descending)
         return (*ranked, *others)
 
+    @property
+    def worst(self) -> list[dict[str, Any]]:
+        """The rows, by colour, and in each colour the highest probability first."""
+        return sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]])
+
     def describe(self) -> Description:
         """Return how many objects have which colour, and a row for each, the worst first."""
         colours = Counter(row["colour"] for row in self.rows)
         counts = {colour: colours[colour] for colour in ("red", "amber", "green", "grey")}
         target = 100.0 * self.target_probability
-        worst = sorted(self.sorted_by("probability"), key=lambda row: ORDER[row["colour"]])
         columns = [
             Column("name", "object", left=True),
             Column("probability", "P"),
@@ -157,14 +162,14 @@ class ObjectsTable(Result):
             tables=[
                 Table(
                     "objects",
-                    worst,
+                    self.worst,
                     columns,
                     kind=lambda row: str(row["colour"]),
                     alarm="red",
                 )
             ],
             notes=[colours_mean, METHOD, *CAVEATS],
-            answer=answer_of_table(self, worst),
+            answer=answer_of_table(self, self.worst),
         )
 
 
@@ -331,8 +336,9 @@ def _row(
         "counted": number_or_none(counts.share),
         "by_curve": answer.by_curve,
         "closed_form": closed,
-        **counts._asdict(),
-        "band": answer.band and list(answer.band),
+        **{key: count for key, count in counts._asdict().items() if key != "band"},
+        "band_low": answer.band and answer.band[0],
+        "band_high": answer.band and answer.band[1],
         "alpha_rad": side.alpha,
         "p_rad_s": side.p,
         "uplift_pga_g": uplift_acceleration_g(block, demand.vertical_at_peak_g),

@@ -1,14 +1,18 @@
 """Efficiency of a measure of intensity."""
 
+import math
 from dataclasses import dataclass
 
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, number_or_none
+from rocksteady.results.result import Result
 from rocksteady.seismic.measures.scalar import Measure
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class Efficiency:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Efficiency(Result):
     """Efficiency of a measure of intensity in separating failures from survivals.
 
     Attributes
@@ -46,3 +50,24 @@ class Efficiency:
     beta: float
     log_likelihood: float
     aic: float
+
+    @property
+    def label(self) -> str:
+        """The measure, or both of a pair, in words."""
+        return " and ".join(part.label for part in self.measure)
+
+    def describe(self) -> Description:
+        """Return how narrow the curve over the measure is, and how well it tells runs apart."""
+        spread = "" if math.isnan(self.beta) else f"beta {number(self.beta)}, "
+        return Description(
+            headline=f"{self.label} for {self.state}: {spread}AIC {number(self.aic, 4)}",
+            facts=[
+                Fact("measure", self.label, "measure"),
+                Fact("damage_state", self.state, "damage state"),
+                Fact("status", self.status, "status"),
+                Fact("median", number_or_none(self.median), "median", number(self.median)),
+                Fact("beta", number_or_none(self.beta), "beta", number(self.beta)),
+                Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
+                Fact("aic", self.aic, "Akaike's criterion"),
+            ],
+        )

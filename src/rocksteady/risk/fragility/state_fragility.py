@@ -4,7 +4,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.results.numbers import number_or_none
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, number_or_none
+from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
@@ -14,8 +16,8 @@ GIVEN = "given-uplift"
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class StateFragility:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class StateFragility(Result):
     """Fragility of one damage state.
 
     Attributes
@@ -65,6 +67,33 @@ class StateFragility:
     def gain(self) -> float | None:
         """What two stages add to the log-likelihood of the failures; None without stages."""
         return None if self.two_stage is None else self.two_stage.gain
+
+    def describe(self) -> Description:
+        """Return the curve to use, and a row for each of its curves."""
+        curve = self.curve.describe()
+        rows = self.rows(self.plain.measure[0])
+        columns = (
+            Column("stage", "curve", left=True),
+            Column("status", "status", left=True),
+            Column("median", "median", number),
+            Column("beta", "beta", number),
+            Column("failures", "reached", str),
+            Column("trials", "of", str),
+        )
+        return Description(
+            headline=f"{self.state.name}: {curve.headline}",
+            facts=[
+                Fact("damage_state", self.state.name, "damage state"),
+                Fact("peak", self.state.peak),
+                *(fact for fact in curve.facts if fact.key != "measure"),
+            ],
+            tables=[Table("fits", rows, columns)],
+            notes=curve.notes,
+        )
+
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the curve to use, as `rocksteady.plots.fragility`."""
+        return self.curve.plot(*arguments, **options)
 
     def rows(self, measure: str) -> list[dict[str, Any]]:
         """Return a row for each of its curves, that to use first, under the names of the JSON.

@@ -91,6 +91,11 @@ class Screens(Result):
         names = ", ".join(row.name for row in self.rows)
         raise InputError("name", name, "there is no such row", f"give one of: {names}")
 
+    def ratio(self, row: Screen) -> float | None:
+        """Return the demand over the threshold of a row; None of one without a threshold."""
+        demand = {"g": self.demand.pga_g, "m/s": self.demand.pgv_m_s}.get(row.unit)
+        return demand / row.value if demand is not None and row.value and not row.needs else None
+
     def describe(self) -> Description:
         """Return the rows with their sources, intermediate quantities and remarks."""
         demand = self.demand

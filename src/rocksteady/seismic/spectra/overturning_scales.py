@@ -213,7 +213,7 @@ class OverturningScales(WindowLists):
                     columns,
                     most=MOST_ROWS,
                     severity=lambda row: -row["first"] if row["windows"] else -math.inf,
-                    kind=lambda row: "that fall" if row["windows"] else "that stand",
+                    kind=lambda row: "falling" if row["windows"] else "standing",
                 ),
                 Table("windows", rows),
             ],

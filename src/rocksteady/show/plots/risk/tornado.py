@@ -9,6 +9,7 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
+from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
@@ -25,7 +26,7 @@ LEAST_SCALE = 0.1
 
 
 @checked
-def plot_measure_efficiency(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
+def plot_measure_efficiency(fragility: Fragility | Efficiency, ax: "Axes | None" = None) -> "Axes":
     """Draw the beta of each measure of intensity, the most efficient on top.
 
     A pair of measures has no beta, and no bar.
@@ -33,7 +34,7 @@ def plot_measure_efficiency(fragility: Fragility, ax: "Axes | None" = None) -> "
     Parameters
     ----------
     fragility
-        From `rocksteady.compute_fragility`, with its ranking.
+        From `rocksteady.compute_fragility`, with its ranking; or one measure of a ranking.
     ax
         Axes to draw on; default: axes of a new figure.
 
@@ -61,7 +62,8 @@ def plot_measure_efficiency(fragility: Fragility, ax: "Axes | None" = None) -> "
     >>> len(axes.patches) == len(fragility.ranking)
     True
     """
-    rows = [each for each in fragility.ranking if math.isfinite(each.aic)]
+    ranking = [fragility] if isinstance(fragility, Efficiency) else fragility.ranking
+    rows = [each for each in ranking if math.isfinite(each.aic)]
     betas = [each.beta if math.isfinite(each.beta) else 0.0 for each in rows]
     if not rows or not max(betas) > 0.0:
         raise InputError(

@@ -1,0 +1,91 @@
+"""Plot of published formulas side by side: demand over what each allows."""
+
+from typing import TYPE_CHECKING
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number
+from rocksteady.risk.screens.screens import Screens
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.tokens import DASHED, inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+WORDS = {True: "passes", False: "does not pass", None: "no verdict"}
+"""Verdict on a row."""
+
+
+@checked
+def plot_screens(screens: Screens, ax: "Axes | None" = None) -> "Axes":
+    """Draw the demand over the threshold of each published formula, the largest on top.
+
+    A bar beyond the dashed line is a demand above the threshold; the ratio and the verdict stand
+    beside it, as some thresholds are medians or uplift, which decide nothing. Formulas without a
+    threshold in g or m/s have no bar.
+
+    Parameters
+    ----------
+    screens
+        From `rocksteady.screen_block`.
+    ax
+        Axes to draw on; default: axes of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: demand over threshold, and a row for each formula.
+
+    Raises
+    ------
+    InputError
+        If no formula has a threshold for the demand.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Block, Demand, screen_block
+    >>> cabinet = Block.rectangle(width=0.32, height=1.8)
+    >>> axes = plot_screens(
+    ...     screen_block(cabinet, Demand(pga_g=0.35, pgv_m_s=0.4)), Figure().add_subplot()
+    ... )
+    >>> axes.get_xlabel(), axes.get_yticklabels()[0].get_text()
+    ('demand over threshold', 'Circolare rectangle')
+    """
+    rows = [(ratio, row) for row in screens.rows if (ratio := screens.ratio(row)) is not None]
+    if not rows:
+        raise InputError(
+            "screens",
+            Words("have no threshold in g or m/s"),
+            "a bar is a demand over a threshold",
+            "give a PGA or a PGV",
+        )
+    rows.sort(key=lambda each: -each[0])
+    axes = axes_or_new(ax)
+    inks, small = inks_of(axes), text_size(axes, 8.0)
+    places = range(len(rows))
+    axes.barh(
+        places, [ratio for ratio, _ in rows], height=0.6, color=inks.rocks_ramp[1],
+        ec=inks.edge, lw=0.6,
+    )  # fmt: skip
+    for place, (ratio, row) in enumerate(rows):
+        axes.annotate(
+            f"{number(ratio)}, {WORDS[row.passes]}", (1.0, place), (4.0, 0.0),
+            xycoords=("axes fraction", "data"), textcoords="offset points", va="center",
+            fontsize=small, color=inks.ink, annotation_clip=False,
+        )  # fmt: skip
+    axes.axvline(1.0, color=inks.limit, ls=DASHED, lw=1.0, zorder=3.0)
+    axes.annotate(
+        "threshold", (1.0, 1.0), (0.0, 3.0), xycoords=("data", "axes fraction"),
+        textcoords="offset points", ha="center", fontsize=small, color=inks.ink,
+    )  # fmt: skip
+    axes.set_yticks(places, [row.name for _, row in rows])
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
+    axes.set(
+        xlabel="demand over threshold",
+        xlim=(0.0, 1.05 * max(1.0, rows[0][0])),
+        ylim=(len(rows) - 0.4, -0.6),
+    )
+    return axes
