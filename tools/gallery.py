@@ -10,6 +10,7 @@ import io
 import sys
 from base64 import b64encode
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -48,10 +49,16 @@ SCREENS = (
 
 def pictures() -> Iterator[tuple[str, Callable[[Page], Any]]]:
     """Yield the name of each picture, and what draws its figure for a page."""
-    yield from ((name, lambda page, draw=draw: draw(page=page)) for name, draw in figures().items())
+    for name, draw in figures().items():
+        yield name, partial(on_named, draw)
     for label, call in calls().items():
         if call.function.__module__.startswith("rocksteady.show.plots"):
-            yield label, lambda page, call=call: on_page(call, page)
+            yield label, partial(on_page, call)
+
+
+def on_named(draw: Callable[..., Any], page: Page) -> Any:
+    """Return a whole figure for a page."""
+    return draw(page=page)
 
 
 def on_page(call: Any, page: Page) -> Any:

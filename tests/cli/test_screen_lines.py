@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.cli.flags import groups
+from rocksteady.results import rendering
 from rocksteady.results.answer import MOST_LINES, MOST_ROWS, Answer
 from rocksteady.results.rendering import WIDTH
 from tests.cli.program import rocksteady
@@ -65,7 +66,7 @@ class Seen:
 
     def __init__(self) -> None:
         self.answers: list[Answer] = []
-        self.printed = groups.print_answer
+        self.printed = rendering.print_answer
 
     def __call__(self, answer: Answer, console: object) -> None:
         """Print an answer."""

@@ -32,7 +32,7 @@ from rocksteady.overturning import OverturningWindows
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import bifurcation_figure, simulation_figure
 from rocksteady.show.film.animation import film_of
-from rocksteady.show.plots.branches._sweeps import SWEEPS
+from rocksteady.show.plots.branches._sweeps import SIZE
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.insets import crowd_of
 from rocksteady.show.style.page import Page
@@ -119,7 +119,7 @@ def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
 
 @pytest.mark.slow
 def test_a_sweep_is_a_thin_rim_and_its_bars_have_a_name() -> None:
-    assert max(size for _, _, size, _ in SWEEPS.values()) < 4.5
+    assert SIZE < 4.5
     diagram = replace(diagram_of(over_frequency(), "frequency_ratio"), sweeps=sweeps())
     for page in (Page(), Page(width_mm=84.0)):
         figure = bifurcation_figure(diagram, page=page)

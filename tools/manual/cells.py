@@ -26,7 +26,7 @@ class Twice:
         self._dark: list[str] | None = None
         """Pictures on dark paper, while a cell runs again."""
         self._print = pylabtools.print_figure
-        pylabtools.print_figure = self.picture
+        pylabtools.print_figure = self.picture  # type: ignore[assignment]
         shell.events.register("pre_run_cell", self.listen)
         shell.events.register("post_run_cell", self.draw_again)
 
@@ -68,7 +68,7 @@ class Twice:
                 again = self._shell.run_cell(result.info.raw_cell, store_history=False)
             again.raise_error()
             for data in self._dark:
-                display({"image/png": data}, raw=True)
+                display({"image/png": data}, raw=True)  # type: ignore[no-untyped-call]
         finally:
             settings.update(before)
             self._shell.user_ns.update(names)

@@ -71,7 +71,7 @@ def make_small(file: Path, ground: str, source: str) -> None:
     small.putpalette([*table, *[0] * (3 * 255 - len(table)), *colour])
     words = PngInfo()
     for name, text in (before | {"Software": "rocksteady", "Source": source}).items():
-        words.add_text(name, text)
+        words.add_text(str(name), str(text))
     small.save(file, optimize=True, transparency=255, pnginfo=words)
 
 

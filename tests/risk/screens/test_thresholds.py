@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import Block, Demand, screen_block
-from rocksteady.results.numbers import percent
+from rocksteady.results.numbers import chance
 from rocksteady.risk import assess_by_formula
 from rocksteady.risk.screens.thresholds import (
     circolare_rectangle,
@@ -131,7 +131,7 @@ def test_shares_are_those_of_assess_and_near_the_counts_of_the_bins() -> None:
         assert values["published"] == answer.probability
         assert values["this package"] == answer.other_probability
         for share in (answer.probability, answer.other_probability):
-            assert percent(share) in row.verdict
+            assert chance(share) in row.verdict
     resting = screen_block(block, Demand(pga_g=0.1, pgv_m_s=0.4)).row("p PGV/(g tan alpha)")
     assert (resting.passes, assess_by_formula(block, 0.1, 0.4).probability) == (True, 0.0)
     # Shares of runs that rock, by bins: of Chu et al., and of this package.

@@ -115,7 +115,7 @@ def _answer(dataset: "Labelled", rows: Sequence[dict[str, Any]], counts: dict[st
         left_out(len(rest), kinds),
         ("undecided", f"{undecided:,} runs" if undecided else ""),
         ("lost contact", f"{lost:,} runs leave the base" if lost else ""),
-        ("runs", ", ".join(f"{Status(end).plain} {n:,}" for end, n in counts.items() if n)),
+        ("runs", ", ".join(f"{each.plain} {n:,}" for each in Status if (n := counts[each.label]))),
         ("computed", _headline(dataset).partition(": ")[2]),
     ]
     falls = [row for row in groups[order[0]] if _falls(row)]

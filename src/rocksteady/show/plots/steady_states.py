@@ -97,7 +97,7 @@ def plot_steady_states(
         order = np.argsort(x, kind="stable")
         for branch in range(2):
             peak, stable, admissible = (
-                values[branch].ravel()[mine][order]
+                np.asarray(values)[branch].ravel()[mine][order]
                 for values in (states.peak * up.factor, states.stable, states.admissible)
             )
             for label, which, dash in (
@@ -131,13 +131,17 @@ def plot_steady_states(
 
 def _orbits(states: SteadyStates, axes: "Axes", legend: LegendPlace | None) -> "Axes":
     """Draw one period of each motion of a point: stable solid, unstable dashed."""
-    point = [float(getattr(states, name).item()) for name in ("amplitude", "frequency_ratio")]
+    amplitude, ratio = states.amplitude.item(), states.frequency_ratio.item()
     assert states.admissible is not None
     for branch in (1, 2):
         if not states.admissible[branch - 1].item():
             continue
         orbit = compute_steady_orbit(
-            *point, float(states.restitution.item()), branch=branch, order=int(states.order.item())
+            float(amplitude),
+            float(ratio),
+            float(states.restitution.item()),
+            branch=branch,
+            order=int(states.order.item()),
         )
         stable = bool(states.stable[branch - 1].item())
         plot_steady_orbit(orbit, axes, label=f"branch {branch}, {STABLE[stable]}")
