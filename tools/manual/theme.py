@@ -4,8 +4,17 @@ What may be touched has no hue: links, buttons and marks are ink. Code has none 
 differ by weight and slant, so that a hue on a page always means what it means in a picture.
 """
 
-from pygments.style import Style
-from pygments.token import Comment, Generic, Keyword, Name, Operator, String, Text, Token
+from pygments.style import Style  # type: ignore[import-untyped]
+from pygments.token import (  # type: ignore[import-untyped]
+    Comment,
+    Generic,
+    Keyword,
+    Name,
+    Operator,
+    String,
+    Text,
+    Token,
+)
 
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 
@@ -99,17 +108,17 @@ def _styles(inks: Inks) -> dict[object, str]:
     }
 
 
-class LightCode(Style):
+class LightCode(Style):  # type: ignore[misc]
     """Code on light paper."""
 
     background_color = LIGHT.paper
     highlight_color = LIGHT.hair
-    styles = _styles(LIGHT)  # type: ignore[assignment]
+    styles = _styles(LIGHT)
 
 
-class DarkCode(Style):
+class DarkCode(Style):  # type: ignore[misc]
     """Code on dark paper."""
 
     background_color = DARK.paper
     highlight_color = DARK.hair
-    styles = _styles(DARK)  # type: ignore[assignment]
+    styles = _styles(DARK)
