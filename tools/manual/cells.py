@@ -20,13 +20,14 @@ class Twice:
         """Listen to what a shell runs, and to which figures it shows."""
         from IPython.core import pylabtools
 
+        tools: Any = pylabtools
         self._shell = shell
         self._memory = twins.Memory()
         self._draws = False
         self._dark: list[str] | None = None
         """Pictures on dark paper, while a cell runs again."""
-        self._print = pylabtools.print_figure
-        pylabtools.print_figure = self.picture  # type: ignore[assignment]
+        self._print: Any = tools.print_figure
+        tools.print_figure = self.picture
         shell.events.register("pre_run_cell", self.listen)
         shell.events.register("post_run_cell", self.draw_again)
 
@@ -51,8 +52,11 @@ class Twice:
 
     def draw_again(self, result: Any) -> None:
         """Run a cell that has drawn again, and show its pictures on dark paper alone."""
-        from IPython.display import display
-        from IPython.utils.capture import capture_output
+        from IPython import display
+        from IPython.utils import capture
+
+        show: Any = display.display  # these two have no types
+        captured: Any = capture.capture_output
 
         if self._dark is not None or not self._draws or not result.success:
             return
@@ -64,11 +68,11 @@ class Twice:
         self._dark = []
         try:
             settings.update(dark)
-            with self._memory.again(), twins.on_paper(DARK), capture_output():
+            with self._memory.again(), twins.on_paper(DARK), captured():
                 again = self._shell.run_cell(result.info.raw_cell, store_history=False)
             again.raise_error()
             for data in self._dark:
-                display({"image/png": data}, raw=True)  # type: ignore[no-untyped-call]
+                show({"image/png": data}, raw=True)
         finally:
             settings.update(before)
             self._shell.user_ns.update(names)

@@ -58,7 +58,11 @@ def make_small(file: Path, ground: str, source: str) -> None:
     from PIL.PngImagePlugin import PngInfo
 
     with Image.open(file) as drawn:
-        before = {name: text for name, text in drawn.info.items() if isinstance(text, str)}
+        before = {
+            name: text
+            for name, text in drawn.info.items()
+            if isinstance(name, str) and isinstance(text, str)
+        }
         sheet = Image.new("RGBA", drawn.size, ground)
         sheet.alpha_composite(drawn.convert("RGBA"))
         shown = sheet.convert("RGB")
@@ -70,8 +74,8 @@ def make_small(file: Path, ground: str, source: str) -> None:
     table = (few.getpalette() or [])[: 3 * 255]
     small.putpalette([*table, *[0] * (3 * 255 - len(table)), *colour])
     words = PngInfo()
-    for name, text in (before | {"Software": "rocksteady", "Source": source}).items():
-        words.add_text(str(name), str(text))
+    for name, text in {**before, "Software": "rocksteady", "Source": source}.items():
+        words.add_text(name, text)
     small.save(file, optimize=True, transparency=255, pnginfo=words)
 
 

@@ -5,7 +5,16 @@ differ by weight and slant, so that a hue on a page always means what it means i
 """
 
 from pygments.style import Style  # type: ignore[import-untyped]
-from pygments.token import Comment, Generic, Keyword, Name, Operator, String, Text, Token  # type: ignore[import-untyped]
+from pygments.token import (  # type: ignore[import-untyped]
+    Comment,
+    Generic,
+    Keyword,
+    Name,
+    Operator,
+    String,
+    Text,
+    Token,
+)
 
 from rocksteady.show.style.tokens import DARK, LIGHT, Inks
 
