@@ -63,9 +63,9 @@ def plot_overturning(
 ) -> "Axes":
     """Draw the amplitudes at which a block falls under a pulse, over the frequency ratio.
 
-    The more impacts before the fall, the denser the pattern; where the block stands the area is
-    pale.  Where the pulse has one, the closed form of falling without an impact is drawn over it,
-    dashed, which is that of the linear model.
+    The more impacts before the fall, the denser the pattern; where the block stands is paper.
+    Where the pulse has one, the closed form of falling without an impact is drawn over it, dashed,
+    which is that of the linear model.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def plot_overturning(
     """
     from matplotlib.collections import LineCollection, PolyCollection
     from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch, Rectangle
+    from matplotlib.patches import Patch
 
     w = windows.frequency_ratio
     if len(w) < 2:
@@ -133,7 +133,7 @@ def plot_overturning(
         axes.add_collection(drawn, autolim=False)
         # Lines along the borders keep areas apart that touch.
         borders = [half for part in outlines for half in np.split(part, 2)]
-        rims = LineCollection(borders, colors=inks.rest, linewidths=0.8, zorder=1.6)
+        rims = LineCollection(borders, colors=inks.edge, linewidths=0.8, zorder=1.6)
         axes.add_collection(rims, autolim=False)
         handles.append(Patch(**(style | {"hatch": hatch, "linewidth": 0.6}), label=words))
     # A wall holds the block in the first half of a reversed pulse: there is no closed form.
@@ -143,7 +143,7 @@ def plot_overturning(
         fine = spread(w[0], w[-1], 400)
         threshold = threshold_without_impact(windows.block, windows.pulse, fine)
         path = np.column_stack([fine, threshold]) * factors
-        casing = LineCollection([path], colors=inks.rest, linewidths=3.0, zorder=2.9)
+        casing = LineCollection([path], colors=inks.paper, linewidths=3.0, zorder=2.9)
         axes.add_collection(casing, autolim=False)  # seen on what falls
         (line,) = axes.plot(
             *path.T,
@@ -164,7 +164,6 @@ def plot_overturning(
         xlim=(float(w[0]) * right.factor, float(w[-1]) * right.factor),
         ylim=(low * up.factor, high * up.factor),
     )
-    axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, fc=inks.rest, zorder=0.5))
     axes.grid(visible=False)
     plain_ticks(axes)
     gap = FAR_ROOM + GAP if draw_far_axes(axes, right, up) else GAP
@@ -172,7 +171,7 @@ def plot_overturning(
     draw_legend(
         axes,
         place,
-        handles=[*handles, swatch(inks, "rest", "stands"), *lines],
+        handles=[*handles, swatch(inks, "paper", "stands"), *lines],
         gap=gap,
         handleheight=1.3,
     )
@@ -195,7 +194,7 @@ def _write_words(
             inside = (middles > window.low) & (middles < window.high)
             codes[inside, k] = min(window.impacts, 2)
     words = {least: (text, inks.falls) for _, _, least, text in MODES}
-    words[STANDS] = ("stands", inks.rest)
+    words[STANDS] = ("stands", inks.paper)
     write_words(axes, (np.array(between) * factors[0], rows), codes, words)
 
 

@@ -63,7 +63,7 @@ def plot_overturning_scales(
     low, high = scales.within
     handles = []
     for row, top in enumerate(scales.top.tolist()):
-        axes.barh(row, top - low, BAR, left=low, facecolor=inks.rest, edgecolor=inks.edge, lw=0.6)
+        axes.barh(row, top - low, BAR, left=low, facecolor=inks.paper, edgecolor=inks.edge, lw=0.6)
     for side, words, pattern in SIDES:
         drawn = False
         for row in range(len(scales.names)):
@@ -73,10 +73,10 @@ def plot_overturning_scales(
                 place_of_row = (row - 0.5 * BAR, BAR)
                 axes.broken_barh(parts, place_of_row, **area_style(inks, "falls", pattern))
                 # A rim keeps falls to either side apart.
-                axes.broken_barh(parts, place_of_row, fc="none", ec=inks.rest, lw=0.8)
+                axes.broken_barh(parts, place_of_row, fc="none", ec=inks.edge, lw=0.8)
         if drawn:
             handles.append(swatch(inks, "falls", words, pattern))
-    handles.append(swatch(inks, "rest", "stands"))
+    handles.append(swatch(inks, "paper", "stands"))
     axes.set_xscale("log")
     axes.set(
         xlabel="scale of the record",

@@ -255,7 +255,7 @@ def plot_spectrum_map(
     return axes
 
 
-AREAS = (("falls", "falls"), ("rest", "rests"), ("undecided", "no answer"))
+AREAS = (("falls", "falls"), ("rest", "rests"), ("undecided", "undecided"))
 """Roles and words of what has no peak."""
 
 

@@ -58,8 +58,9 @@ def pattern_ink(fill: str) -> str:
 
     Examples
     --------
-    >>> pattern_ink("#000000"), pattern_ink("#ffffff")
-    ('#4c4c4c', '#999999')
+    >>> from rocksteady.show.style.tokens import LIGHT, contrast
+    >>> round(contrast(pattern_ink(LIGHT.falls), LIGHT.falls), 1)
+    2.7
     """
     return mixed(fill, ON_DARK if luminance(fill) < DARKEST_PAPER else ON_LIGHT)
 
@@ -70,8 +71,10 @@ def word_ink(fill: str, inks: Inks) -> str:
     Examples
     --------
     >>> from rocksteady.show.style.tokens import LIGHT
-    >>> word_ink(LIGHT.falls, LIGHT) == LIGHT.on_falls, word_ink(LIGHT.rocks, LIGHT)
-    (True, '#0d1b26')
+    >>> word_ink(LIGHT.falls, LIGHT) == LIGHT.on_falls
+    True
+    >>> word_ink(LIGHT.rocks, LIGHT) == LIGHT.on_rocks
+    True
     """
     return max((inks.on_falls, inks.on_rocks), key=lambda ink: contrast(ink, fill))
 

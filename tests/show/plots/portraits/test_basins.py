@@ -223,7 +223,7 @@ def test_without_a_threshold_there_is_no_line_of_it() -> None:
 def test_safe_states_are_light() -> None:
     given = eroded()
     seen = colours_seen(plot_safe_basin(given, 1, Figure().add_subplot()))
-    assert np.array_equal(seen == LIGHT.rest, given.safe[1])
+    assert np.array_equal(seen == LIGHT.paper, given.safe[1])
 
 
 def test_figures_have_a_title_and_their_panels() -> None:

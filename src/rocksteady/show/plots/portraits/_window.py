@@ -16,11 +16,14 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.areas import Area, draw_pattern, pattern_ink, write_words
 from rocksteady.show.style.legends import GAP, size_of
 from rocksteady.show.style.scales import FAR_ROOM, Scale, draw_far_axes, scale_of
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+OUTLINE = 0.7
+"""Width of the line around areas of the colour of paper [points]."""
 LEAST_START = 120.0
 """Width of axes [points] from which on their labels say that a state is the one at the start."""
 
@@ -60,6 +63,7 @@ def draw_window(
     """
     from matplotlib.colors import ListedColormap
 
+    inks = inks_of(axes)
     at_start = size_of(axes)[0] >= LEAST_START
     right, up = (scale_of(name, states.block, at_start=at_start) for name in ("angle", "velocity"))
     factors = np.array([right.factor, up.factor])
@@ -77,7 +81,10 @@ def draw_window(
         interpolation="nearest",
     )
     for code, area in enumerate(areas):
-        draw_pattern(axes, (columns, rows), codes == code, area.hatch, pattern_ink(area.fill))
+        where, ink = codes == code, pattern_ink(area.fill)
+        if area.fill == inks.paper:  # on dark paper hardly lighter than what falls
+            draw_pattern(axes, (columns, rows), where, "", inks.edge, outline=OUTLINE)
+        draw_pattern(axes, (columns, rows), where, area.hatch, ink)
     axes.grid(visible=False)
     axes.set(xlabel=right.label, ylabel=up.label, xlim=ends[:2], ylim=ends[2:])
     named = {code: (area.word, area.fill) for code, area in enumerate(areas) if area.word}

@@ -246,7 +246,7 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     index = index_value(index, len(erosion.amplitude), "amplitude")
     axes = axes_or_new(ax)
     inks = inks_of(axes)
-    areas = Area(inks.falls, HATCHES["falls"], "falls"), Area(inks.rest, word="stands")
+    areas = Area(inks.falls, HATCHES["falls"], "falls"), Area(inks.paper, word="stands")
     draw_window(axes, erosion, erosion.safe[index], areas)
     scale = scale_of("amplitude", erosion.block)
     axes.set_title(_amplitude(float(erosion.amplitude[index]), scale))

@@ -23,7 +23,7 @@ AREAS = {
     (Status.ROCKING, 0): ("rocks", "rocks", None),
     (Status.OVERTURNED, 1): ("falls to the positive side", "falls", None),
     (Status.OVERTURNED, -1): ("falls to the negative side", "falls", "falls_negative"),
-    (Status.LOST_CONTACT, 0): ("lost contact", "paper", "no_start"),
+    (Status.LOST_CONTACT, 0): ("lost contact", "hair", "no_start"),
     (Status.UNDECIDED, 0): ("undecided", "undecided", None),
 }
 """Words, role and pattern of each fate and side; states that rest have steps by their peaks."""

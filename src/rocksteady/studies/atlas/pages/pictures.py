@@ -39,7 +39,7 @@ DRAWN = ("existence", "symmetry-breaking", "first-doubling", "cascade-limit", "g
 BANDS = (
     ("symmetric", "symmetric"),
     ("unsymmetric", "unsymmetric"),
-    ("doubled, and doubled again", "subharmonic"),
+    ("subharmonic, by doubling", "subharmonic"),
 )
 """Words and role of each band."""
 MAGNIFIED = 0.5
@@ -50,8 +50,8 @@ AWAY = 0.01
 """Part of the plane's height by which a graze may miss the end of the bands."""
 FATE_LOOKS = {
     "rest": ("rests", "rest", None),
-    "symmetric, period 1": ("symmetric,\nperiod 1", "symmetric", None),
-    "unsymmetric, period 1": ("unsymmetric,\nperiod 1", "unsymmetric", None),
+    "symmetric, period 1": ("symmetric", "symmetric", None),
+    "unsymmetric, period 1": ("unsymmetric", "unsymmetric", None),
     "period 1 with rests": ("period 1\nwith rests", "rocks", "with_rests"),
     "subharmonic": ("subharmonic", "subharmonic", None),
     "aperiodic": ("aperiodic", "aperiodic", None),
@@ -130,7 +130,7 @@ def draw_coexistence(
         prepare(upper, plane, title="Number of motions that stand side by side", bottom=False)
         draw_cells(upper, plane, result.motions, colours)
         draw_area(upper, plane, result.motions == 0, "falls")
-        handles: list[Artist] = [swatch(inks, "falls", "0: always falls")]
+        handles: list[Artist] = [swatch(inks, "falls", "0: falls")]
         handles += [filled(inks, colours[count], str(count)) for count in range(1, most + 1)]
         upper.legend(handles=handles, **BESIDE)
         prepare(lower, plane, title="Where motions other than the plain harmonic one were found")

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 LOOKS = {
     Kind.REST: ("rests", "rest"),
-    Kind.SYMMETRIC: ("symmetric harmonic", "symmetric"),
-    Kind.UNSYMMETRIC: ("unsymmetric harmonic", "unsymmetric"),
+    Kind.SYMMETRIC: ("symmetric", "symmetric"),
+    Kind.UNSYMMETRIC: ("unsymmetric", "unsymmetric"),
     Kind.SUBHARMONIC: ("subharmonic", "subharmonic"),
     Kind.OVERTURNED: ("falls", "falls"),
-    Kind.UNSETTLED: ("not settled", "undecided"),
+    Kind.UNSETTLED: ("undecided", "undecided"),
 }
 """Words and role of the fill of each fate."""
 NO_RUN = "not_computed"
@@ -110,7 +110,7 @@ def plot_key(fates: Mapping[int, Sequence[Fate]], axes: "Axes") -> None:
     kinds = dict.fromkeys(fate.kind for side in SIDES for fate in fates[side])
     looks = [LOOKS[kind] for kind in kinds]
     patches = [swatch(inks, role, words) for words, role in looks]
-    patches.append(swatch(inks, "paper", "closer: no run", NO_RUN))
+    patches.append(swatch(inks, "paper", "not computed", NO_RUN))
     axes.legend(
         handles=patches,
         loc="center left",
