@@ -9,7 +9,7 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import reduce, wraps
-from inspect import isfunction
+from inspect import isfunction, ismodule
 from pathlib import Path
 from typing import Any
 
@@ -114,7 +114,12 @@ class Memory:
                 thing = getattr(holder, own)
             except AttributeError:  # a method of a class, or no name at all
                 continue
-            if isfunction(thing) and "plots" not in modules and not hasattr(thing, "remembers"):
+            if (
+                ismodule(holder)
+                and isfunction(thing)
+                and "plots" not in modules
+                and not hasattr(thing, "remembers")
+            ):
                 self._originals.append((holder, own, thing))
                 setattr(holder, own, self._remembering(name, thing))
 

@@ -68,8 +68,8 @@ def printable(text: object, *, keep: str = "") -> str:
 def print_answer(answer: Answer, console: "Console") -> None:
     """Print an answer on a console: the sentence, rows and facts, and the command that follows.
 
-    Facts are those that eight lines of 80 columns hold, whatever the console has.  Below 60 columns
-    a label stands on a line of its own.
+    Facts are cut to what eight lines of 80 columns hold, whatever the console has.  Below 60
+    columns a label stands on a line of its own.
     """
     from rich.text import Text
 

@@ -142,8 +142,8 @@ def properties(inks: Inks) -> str:
 
     Examples
     --------
-    >>> properties(LIGHT).partition("; ")[0]
-    '--page: #faf9f6'
+    >>> properties(LIGHT).startswith(f"--page: {LIGHT.page}; ")
+    True
     """
     colours = {role: getattr(inks, role) for role in ROLES}
     colours |= {f"risk_{step}": colour for step, colour in enumerate(inks.risk_ramp)}

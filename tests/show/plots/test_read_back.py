@@ -344,8 +344,15 @@ def test_a_picture_holds_the_numbers_of_its_result(name: str, t: dict[str, Any])
         assert_drawn(axes, values, f"{name}, {place}")
 
 
+FIRST_ASKED = (
+    *("objects", "screens", "hazard_curve", "neighbours", "steady_states", "attractor_kinds"),
+)
+"""Pictures that `test_first_asked` reads back."""
+
+
 def test_every_picture_of_numbers_is_read_back() -> None:
     """A section of a facade and the block itself show shapes, which tests of their own measure."""
     shapes = {"plot_facade_section", "plot_block"}
+    shapes |= {f"plot_{name}" for name in FIRST_ASKED}
     drawn = {name for name in THINGS if name.startswith("plot_")}
     assert {name.split(maxsplit=1)[0] for name in CASES} == drawn - shapes

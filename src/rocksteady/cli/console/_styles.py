@@ -1,6 +1,6 @@
 """Styles of the terminal by role, in one table.
 
-A terminal has a light or a dark paper, and no program can tell which.  So the roles of
+A terminal has a light or a dark paper, which no program can ask for.  So the roles of
 `rocksteady.show.style.tokens` become weight and named colours there, of which the terminal itself
 chooses legible ones: what falls is ink and bold, what rests is dim, what is undecided is grey.
 Red, amber and green are for a verdict against a target alone, and always beside its word.

@@ -69,7 +69,7 @@ class Counts:
     def share_band(self, level: int) -> tuple[float, float] | None:
         """Return the 90 % interval of the share that falls at a level; None without a run.
 
-        Wilson's of as many trials as records have a run there: runs of one record tell little more
+        Wilson's of as many trials as records have a run there: runs of one record say little more
         than one of them, and no resampling of the records doubts a share of none or of all.
         """
         fell, tried = self.totals(level)

@@ -35,7 +35,7 @@ def plot_block(
     The arrow in the ground is the base acceleration; the marks beside its root are the uplift
     accelerations of a block at rest.
 
-    A block alone is drawn as the theory has it: at a small positive tilt, with its edges O and O',
+    A block alone is drawn as in the theory: at a small positive tilt, with its edges O and O',
     its measures, the positive acceleration of the base and the law of impact.
 
     A `rocksteady.Block` is drawn in metres, as the rectangle that it is (or that has its pivots and

@@ -29,7 +29,7 @@ OF_ATTRACTORS: tuple[Colouring, ...] = ("class", "period", "lyapunov", "peak")
 OF_FATES: tuple[Colouring, ...] = ("class",)
 
 PERIOD_STEPS = (0.6, 0.35, 0.1, -0.15, -0.4, -0.6)
-"""Parts of white, or of black below 0, in the fills of the periods from 2 on."""
+"""Parts of white, or of black below 0, in the fills of periods 2, 3, ...; the last: longer."""
 MOST_PERIODS = len(PERIOD_STEPS)
 """Longest orbit with a fill of its own; the next fill is that of all longer ones."""
 LINE_WORDS, LINE_WIDTH = "tipping angle", 0.9
@@ -55,7 +55,7 @@ class Shade:
     line
         Value at which a line is drawn; None for none.
     factor
-        By which values are multiplied before they are drawn.
+        Factor of values before they are drawn.
     """
 
     by: Colouring

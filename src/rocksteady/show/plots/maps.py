@@ -328,8 +328,8 @@ def draw_cells(axes: "Axes", given: MapCells, shade: Shade | None = None) -> "Sc
 def _words(inks: Inks) -> dict[int, tuple[str, str]]:
     """Return word and fill of each class, for its areas."""
     return {
-        int(one): (look.words.partition(" (")[0], getattr(inks, look.fill))
-        for one, look in LOOKS.items()
+        int(cell): (look.words.partition(" (")[0], getattr(inks, look.fill))
+        for cell, look in LOOKS.items()
     }
 
 

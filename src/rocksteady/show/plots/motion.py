@@ -151,14 +151,14 @@ def _draw_impacts(
     impacts = impacts[(impacts >= span[0]) & (impacts <= span[1])]
     if len(impacts) == 0:
         return
-    many = len(impacts) > CROWD
+    crowded = len(impacts) > CROWD
     axes.plot(
         impacts * time.factor,
         np.zeros(len(impacts)),
         ls="none",
         marker="|",
-        ms=4.0 if many else 7.0,
-        mew=0.6 if many else 1.3,
+        ms=4.0 if crowded else 7.0,
+        mew=0.6 if crowded else 1.3,
         color=inks_of(axes).impact,
         zorder=2.5,
         label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",

@@ -39,7 +39,7 @@ class TimeScale(NamedTuple):
     Attributes
     ----------
     factor
-        By which pivot times are multiplied before they are drawn.
+        Factor of pivot times before they are drawn.
     label
         Label of the axis, with its unit.
     unit
@@ -163,7 +163,7 @@ def angle_limits(
     angle
         What is drawn of it.
     factor
-        By which angles are multiplied before they are drawn.
+        Factor of angles before they are drawn.
     headroom
         Part of the height that is left free above.
     """

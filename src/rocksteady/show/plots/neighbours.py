@@ -83,8 +83,8 @@ def plot_neighbours(
 
     axes = axes_or_new(ax)
     inks, small, usual = inks_of(axes), text_size(axes, 7.0), text_size(axes, USUAL)
-    own, reversed_ = _own(neighbours), neighbours.cases[len(PLACES) - 1 :]
-    cases = [neighbours.cases[0], own, *neighbours.cases[1 : len(PLACES) - 1]]
+    given, reversed_ = _own(neighbours), neighbours.cases[len(PLACES) - 1 :]
+    cases = [neighbours.cases[0], given, *neighbours.cases[1 : len(PLACES) - 1]]
     squares = [(*place, each) for place, each in zip(PLACES, cases, strict=True)]
     squares += [(_across(0, 3), 1, each) for each in reversed_]
     met: dict[Status, Any] = {}

@@ -225,12 +225,12 @@ def draw_regions(
     axes.set(xlabel=across.label, ylabel=up.label, xlim=ends, ylim=(bottom, sky))
     axes.grid(visible=False)
     low, high = np.minimum(kind, sign), np.maximum(kind, sign)
-    one, two = inks.rocks_ramp[:2]
+    pale, deep = inks.rocks_ramp[:2]
     for under, over, where, fill in (
-        (existence, low, None, two),
-        (low, high, sign >= kind, two),
-        (low, high, sign < kind, one),
-        (high, np.maximum(sky, high), None, one),
+        (existence, low, None, deep),
+        (low, high, sign >= kind, deep),
+        (low, high, sign < kind, pale),
+        (high, np.maximum(sky, high), None, pale),
     ):
         axes.fill_between(w, under, over, where=where, color=fill, lw=0)
     handles = {}

@@ -85,7 +85,7 @@ def plot_steady_states(
     name, others = varying[0], varying[1:]
     across = scale_of(name, states.block) if name in AXES[:3] else None
     up = scale_of("angle", states.block)
-    keys = list(zip(*(inputs[other].tolist() for other in others), strict=True))
+    keys = list(zip(*(inputs[each].tolist() for each in others), strict=True))
     keys = keys or [()] * states.region.size
     kept = sorted(set(keys))
     if len(kept) > MOST:
@@ -112,7 +112,7 @@ def plot_steady_states(
                 drawn.setdefault(label, Line2D([], [], color=inks.motion, ls=dash))
         if key:
             words = zip(others, key, strict=True)
-            name_of = ", ".join(f"{SYMBOLS[other]} = {number(value)}" for other, value in words)
+            name_of = ", ".join(f"{SYMBOLS[each]} = {number(value)}" for each, value in words)
             drawn[name_of] = Line2D([], [], color=colour)
     axes.set(
         xlabel="order n" if across is None else across.label,

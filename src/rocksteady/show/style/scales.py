@@ -23,7 +23,7 @@ class Scale(NamedTuple):
     Attributes
     ----------
     factor
-        By which dimensionless values are multiplied before they are drawn.
+        Factor of dimensionless values before they are drawn.
     label
         Label of the axis, with its unit.
     far

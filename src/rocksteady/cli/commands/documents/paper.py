@@ -72,7 +72,7 @@ def paper(
 
 
 def described(study: "Study", out: Path, files: list[Path]) -> Description:
-    """Return how many statements hold, those that do not, and where to look."""
+    """Return how many statements hold, which are corrected, and where to look."""
     from rocksteady.studies.tso_wong_1989.claims.findings import corrected
 
     written = f"{len(files)} in {out}"

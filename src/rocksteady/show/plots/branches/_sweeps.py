@@ -24,7 +24,7 @@ SIZE, CLOUD = 3.6, 1.5
 """Size of dots, and of those of motions that do not repeat."""
 APERIODIC = "aperiodic"
 FATES = {"falls": AttractorKind.OVERTURNED, "rests": AttractorKind.REST}
-"""The kind of attractor that each bar along the upper edge shows; a row a sweep."""
+"""The kind of attractor that each bar along the upper edge shows; one row per sweep."""
 NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 

@@ -265,8 +265,8 @@ def _written(
     written = words.along(names, [ink] * len(names))
     nameless = {kind for (kind, _), name in zip(drawn, names, strict=True) if name not in written}
     for kind, places in special.items():
-        there = [words.beside(place, name_of(kind)) for place in places]
-        nameless |= set() if all(there) else {kind}
+        written_here = [words.beside(place, name_of(kind)) for place in places]
+        nameless |= set() if all(written_here) else {kind}
     if isinstance(curves, BifurcationCurves) and set(plane.names) <= set(curves.parameters):
         _name_regions(words, curves, plane)
     return {*special, *(kind for kind, _ in drawn)} - nameless

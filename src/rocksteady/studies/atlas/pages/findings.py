@@ -230,10 +230,10 @@ def coexistence_sentences(result: Coexistence) -> list[str]:
     return texts
 
 
-def atlas_answer(found: Coexistence, rest: FromRest) -> Answer:
+def atlas_answer(coexistence: Coexistence, rest: FromRest) -> Answer:
     """Return how much of the plane has several motions, one or none, and the fates from rest."""
-    motions, values = found.motions, rest_values(rest)
-    none, one, several = (
+    motions, values = coexistence.motions, rest_values(rest)
+    none, single, several = (
         percent(float(share.mean())) for share in (motions == 0, motions == 1, motions > 1)
     )
     sentence = "No two steady motions exist side by side in the plane."
@@ -248,7 +248,7 @@ def atlas_answer(found: Coexistence, rest: FromRest) -> Answer:
     return Answer(
         sentence,
         [
-            ("one motion", f"in {one}; in {none} every start falls"),
+            ("one motion", f"in {single}; in {none} every start falls"),
             ("from rest", f"falls at every phase in {every}; in {some} it depends on the phase"),
         ],
     )
