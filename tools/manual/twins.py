@@ -110,7 +110,7 @@ class Memory:
         for name in set(USED.findall(source)):
             *modules, own = name.split(".")
             try:
-                holder = reduce(getattr, modules, rocksteady)
+                holder: Any = reduce(getattr, modules, rocksteady)
                 thing = getattr(holder, own)
             except AttributeError:  # a method of a class, or no name at all
                 continue
