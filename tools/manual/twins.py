@@ -8,6 +8,7 @@ import re
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import reduce, wraps
 from inspect import isfunction, ismodule
 from pathlib import Path
@@ -35,15 +36,8 @@ def paper(inks: Inks) -> dict[str, Any]:
     """Return the settings of Matplotlib with which a page of the manual is the paper."""
     from cycler import cycler
 
-    grounds = dict.fromkeys(("figure.facecolor", "axes.facecolor"), inks.page)
-    parts = ("axes.edgecolor", "axes.labelcolor", "text.color", "xtick.color", "ytick.color")
     colours = cycler(color=[getattr(inks, role) for role in CYCLE])
-    return {
-        **grounds,
-        **dict.fromkeys(parts, inks.ink),
-        "grid.color": inks.hair,
-        "axes.prop_cycle": colours,
-    }
+    return {**palette.in_colours(_page_of(inks)), "axes.prop_cycle": colours}
 
 
 @contextmanager
@@ -52,13 +46,12 @@ def on_paper(inks: Inks, *, dpi: float | None = None) -> Iterator[None]:
 
     Films and the pictures of commands are drawn in it, whatever the settings of Matplotlib are.
     """
-    before = dict(palette.STYLE)
-    palette.STYLE.update(paper(inks) | ({"savefig.dpi": dpi} if dpi else {}))
-    try:
+    with palette.on_paper(_page_of(inks), **({"savefig_dpi": dpi} if dpi else {})):
         yield
-    finally:
-        palette.STYLE.clear()
-        palette.STYLE.update(before)
+
+
+def _page_of(inks: Inks) -> Inks:
+    return replace(inks, paper=inks.page)
 
 
 def dark_twin(picture: Path) -> Path:

@@ -29,7 +29,6 @@ from rocksteady.show.plots.motion_axes import (
     angle_limits,
     base_scale,
     covered,
-    draw_far_axes,
     draw_wall,
     name_level,
     sided,
@@ -46,7 +45,7 @@ from rocksteady.show.style.legends import (
     size_of,
     text_size,
 )
-from rocksteady.show.style.scales import Scale
+from rocksteady.show.style.scales import Scale, draw_far_axes
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -139,7 +138,7 @@ def plot_trajectory(
         taken.append((right * (1.0 - size[0]), upper * (1.0 - size[1]), *size))
     _draw_tipping_angles(axes, trajectory, path, angle.factor, taken)
     draw_legend(axes, place, corner=corner)
-    draw_far_axes(axes, x=time.far, y=angle)
+    draw_far_axes(axes, time.far, angle)
     return axes
 
 
@@ -315,7 +314,7 @@ def plot_base(
             _draw_vertical(axes, path[0], upwards, place)
         axes.set_ylim(axes.get_ylim())
         name_level(axes, levels[-1], "lifts off", path)
-    draw_far_axes(axes, x=time.far, y=scale)
+    draw_far_axes(axes, time.far, scale)
     return axes
 
 
@@ -468,5 +467,5 @@ def plot_phase_portrait(
         room = max(HEADROOM, LINE / size_of(axes)[1])
         axes.set_ylim(low - 0.05 * (high - low), high + room * (high - low))
     draw_legend(axes, place, corner=corner)
-    draw_far_axes(axes, x=across, y=up)
+    draw_far_axes(axes, across, up)
     return axes

@@ -16,8 +16,8 @@ from rocksteady.outcomes import Status
 from rocksteady.show.plots.records import Quantity
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import CORNERS, Corner, extent
-from rocksteady.show.style.legends import SMALL, figure_of, size_of, text_size
-from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.legends import size_of, text_size
+from rocksteady.show.style.scales import Scale, scale_of
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -27,8 +27,6 @@ HEADROOM = 0.15
 """Part of the height of a time history that is left free above it for words and the legend."""
 WALL_SHARE = 0.08
 """Of the angles above 0: how much of the wall is shown below it."""
-LEAST_FOR_FAR_AXES = (200.0, 110.0)
-"""Width and height of axes [points] that have room for axes on the far side."""
 Box = tuple[float, float, float, float]
 """Left and lower end, width and height, in parts of the axes."""
 
@@ -82,16 +80,6 @@ def sided(trajectory: Trajectory, name: str) -> Scale:
         return scale
     label, far = (text.replace(r"\alpha", r"\alpha_+") for text in (scale.label, scale.far))
     return Scale(scale.factor, label, far)
-
-
-def draw_far_axes(axes: "Axes", *, x: Scale, y: Scale) -> None:
-    """Draw the dimensionless axes on the far sides, where there is room for them."""
-    wide, high = size_of(axes)
-    narrow = 72.0 * figure_of(axes).get_figwidth() < SMALL
-    if narrow or wide < LEAST_FOR_FAR_AXES[0] or high < LEAST_FOR_FAR_AXES[1]:
-        return
-    draw_far_axis(axes, "x", x)
-    draw_far_axis(axes, "y", y)
 
 
 def name_level(

@@ -13,7 +13,15 @@ from rocksteady.seismic.measures.time_course import IntegratedRecord
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.legends import (
+    LETTER,
+    LegendPlace,
+    draw_legend,
+    place_of,
+    size_of,
+    text_size,
+)
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -275,7 +283,17 @@ def plot_response_spectra(
     )
     damping = f"{100.0 * spectra[0].damping:g} % damping"
     small = text_size(axes, 8.0)
-    if few and len(spectra) > 1 and legend is None and name_ends(axes, handles):
+    names = [str(line.get_label()) for line in handles]
+    room = LONGEST_NAME * size_of(axes)[0]
+    fit = max(map(len, names)) * LETTER * small <= room
+    if few and len(spectra) > 1 and legend is None and fit:
+        name_line_ends(
+            axes,
+            [
+                LineEnd(name, line.get_ydata(), str(line.get_color()))
+                for name, line in zip(names, handles, strict=True)
+            ],
+        )
         handles = []
     if len(spectra) > 1 and handles:
         draw_legend(axes, place, handles=handles, corner="lower left", title=damping)
@@ -283,38 +301,3 @@ def plot_response_spectra(
         style: dict[str, Any] = {"fontsize": small, "color": inks.ink}
         axes.text(0.98, 0.96, damping, transform=axes.transAxes, ha="right", va="top", **style)
     return axes
-
-
-def name_ends(axes: "Axes", lines: "Sequence[Line2D]") -> bool:
-    """Write the name of each line at its right end, and return whether there was room for that."""
-    size = text_size(axes, 8.0)
-    names = [str(line.get_label()) for line in lines]
-    wide, high = size_of(axes)
-    if max(map(len, names)) * 0.56 * size > LONGEST_NAME * wide:
-        return False
-    ends = [
-        (float(np.ravel(x)[-1]), float(np.ravel(y)[-1])) for x, y in (li.get_data() for li in lines)
-    ]
-    places = axes.transAxes.inverted().transform(axes.transData.transform(ends))[:, 1]
-    order = np.argsort(places)
-    step = 1.25 * size / high
-    spread = places[order].copy()
-    for _ in range(50):  # neighbours push each other apart
-        for k in range(1, len(spread)):
-            short = step - (spread[k] - spread[k - 1])
-            if short > 1e-9:
-                spread[k] += 0.5 * short
-                spread[k - 1] -= 0.5 * short
-    for k, place in zip(order.tolist(), spread.tolist(), strict=True):
-        axes.annotate(
-            names[k],
-            (1.0, place),
-            (4.0, 0.0),
-            xycoords="axes fraction",
-            textcoords="offset points",
-            va="center",
-            fontsize=size,
-            color=lines[k].get_color(),
-            annotation_clip=False,
-        )
-    return True

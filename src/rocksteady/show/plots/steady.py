@@ -17,7 +17,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import non_negative, positive, whole_number
 from rocksteady.show.plots.branches.curve_labels import Words, explain, limit_entries
 from rocksteady.show.plots.branches.curves import CURVES
-from rocksteady.show.plots.branches.views import AnyBlock, fits_far_axes, shared_size
+from rocksteady.show.plots.branches.views import AnyBlock, shared_size
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
     axes_or_new,
@@ -32,7 +32,7 @@ from rocksteady.show.style.legends import (
     size_of,
     text_size,
 )
-from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.scales import Scale, draw_far_axes, fits_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, DOTTED, MARKS, inks_of
 
 if TYPE_CHECKING:
@@ -242,9 +242,7 @@ def draw_regions(
         axes.plot(
             *here[0], "o", ms=6.5, color=inks.paper, mec=inks.ink, mew=1.6, zorder=5, clip_on=False
         )
-    if fits_far_axes(axes):
-        draw_far_axis(axes, "x", across)
-        draw_far_axis(axes, "y", up)
+    draw_far_axes(axes, across, up)
     words = Words(axes, [np.column_stack([w, each]) for each in bounds.values()])
     words.take(here, 5.0)
     centres = {
@@ -372,8 +370,7 @@ def plot_response(
     if across.far and fits_far_axes(axes):
         if few:  # whose names end at the far axis
             _widen(axes, longest)
-        draw_far_axis(axes, "x", across)
-        draw_far_axis(axes, "y", up)
+        draw_far_axes(axes, across, up)
     note = "solid: stable, dashed: unstable"
     explain(axes, place, [], note)
     words = Words(axes, [*lines, *tipping.values()])

@@ -11,7 +11,7 @@ from rocksteady.results.numbers import number
 from rocksteady.show.plots.steady import plot_steady_orbit
 from rocksteady.show.style.layout import axes_or_new, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.style.scales import draw_far_axis, scale_of
+from rocksteady.show.style.scales import draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, DOTTED, inks_of
 
 if TYPE_CHECKING:
@@ -120,9 +120,7 @@ def plot_steady_states(
         xscale="log" if spaced_by_ratio(np.unique(inputs[name])) else "linear",
     )
     axes.set_ylim(bottom=0.0)
-    if across is not None:
-        draw_far_axis(axes, "x", across)
-    draw_far_axis(axes, "y", up)
+    draw_far_axes(axes, across, up)
     place = place_of(axes, legend, "below")
     entries = {name: drawn[name] for name in (*DASHES, *drawn) if name in drawn}
     draw_legend(axes, place, handles=[*entries.values()], labels=[*entries])

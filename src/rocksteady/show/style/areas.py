@@ -206,20 +206,6 @@ def write_words(
     for across, high in to_axes.transform(np.reshape(marks, (-1, 2))).tolist():
         above, beside = ((fractions - at) * SAMPLES for at in (high, across))
         inside &= np.hypot(point[0] * above[:, np.newaxis], point[1] * beside) > MARK
-    columns, rows = (
-        np.searchsorted(each, at, side="right") - 1 for each, at in zip(edges, (x, y), strict=True)
-    )
-    inside = ((rows >= 0) & (rows < codes.shape[0]))[:, np.newaxis]
-    inside = inside & (columns >= 0) & (columns < codes.shape[1])
-    shown = codes[np.ix_(rows.clip(0, codes.shape[0] - 1), columns.clip(0, codes.shape[1] - 1))]
-    point = np.array(size_of(axes))[::-1] / SAMPLES  # of a sample: height and width
-    to_axes = axes.transData + axes.transAxes.inverted()
-    for across, high in to_axes.transform(np.reshape(marks, (-1, 2))).tolist():
-        away = [
-            (fractions - at) * SAMPLES * each
-            for at, each in zip((high, across), point, strict=True)
-        ]
-        inside &= np.hypot(away[0][:, np.newaxis], away[1]) > MARK
     for code, (word, fill) in words.items():
         box = size * np.array([LINE, LETTER * (len(word) + 1.5)])
         middle = _roomiest(

@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rocksteady.arrays import Floats
 from rocksteady.show.style.legends import size_of, text_size
@@ -22,7 +23,7 @@ class LineEnd(NamedTuple):
     """A line with a name."""
 
     name: str
-    values: Floats
+    values: ArrayLike
     """Its ordinates; the last finite one is its end."""
     colour: str
 
@@ -35,9 +36,9 @@ def name_line_ends(
     Parameters
     ----------
     axes
-        With their final limits and scales.
+        With their data, and their final scales.
     lines
-        Those with a name.
+        Lines with a name.
     title
         Above the names: what they are values of.
     most
@@ -45,22 +46,17 @@ def name_line_ends(
     """
     size = text_size(axes, 8.0)
     step = APART * size / size_of(axes)[1]
-    places = [_height(axes, line.values) for line in lines]
+    places = np.array([_height(axes, line.values) for line in lines])
     order = np.argsort(places, kind="stable")
-    heights = np.array(places)[order]
     rows = [1 + lines[index].name.count("\n") for index in order]
     steps = [0.5 * step * (low + high) for low, high in pairwise(rows)]
-    for k, apart in enumerate(steps, 1):  # none over the one beneath it
-        heights[k] = max(heights[k], heights[k - 1] + apart)
-    heights -= max(0.0, heights[-1] - most) if len(heights) else 0.0
-    for k, apart in reversed(list(enumerate(steps))):
-        heights[k] = min(heights[k], heights[k + 1] - apart)
+    heights = spread_heights(places[order], steps, lowest=0.0, highest=most)
     entries = [
         (lines[index].name, height, lines[index].colour)
         for index, height in zip(order.tolist(), heights.tolist(), strict=True)
     ]
     if title:
-        above = max(most, heights[-1]) + step * (1.3 + 0.5 * title.count("\n"))
+        above = max([most, *heights.tolist()]) + step * (1.3 + 0.5 * title.count("\n"))
         entries.append((title, above, axes.yaxis.label.get_color()))
     for text, height, colour in entries:
         axes.annotate(
@@ -76,9 +72,44 @@ def name_line_ends(
         )
 
 
-def _height(axes: "Axes", values: Floats) -> float:
+def spread_heights(
+    heights: Floats, steps: Sequence[float], *, lowest: float, highest: float
+) -> Floats:
+    """Return ascending heights, moved as little as possible until they are far enough apart.
+
+    Parameters
+    ----------
+    heights
+        Where names are wanted.
+    steps
+        Least distances of neighbours, one fewer than heights.
+    lowest, highest
+        Ends between which they stay; what has no room there goes on above the lowest.
+
+    Examples
+    --------
+    >>> spread_heights(np.array([2.0, 3.0, 9.0]), [4.0, 4.0], lowest=0.0, highest=20.0)
+    array([0.5, 4.5, 9. ])
+    >>> spread_heights(np.array([2.0, 3.0, 9.0]), [4.0, 4.0], lowest=2.0, highest=20.0)
+    array([ 2.,  6., 10.])
+    """
+    offsets = np.concatenate([np.zeros(1), np.cumsum(steps)])[: len(heights)]
+    groups: list[list[float]] = []
+    for height in heights - offsets:
+        groups.append([float(height)])
+        while len(groups) > 1 and np.mean(groups[-2]) > np.mean(groups[-1]):
+            groups[-2:] = [groups[-2] + groups[-1]]
+    means = np.concatenate([np.zeros(0), *(np.full(len(k), np.mean(k)) for k in groups)])
+    top = highest - offsets[-1] if len(offsets) else highest
+    spread: Floats = offsets + np.maximum(np.minimum(means, top), lowest)
+    return spread
+
+
+def _height(axes: "Axes", values: ArrayLike) -> float:
     """Return the height of the end of a line, in parts of the axes."""
-    finite = values[np.isfinite(values)]
+    ordinates = np.ravel(np.asarray(values, dtype=np.float64))
+    finite = ordinates[np.isfinite(ordinates)]
     end = float(finite[-1]) if len(finite) else axes.get_ylim()[0]
+    axes.get_ylim()  # which settles what is scaled to the data
     (_, height) = axes.transAxes.inverted().transform(axes.transData.transform((1.0, end)))
     return min(1.0, max(0.0, float(height)))

@@ -72,7 +72,6 @@ LABELS = {
     "free_period": "period  $pT$",
     "multiplier_real": r"real part of the multipliers  Re $\mu$",
     "multiplier_imaginary": r"imaginary part  Im $\mu$",
-    "time_s": "time [s]",
     "angle_deg": r"tilt  $\theta$ [°]",
     "peak_deg": r"largest tilt  $|\theta|_{\max}$ [°]",
     "highest_deg": r"highest tilt  $\theta$ [°]",
@@ -82,11 +81,24 @@ LABELS = {
     "velocity_deg_s": r"velocity  $\dot\theta$ [°/s]",
     "speed_deg_s": r"speed after the impact  $|\dot\theta|$ [°/s]",
     "accel_g": r"acceleration  $a_{\max}$ [g]",
-    "freq_hz": "frequency [Hz]",
-    "base_acceleration_g": "acceleration of the base [g]",
-    "pt": "pivot time  $pt$",
+}
+LABELS |= {
+    name: LABELS[same]
+    for name, same in (("time_s", "seconds"), ("freq_hz", "frequency_hz"), ("pt", "pivot_time"))
 }
 """Axis labels with their units; angles, amplitudes and ratios have none."""
+
+
+def in_colours(inks: tokens.Inks) -> dict[str, Any]:
+    """Return the settings of Matplotlib that are colours, for light or dark paper."""
+    parts = ("axes.edgecolor", "axes.labelcolor", "text.color", "xtick.color", "ytick.color")
+    papers = ("figure.facecolor", "axes.facecolor")
+    return {
+        **dict.fromkeys(parts, inks.ink),
+        **dict.fromkeys(papers, inks.paper),
+        "grid.color": inks.hair,
+    }
+
 
 STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
@@ -96,19 +108,13 @@ STYLE: dict[str, Any] = {
     "axes.titlesize": 9.5,
     "axes.titlelocation": "left",
     "axes.labelsize": 9.0,
-    "axes.edgecolor": tokens.LIGHT.ink,
-    "axes.labelcolor": tokens.LIGHT.ink,
     "axes.linewidth": 0.7,
     "axes.grid": True,
     "axes.axisbelow": True,
     "axes.spines.top": False,
     "axes.spines.right": False,
-    "grid.color": tokens.LIGHT.hair,
     "grid.linewidth": 0.5,
     "hatch.linewidth": 0.6,
-    "xtick.color": tokens.LIGHT.ink,
-    "ytick.color": tokens.LIGHT.ink,
-    "text.color": tokens.LIGHT.ink,
     "legend.fontsize": 8.0,
     "legend.frameon": False,
     "lines.linewidth": 1.3,
@@ -119,7 +125,9 @@ STYLE: dict[str, Any] = {
     "ps.fonttype": 42,
     "svg.fonttype": "path",
     "svg.hashsalt": "rocksteady",
+    **in_colours(tokens.LIGHT),
 }
+"""The house style, on light paper."""
 
 
 def axis_label(name: str) -> str:
@@ -181,12 +189,20 @@ _TURN = RLock()
 """The settings are global: two threads that took turns out of order would restore each other's."""
 
 
-_PAPER = ContextVar("paper", default=tokens.LIGHT)
+_PAPER: ContextVar[dict[str, Any]] = ContextVar("paper", default={})  # noqa: B039
+"""Settings that differ from `STYLE`."""
 
 
 @contextmanager
-def on_paper(inks: tokens.Inks) -> Iterator[None]:
+def on_paper(inks: tokens.Inks, **settings: Any) -> Iterator[None]:
     """Draw and save figures in the house style on another paper, inside a ``with`` block.
+
+    Parameters
+    ----------
+    inks
+        Colours of the paper.
+    **settings
+        Further settings of Matplotlib, with ``_`` for a dot.
 
     Examples
     --------
@@ -195,20 +211,12 @@ def on_paper(inks: tokens.Inks) -> Iterator[None]:
     ...     tokens.inks_of(Figure().add_subplot()).dark
     True
     """
-    token = _PAPER.set(inks)
+    further = {name.replace("_", "."): value for name, value in settings.items()}
+    token = _PAPER.set({**in_colours(inks), **further})
     try:
         yield
     finally:
         _PAPER.reset(token)
-
-
-def _settings_on(inks: tokens.Inks) -> dict[str, Any]:
-    """Return the settings that differ from `STYLE` on dark paper."""
-    if not inks.dark:
-        return {}
-    parts = ("axes.edgecolor", "axes.labelcolor", "text.color", "xtick.color", "ytick.color")
-    papers = dict.fromkeys(("figure.facecolor", "axes.facecolor"), inks.paper)
-    return papers | dict.fromkeys(parts, inks.ink) | {"grid.color": inks.hair}
 
 
 @contextmanager
@@ -220,7 +228,7 @@ def style() -> Iterator[None]:
     """
     _, default = _settings()
     look = {name: default[name] for name in default if name.partition(".")[0] not in _NO_LOOK}
-    with _applied(look | STYLE | _settings_on(_PAPER.get())):
+    with _applied(look | STYLE | _PAPER.get()):
         yield
 
 

@@ -1,6 +1,6 @@
 """Scales of axes in the units that a person gave, with the dimensionless ones on the far side."""
 
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 
 FAR_ROOM = 42.0
 """Between axes and a legend to the right of their far axis [points]."""
-LEAST_FAR = 260.0
-"""Width of axes [points] from which on they have a far axis."""
+LEAST_FAR = (260.0, 110.0)
+"""Width and height of axes [points] that have room for axes on their far sides."""
 
 
 class Scale(NamedTuple):
@@ -62,15 +62,37 @@ def scale_of(
     return Scale(float(converted(block, 1.0)), labelled(unit_name), labelled(name))
 
 
-def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
-    """Draw the dimensionless axis on the far side, where the near one is in units.
+def fits_far_axes(axes: "Axes") -> bool:
+    """Return whether axes have room for dimensionless axes on their far sides."""
+    return all(side >= least for side, least in zip(size_of(axes), LEAST_FAR, strict=True))
 
-    To be called when the near axis has its limits and its scale.
+
+def draw_far_axes(axes: "Axes", right: Scale | None = None, up: Scale | None = None) -> bool:
+    """Draw the dimensionless axes on the far sides of axes in units, where these have room.
+
+    Parameters
+    ----------
+    axes
+        With the limits and scales of the near axes.
+    right, up
+        Scales of abscissa and ordinate; None for no axis on its far side.
+
+    Returns
+    -------
+    bool
+        Whether there is one on the right, for which a legend there leaves `FAR_ROOM`.
     """
+    if not fits_far_axes(axes):
+        return False
+    for which, scale in (("x", right), ("y", up)):
+        if scale is not None and scale.far:
+            _draw_far_axis(axes, which, scale)
+    return up is not None and bool(up.far)
+
+
+def _draw_far_axis(axes: "Axes", which: str, scale: Scale) -> None:
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
-    if not scale.far:
-        return
     functions = (lambda values: values / scale.factor, lambda values: values * scale.factor)
     if which == "x":
         far = axes.secondary_xaxis("top", functions=functions)
@@ -84,27 +106,3 @@ def draw_far_axis(axes: "Axes", which: Literal["x", "y"], scale: Scale) -> None:
         axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.set_major_formatter(StrMethodFormatter("{x:g}"))
         axis.set_minor_formatter(NullFormatter())
-
-
-def draw_far_axes(axes: "Axes", right: Scale, up: Scale | None = None) -> bool:
-    """Draw the dimensionless axes on the far sides where axes are wide enough for them.
-
-    Parameters
-    ----------
-    axes
-        With the limits and scales of the near axes.
-    right, up
-        Scales of abscissa and ordinate; None for no axis on the right.
-
-    Returns
-    -------
-    bool
-        Whether there is one on the right, for which a legend there leaves `FAR_ROOM`.
-    """
-    if size_of(axes)[0] < LEAST_FAR:
-        return False
-    draw_far_axis(axes, "x", right)
-    if up is None or not up.far:
-        return False
-    draw_far_axis(axes, "y", up)
-    return True

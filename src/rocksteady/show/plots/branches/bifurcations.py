@@ -36,7 +36,6 @@ from rocksteady.show.plots.branches.views import (
     AnyBlock,
     Side,
     View,
-    fits_far_axes,
     shared_size,
     view_of,
 )
@@ -44,7 +43,7 @@ from rocksteady.show.style.axes import lane_of
 from rocksteady.show.style.insets import Box, crowd_of, draw_inset
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
 from rocksteady.show.style.legends import GAP, LegendPlace, place_of
-from rocksteady.show.style.scales import draw_far_axis
+from rocksteady.show.style.scales import FAR_ROOM, draw_far_axes
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -55,9 +54,6 @@ if TYPE_CHECKING:
 Drawn = BifurcationDiagram | Branch | RestingBranch | RestingBranches | AttractorSweep
 Named = tuple[PointType, float]
 """Type and place of a bifurcation."""
-FAR_WIDTH = 40.0
-"""Of a dimensionless axis on the far side [points]."""
-
 MOST_NAMED = 6
 """Bifurcations whose names stand beside their marks."""
 LONG_ENOUGH = 25.0
@@ -192,10 +188,7 @@ class _Diagram:
         self._set_axes(axes, view, top)
         blocks = [each.block for each in self.everything]
         self.tipping = _drawn_tipping(axes, blocks, self.block, view)
-        self.far = self.block is not None and fits_far_axes(axes)
-        if self.far:
-            draw_far_axis(axes, "x", view.across)
-            draw_far_axis(axes, "y", view.up)
+        self.far = draw_far_axes(axes, view.across, view.up)
         if self.far and self.sweeps:  # whose names stand above the highest tick
             far, ends = axes.child_axes[-1], np.array(axes.get_ylim()) / view.up.factor
             ticks = far.yaxis.get_major_locator().tick_values(*ends.tolist())
@@ -265,7 +258,7 @@ class _Diagram:
         handles = _entries(self.flights, self.marks, names, axes) + self.fates
         left = [name for name in self.tipping if name not in names]
         handles += limit_entries(axes, left)
-        gap = GAP + NAMES_WIDTH * bool(self.sweeps) + FAR_WIDTH * self.far
+        gap = GAP + NAMES_WIDTH * bool(self.sweeps) + FAR_ROOM * self.far
         explain(axes, place, handles, self.note, gap=gap)
 
 

@@ -11,10 +11,9 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.branches import curve_labels
 from rocksteady.show.plots.branches._branch_lines import MARKS
-from rocksteady.show.plots.branches.views import fits_far_axes
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.scales import Scale, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -122,8 +121,7 @@ def plot_cascade(
         xlabel="period doubling [forcing periods]",
         ylabel=f"{words} [{unit}" if scale.far else far,
     )
-    if scale.far and fits_far_axes(axes):
-        draw_far_axis(axes, "y", Scale(scale.factor, axes.get_ylabel(), far))
+    draw_far_axes(axes, up=Scale(scale.factor, axes.get_ylabel(), far if scale.far else ""))
     lines = [np.column_stack([places, each]) for each in (expected, sizes)]
     labels = curve_labels.Words(axes, lines)
     if ratios:

@@ -18,6 +18,7 @@ from rocksteady.show.style.legends import (
     size_of,
     text_size,
 )
+from rocksteady.show.style.line_ends import APART, spread_heights
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -203,7 +204,8 @@ class Words:
         outer = [k for k in ends if ends[k][0] > self.size[0] - 2.0 * SPACING]
         outer.sort(key=lambda k: float(ends[k][1]))
         wanted = np.array([ends[k][1] for k in outer])
-        heights = _apart(wanted, 1.15 * size, 0.5 * size)
+        steps = [APART * size] * (len(wanted) - 1)
+        heights = spread_heights(wanted, steps, lowest=0.5 * size, highest=math.inf)
         written = set()
         if np.abs(heights - wanted).max(initial=0.0) < MOST_SHIFT * size:
             for k, up in zip(outer, heights - wanted, strict=True):
@@ -400,24 +402,3 @@ class Words:
                 for each in shape
             )
         )
-
-
-def _apart(heights: Floats, least: float, lowest: float) -> Floats:
-    """Return ascending heights moved as little as possible until they are far enough apart.
-
-    Examples
-    --------
-    >>> _apart(np.array([2.0, 3.0, 9.0]), 4.0, 0.0)
-    array([0.5, 4.5, 9. ])
-    >>> _apart(np.array([2.0, 3.0, 9.0]), 4.0, 2.0)
-    array([ 2.,  6., 10.])
-    """
-    steps = least * np.arange(len(heights))
-    groups: list[list[float]] = []
-    for height in heights - steps:
-        groups.append([float(height)])
-        while len(groups) > 1 and np.mean(groups[-2]) > np.mean(groups[-1]):
-            groups[-2:] = [groups[-2] + groups[-1]]
-    moved = [np.full(len(each), np.mean(each)) for each in groups]
-    apart: Floats = steps + np.maximum(np.concatenate([np.zeros(0), *moved]), lowest)
-    return apart

@@ -17,10 +17,10 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.show.plots.branches._branch_lines import name_of
 from rocksteady.show.plots.branches.curve_labels import Words
-from rocksteady.show.plots.branches.views import fits_far_axes, shared_size
+from rocksteady.show.plots.branches.views import shared_size
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.style.scales import Scale, draw_far_axis, scale_of
+from rocksteady.show.style.scales import FAR_ROOM, Scale, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
@@ -152,11 +152,7 @@ def plot_bifurcation_curves(
                 for name, scale in zip(named, scales, strict=True)
             )
             axes.set(xlim=x.tolist(), ylim=y.tolist())
-    far = 0.0
-    if fits_far_axes(axes):
-        draw_far_axis(axes, "x", scales[0])
-        draw_far_axis(axes, "y", scales[1])
-        far = 40.0 if scales[1].far else 0.0
+    far = FAR_ROOM * draw_far_axes(axes, *scales)
     entries = _entries(axes, drawn, special)
     draw_legend(axes, place, handles=[*entries.values()], gap=GAP + far)
     if labels and drawn:

@@ -1,7 +1,7 @@
 """Scales of a diagram of branches: its parameter, and the extremes of flights."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,11 +10,7 @@ from rocksteady.arrays import Floats
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.show.style import palette
-from rocksteady.show.style.legends import WIDE, size_of
 from rocksteady.show.style.scales import Scale, scale_of
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 AnyBlock = Block | DimensionlessBlock
 Side = Literal["positive", "both"]
@@ -77,8 +73,3 @@ def _size(block: AnyBlock) -> tuple[float, ...]:
         return ()
     sides = (block.positive, block.negative)
     return (block.gravity, *(value for side in sides for value in (side.alpha, side.p)))
-
-
-def fits_far_axes(axes: "Axes") -> bool:
-    """Return whether axes are wide enough for dimensionless scales on their far sides."""
-    return size_of(axes)[0] >= WIDE

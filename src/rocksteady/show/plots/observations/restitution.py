@@ -7,10 +7,10 @@ import numpy as np
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
-from rocksteady.show.plots.observations._ends import name_ends
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DASHED, DOUBT, MARKS, Inks, inks_of
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
     count = _impact_numbers(first.sides)
     fitted = fit.peaks_of(first) / alpha
     axes.plot(count, fitted, color=inks.motion)
-    named = [(float(fitted[-1]), "fit", inks.motion)]
+    named = [LineEnd("fit", fitted, inks.motion)]
     ends = [fit.peaks_of(first, tuple(min(e, 1.0) for e in pair)) for pair in (fit.low, fit.high)]
     axes.fill_between(
         count,
@@ -112,14 +112,14 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
     if fit.housner is not None:
         predicted = fit.peaks_of(first, fit.housner) / alpha
         axes.plot(count, predicted, color=inks.limit, lw=1.0, ls=DASHED)
-        named.append((float(predicted[-1]), "Housner", inks.limit))
+        named.append(LineEnd("Housner", predicted, inks.limit))
     low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
     axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
     axes.set_xlim(left=-0.02 * max(count[-1], 1))
     axes.locator_params(axis="x", integer=True)
     plain_ticks(axes)
     axes.set_xlim(right=count[-1] if len(fit.releases) == 1 else None)
-    name_ends(axes, named)
+    name_line_ends(axes, named)
 
 
 def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
@@ -142,23 +142,24 @@ def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
             zorder=3.0,
             label=literal(name) if series < MOST_NAMED else None,
         )
-    named: list[tuple[float, str, str]] = []
+    named: list[LineEnd] = []
     same = fit.restitution[0] == fit.restitution[1]
     for k in (0,) if same else (0, 1):
         e = fit.restitution[k]
         side = "" if same else (", from +", ", from \N{MINUS SIGN}")[k]
         axes.axhline(e, color=inks.motion)
-        named.append((e, f"fit {number(e)}{side}", inks.motion))
+        named.append(LineEnd(f"fit {number(e)}{side}", e, inks.motion))
         axes.axhspan(
             e - fit.scatter, e + fit.scatter, color=inks.motion, alpha=DOUBT, lw=0.0,
             label=None if k else "scatter",
         )  # fmt: skip
         if fit.housner is not None:
             axes.axhline(fit.housner[k], color=inks.limit, lw=1.0, ls=DASHED)
-            named.append((fit.housner[k], f"Housner {number(fit.housner[k])}{side}", inks.limit))
+            words = f"Housner {number(fit.housner[k])}{side}"
+            named.append(LineEnd(words, fit.housner[k], inks.limit))
     axes.set(xlabel=r"peak before, $\theta/\alpha$", ylabel="restitution e")
     axes.set_xlim(left=0.0)
-    name_ends(axes, named)
+    name_line_ends(axes, named)
 
 
 def _impact_numbers(sides: object) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":

@@ -7,10 +7,10 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.show.plots.observations._ends import name_ends
 from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
@@ -174,7 +174,7 @@ def plot_learning(
             at, values, marker=mark, ms=4.0 * size, color=colour, lw=1.4 * size, label=words,
             zorder=2.6,
         )  # fmt: skip
-        ends.append((float(values[-1]), words.replace(" ", "\n", 1), colour))
+        ends.append(LineEnd(words.replace(" ", "\n", 1), values, colour))
     if at.max() > 4.0 * at.min():
         axes.set_xscale("log")
         plain_ticks(axes)
@@ -182,7 +182,7 @@ def plot_learning(
         axes.locator_params(axis="x", integer=True)
     axes.set(xlabel="groups learnt from", ylabel=AXIS[score])
     if place == "none":
-        name_ends(axes, ends)
+        name_line_ends(axes, ends)
     draw_legend(axes, place)
     return axes
 
