@@ -6,9 +6,12 @@ from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
 
+import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+import rocksteady as rs
+from rocksteady.show.style.legends import figure_of
 from rocksteady.show.style.page import Page
 from rocksteady.show.style.tokens import LIGHT, meanings, mixed
 from tests.public.calls import calls, close_pictures
@@ -21,7 +24,8 @@ SERIES = ("motion", "base", "risk", "subharmonic_line")
 KINDS = ("symmetric", "unsymmetric", "subharmonic", "aperiodic")
 MEANS = {
     ("area", "falls"): "falls.*",
-    ("area", "rest"): "rests|stands",
+    ("area", "rest"): "rests",
+    ("area", "paper"): "stands|no such start|not computed|does not lift.*",
     ("area", "rocks"): "rocks",
     ("area", "undecided"): "undecided",
     ("area", "symmetric"): "symmetric",
@@ -33,8 +37,16 @@ MEANS = {
     ("line", "risk"): "probability of falling|falls|uplift|one curve median|θ/|",
     ("band", "risk"): "middle of the risk|rate of falling by intensity",
     ("dot", "impact"): "impacts?|after an impact",
+    ("dot", "observed"): "fell|share .*|release|rests|saddle.*|chosen|stable|falls to .*",
+    ("line", "motion"): "capacity a d|mean|not identified|score band|stable manifold|integrity .*"
+    "|global integrity .*|(positive|negative) kick|branch .*",
+    ("text", "risk"): "|fitted curve.*",
+    ("text", "limit"): "(tipping angle|half fall at|lifts off|uplift at|as predicted|even chance"
+    "|housner|fold|symmetry breaks|period doubles|doubles again)",
 }
-"""What an entry of a legend may say that has the mark and the colour of a role."""
+"""What an entry of a legend, or a label, says that has the mark and the colour of a role."""
+OPEN = {("area", "paper"), ("line", "motion"), ("text", "limit"), ("dot", "observed")}
+"""Looks that further words may have: steady motions by their names, ink that is plain text."""
 SHAPES = {"to the positive side", "to the negative side", "stable", "unstable"}
 """Words that a marker says in any colour: triangles for sides, filled and hollow dots."""
 NEVER = {
@@ -65,6 +77,9 @@ def names() -> dict[str, set[str]]:
 
 def drawn() -> Iterator[tuple[str, Figure]]:
     """Yield every kind of figure by its name."""
+    plane = {"amplitude": np.linspace(0.5, 5.0, 12), "frequency_ratio": np.linspace(1.0, 6.0, 12)}
+    fates = rs.map_fates(rs.DimensionlessBlock(restitution=0.8), axes=plane, cycles=20)
+    yield "fates", figure_of(rs.plots.outcomes(fates, Figure().add_subplot()))
     with contextlib.chdir(room()):
         for name, draw in figures().items():
             yield name, draw(page=Page())
@@ -103,13 +118,26 @@ def test_a_look_has_one_meaning() -> None:
     wrong = []
     for each, where in seen().items():
         for name in names().get(each.colour, ()):
-            words = MEANS.get((each.mark, name))
+            words = None if (each.mark, name) in OPEN else MEANS.get((each.mark, name))
             # Near black is text, limits and what falls, which has a hatch.
             if words is None or (name == "falls" and not each.hatch):
                 continue
             others = (MEANS.get((each.mark, other)) for other in names()[each.colour])
             if not any(other and re.fullmatch(other, each.word) for other in others):
                 wrong.append((each, where))
+    assert wrong == []
+
+
+def test_a_word_that_means_a_role_has_its_colour() -> None:
+    wrong = []
+    for each, where in seen().items():
+        roles = {
+            role
+            for (mark, role), words in MEANS.items()
+            if mark == each.mark and each.word and re.fullmatch(words, each.word)
+        }
+        if roles and not roles & names().get(each.colour, set()):
+            wrong.append((each, roles, where))
     assert wrong == []
 
 
