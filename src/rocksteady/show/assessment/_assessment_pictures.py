@@ -11,7 +11,8 @@ from rocksteady.show.assessment._object_drawing import draw_object
 from rocksteady.show.plots.risk.fragility import NOT_RUN, plot_fragility, plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_measure_efficiency, plot_tornado
 from rocksteady.show.report import picture, twins
-from rocksteady.show.style.tokens import DASHED, inks_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import inks_of
 from rocksteady.show.style.wording import greek, key_words, span
 
 if TYPE_CHECKING:
@@ -119,11 +120,7 @@ def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> No
         if begin != end:  # not run either
             axes.axvspan(begin, end, color=inks.edge, alpha=NOT_RUN, lw=0.0, zorder=0.5)
     axes.set_xlim(shown)
-    axes.axvline(demand, color=inks.limit, lw=1.0, ls=DASHED, zorder=2.5)
-    axes.annotate(
-        "demand", (demand, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-        textcoords="offset points", ha="center", va="bottom", fontsize=8.0, annotation_clip=False,
-    )  # fmt: skip
+    draw_limit(axes, demand, "demand", zorder=2.5)
 
 
 def _words_of_object(assessment: Assessment) -> str:

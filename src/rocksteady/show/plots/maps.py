@@ -46,6 +46,7 @@ from rocksteady.show.style.legends import (
     place_of,
     text_size,
 )
+from rocksteady.show.style.limits import name_level_end
 from rocksteady.show.style.scales import FAR_ROOM, Scale, draw_far_axes, scale_of
 from rocksteady.show.style.tokens import DASHED, Inks, inks_of
 
@@ -410,16 +411,7 @@ def _name_line(axes: "Axes", level: float, x: Floats, y: Floats) -> None:
     low, high = axes.get_xlim()
     near = x[np.abs(y - level) < 0.1 * axes.get_ylim()[1]]
     left = bool((near < 0.5 * (low + high)).sum() <= 0.5 * len(near))
-    axes.annotate(
-        LINE_WORDS,
-        (0.0 if left else 1.0, level),
-        (3.0 if left else -3.0, 2.0),
-        xycoords=axes.get_yaxis_transform(),
-        textcoords="offset points",
-        ha="left" if left else "right",
-        fontsize=text_size(axes, 7.5),
-        color=inks_of(axes).limit,
-    )
+    name_level_end(axes, level, LINE_WORDS, left=left)
 
 
 def _draw_classes(axes: "Axes", cells: MapCells, edges: Floats, height: float) -> None:

@@ -45,7 +45,8 @@ from rocksteady.show.style.legends import (
     size_of,
     text_size,
 )
-from rocksteady.show.style.scales import Scale, draw_far_axes
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
+from rocksteady.show.style.scales import LEAST_FAR, Scale, draw_far_axes, fits_far_axes
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -199,6 +200,7 @@ def _draw_end(axes: "Axes", x: float, words: str) -> Box | None:
         va="top",
         fontsize=size,
         color=inks.ink,
+        annotation_clip=True,
     )
     return part - wide if before else part, 1.0 - tall, wide, tall
 
@@ -313,7 +315,10 @@ def plot_base(
             upwards = base_motion.lift(table, times) * motion.block.gravity / STANDARD_GRAVITY
             _draw_vertical(axes, path[0], upwards, place)
         axes.set_ylim(axes.get_ylim())
-        name_level(axes, levels[-1], "lifts off", path)
+        if size_of(axes)[0] >= LEAST_FAR[0] and not fits_far_axes(axes):  # and not on the curve
+            name_line_ends(axes, [LineEnd("lifts off", levels[-1], inks.limit)])
+        else:
+            name_level(axes, levels[-1], "lifts off", path)
     draw_far_axes(axes, time.far, scale)
     return axes
 

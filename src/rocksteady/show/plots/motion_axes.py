@@ -136,6 +136,7 @@ def name_level(
         color=inks.ink,
         bbox={"fc": inks.paper, "ec": "none", "alpha": 0.75, "pad": 0.3},
         zorder=2.4,
+        annotation_clip=True,
     )
 
 

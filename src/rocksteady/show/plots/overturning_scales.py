@@ -12,8 +12,9 @@ from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 from rocksteady.show.style import palette
 from rocksteady.show.style.areas import area_style, swatch
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.tokens import DASHED, inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -87,17 +88,7 @@ def plot_overturning_scales(
     )
     if low < 1.0 < high:
         axes.axvline(1.0, color=inks.paper, lw=2.4, zorder=2.9)  # seen on what falls
-        axes.axvline(1.0, color=inks.limit, lw=1.0, ls=DASHED, zorder=3.0)
-        axes.annotate(
-            "as recorded",
-            (1.0, 1.0),
-            (0.0, 2.0),
-            xycoords=axes.get_xaxis_transform(),
-            textcoords="offset points",
-            ha="center",
-            fontsize=text_size(axes, 7.5),
-            color=inks.limit,
-        )
+        draw_limit(axes, 1.0, "as recorded")
     axes.grid(visible=False)
     plain_ticks(axes)
     draw_legend(axes, place, handles=handles, handleheight=1.3)

@@ -26,8 +26,8 @@ from rocksteady.show.style.legends import (
     checked_place,
     draw_legend,
     figure_of,
-    text_size,
 )
+from rocksteady.show.style.limits import name_level_end
 from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
@@ -134,7 +134,7 @@ def plot_rocking_spectrum(
     axes.set_ylim(0.0, highest / (top - 0.03))
     if quantity == "peak_angle" and highest > 0.9:  # where a block balances
         axes.axhline(1.0, color=inks.limit, lw=0.8, ls=DASHED, zorder=1.2)
-        _name_limit(axes, TIPPING, 1.0)
+        name_level_end(axes, 1.0, TIPPING, below=True)
     axes.set_ylabel(LABELS[quantity])
     if place is None:
         names = zip(slenderness, peaks, colours, strict=True)
@@ -419,21 +419,6 @@ def slenderness_text(alpha: float) -> str:
 def _degrees(alpha: float) -> str:
     """Return a slenderness in degrees."""
     return f"{np.degrees(alpha):.3g}°"
-
-
-def _name_limit(axes: "Axes", name: str, level: float) -> None:
-    """Name a horizontal line at its right end, below it: curves and falls are to the left."""
-    axes.annotate(
-        name,
-        (1.0, level),
-        (-3.0, -2.0),
-        xycoords=axes.get_yaxis_transform(),
-        textcoords="offset points",
-        ha="right",
-        va="top",
-        fontsize=text_size(axes, 7.5),
-        color=inks_of(axes).limit,
-    )
 
 
 def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[float]]:

@@ -70,6 +70,8 @@ def fits_far_axes(axes: "Axes") -> bool:
 def draw_far_axes(axes: "Axes", right: Scale | None = None, up: Scale | None = None) -> bool:
     """Draw the dimensionless axes on the far sides of axes in units, where these have room.
 
+    Of panels that share an abscissa the uppermost alone has one.
+
     Parameters
     ----------
     axes
@@ -84,7 +86,11 @@ def draw_far_axes(axes: "Axes", right: Scale | None = None, up: Scale | None = N
     """
     if not fits_far_axes(axes):
         return False
-    for which, scale in (("x", right), ("y", up)):
+    place = axes.get_position()
+    above = any(
+        each.get_position().y0 > place.y0 for each in axes.get_shared_x_axes().get_siblings(axes)
+    )
+    for which, scale in (("x", None if above else right), ("y", up)):
         if scale is not None and scale.far:
             _draw_far_axis(axes, which, scale)
     return up is not None and bool(up.far)

@@ -14,6 +14,7 @@ from rocksteady.show.plots.facades._lettering import decimal_marks, symbol
 from rocksteady.show.plots.facades.languages import Language, language_of
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
+from rocksteady.show.style.limits import name_above
 from rocksteady.show.style.tokens import DASHED, DOTTED, Inks, inks_of
 
 if TYPE_CHECKING:
@@ -96,11 +97,7 @@ def plot_facade_capacity(
         _draw_period(axes, words, (state, periods[state]), crossed, inks)
         colour = inks.series("base", len(STATES))[k]
         handles += _draw_spectrum(axes, check, words, (state, DAMPINGS[state], colour), scale)
-        axes.annotate(
-            symbol(f"d_{state}"), (limit, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", ha="center", va="bottom", color=inks.limit,
-            fontsize=text_size(axes, 8.0), annotation_clip=False,
-        )  # fmt: skip
+        name_above(axes, limit, symbol(f"d_{state}"))
     handles += _draw_demands(axes, demands, words, inks, periods)
     handles += _draw_accelerations(axes, at_zero, words, inks)
     if at_zero:

@@ -13,8 +13,9 @@ from rocksteady.show.plots.facades.languages import language_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import HATCHES, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -94,12 +95,7 @@ def plot_facade_runs(
     if over.any():
         handles.append(Patch(label=words["beyond_all"], **edge, **falls))
     for name, share in LIMITS:
-        axes.axvline(share, color=inks.limit, lw=1.0, ls=DASHED, zorder=3.0)
-        axes.annotate(
-            symbol(name), (share, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", ha="center", va="bottom", annotation_clip=False,
-            fontsize=text_size(axes, 8.0), color=inks.limit,
-        )  # fmt: skip
+        draw_limit(axes, share, symbol(name))
     mean = math.inf if runs.mean_m is None else runs.mean_m / runs.facade.mechanism.d0_m
     if math.isfinite(mean):
         label = words("mean_largest", share=words.number(mean))

@@ -11,7 +11,8 @@ from rocksteady.results.doubts import NOT_IDENTIFIED
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
-from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.limits import draw_limit
 from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
 
 if TYPE_CHECKING:
@@ -132,12 +133,7 @@ def plot_posterior(
     handles = [bars, line, interval]
     outline = row.get("outline")
     if outline is not None and np.isfinite(outline):
-        axes.axvline(outline, color=inks.limit, lw=1.0 * size, ls=DASHED, zorder=2.8)
-        axes.annotate(
-            "the outline's", (outline, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", ha="center", va="bottom", color=inks.limit,
-            fontsize=text_size(axes, 8.0), annotation_clip=False,
-        )  # fmt: skip
+        draw_limit(axes, outline, "the outline's", zorder=2.8)
     axes.set(
         xlabel=AXIS.get(parameter, parameter.replace("_m", " [m]").replace("_", " ")),
         ylabel="density",

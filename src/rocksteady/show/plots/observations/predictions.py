@@ -9,8 +9,9 @@ from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.show.plots.observations._rows import name_rows
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, percent_ticks
-from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of, text_size
-from rocksteady.show.style.tokens import DASHED, DOUBT, inks_of
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import DOUBT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -82,12 +83,7 @@ def plot_predictions(
                 mec=inks.paper if outcome is None else inks.observed, mew=0.8, label=words,
                 ls="none", zorder=3.0,
             )  # fmt: skip
-    axes.axvline(0.5, color=inks.limit, lw=0.8, ls=DASHED, zorder=1.5)
-    axes.annotate(
-        "even chance", (0.5, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
-        textcoords="offset points", ha="center", va="bottom", color=inks.limit,
-        fontsize=text_size(axes, 8.0), annotation_clip=False,
-    )  # fmt: skip
+    draw_limit(axes, 0.5, "even chance", zorder=1.5)
     axes.set(ylim=(len(order) - 0.4, -0.6), xlabel=palette.LABELS["falling"])
     percent_ticks(axes, "x")
     if few:

@@ -9,6 +9,7 @@ from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.limits import name_level_end
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -81,10 +82,6 @@ def plot_hazard_curve(
     low, high = axes.get_ylim()
     if low < 1.0 / RETURN < high:
         axes.axhline(1.0 / RETURN, color=inks.limit, ls=DASHED, lw=1.0, zorder=0.9)
-        axes.annotate(
-            f"once in {RETURN} years", (1.0, 1.0 / RETURN), (-3.0, 3.0),
-            xycoords=("axes fraction", "data"), textcoords="offset points", ha="right",
-            fontsize=small, color=inks.ink,
-        )  # fmt: skip
+        name_level_end(axes, 1.0 / RETURN, f"once in {RETURN} years")
     plain_ticks(axes)
     return axes

@@ -10,7 +10,8 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import figure_of, text_size
-from rocksteady.show.style.tokens import DASHED, inks_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -87,13 +88,9 @@ def plot_objects(table: ObjectsTable, ax: "Axes | None" = None, *, most: int = 2
             annotation_clip=False,
         )  # fmt: skip
     target = table.target_probability
-    axes.axvline(target, color=inks.limit, ls=DASHED, lw=1.0, zorder=0.9)
     left = len(table.rows) - len(worst)
     name = f"target {chance(target)}" + (f"; {left:,} more objects below" if left else "")
-    axes.annotate(
-        name, (target, 1.0), (0.0, 3.0), xycoords=("data", "axes fraction"),
-        textcoords="offset points", ha="left", fontsize=small, color=inks.ink,
-    )  # fmt: skip
+    draw_limit(axes, target, name, zorder=0.9)
     wide = figure_of(axes).get_figwidth() > NARROW
     names = [literal(palette.shortened(row["name"], 24 if wide else 14)) for row in worst]
     axes.set_yticks(range(len(worst)), names)

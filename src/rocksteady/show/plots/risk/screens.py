@@ -8,7 +8,8 @@ from rocksteady.results.numbers import number
 from rocksteady.risk.screens.screens import Screens
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import text_size
-from rocksteady.show.style.tokens import DASHED, inks_of
+from rocksteady.show.style.limits import draw_limit
+from rocksteady.show.style.tokens import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -75,11 +76,7 @@ def plot_screens(screens: Screens, ax: "Axes | None" = None) -> "Axes":
             xycoords=("axes fraction", "data"), textcoords="offset points", va="center",
             fontsize=small, color=inks.ink, annotation_clip=False,
         )  # fmt: skip
-    axes.axvline(1.0, color=inks.limit, ls=DASHED, lw=1.0, zorder=3.0)
-    axes.annotate(
-        "threshold", (1.0, 1.0), (0.0, 3.0), xycoords=("data", "axes fraction"),
-        textcoords="offset points", ha="center", fontsize=small, color=inks.ink,
-    )  # fmt: skip
+    draw_limit(axes, 1.0, "threshold")
     axes.set_yticks(places, [row.name for _, row in rows])
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
