@@ -55,7 +55,7 @@ class KernelCheck:
 
 
 FOLLOW_UP = "rocksteady simulate --width-m 0.6 --height-m 2 --start 0.6,0"
-"""What a person with a sound installation runs first."""
+"""First command to run on a sound installation."""
 RUNNERS = {
     "library": "library, compiled ahead of time",
     "jit": "compiled by numba on this machine",

@@ -18,7 +18,7 @@ MOST_ROWS: Final = 12
 GIVEN: Final = "block"
 """Label of what was given, which is left out first where there are too many facts."""
 SHORT: Final = 55
-"""Letters of a doubt on a screen: one line beside its label."""
+"""Letters of a doubt on a screen, which fit on one line beside its label."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ def left_out(count: int, kinds: str = "") -> tuple[str, str]:
 
 
 def doubt(warnings: Sequence[str]) -> str:
-    """Return the beginning of the first of some warnings, in a line, and how many more there are.
+    """Return the first warning, shortened to one line, and the number of others.
 
     Examples
     --------

@@ -128,7 +128,7 @@ def interval(band: tuple[float | None, float | None] | None, confidence: float) 
 
 
 def counted(part: int, whole: str, verb: str = "fall") -> str:
-    """Return how many of some things do something.
+    """Return a count with its verb, as "1 falls" and "3 fall".
 
     Examples
     --------

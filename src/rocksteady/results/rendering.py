@@ -32,7 +32,7 @@ A console that has no styles of these names, as one of a notebook, leaves the wo
 """
 
 NEXT = "next:"
-"""Before the command that follows."""
+"""Label of the command that follows."""
 
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""

@@ -54,7 +54,7 @@ HELP: Final = {
 
 
 def styled() -> dict[str, Any]:
-    """Return what makes a console of rich write the styles, or none of them.
+    """Return the arguments that give a console its styles, or none of them.
 
     There are none where NO_COLOR is set; rich itself leaves them out of what is no terminal, and
     where TERM is dumb.
@@ -70,7 +70,7 @@ def theme() -> "Theme":
 
 
 def style_help() -> None:
-    """Let the help that typer makes have these styles too."""
+    """Apply these styles to the help pages of typer."""
     from typer import rich_utils
 
     for name, style in HELP.items():

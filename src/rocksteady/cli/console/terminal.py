@@ -32,7 +32,7 @@ received: list[int] = []
 """Numbers of the signals that have arrived, the last one at the end."""
 
 arguments: list[str] = []
-"""What the program runs on, as it was typed."""
+"""Command line of the program, as typed."""
 
 _notes: list[str] = []
 

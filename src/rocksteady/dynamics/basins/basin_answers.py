@@ -192,7 +192,7 @@ def over_answer(shares: Any, families: Sequence[dict[str, Any]]) -> Answer:
 
 
 def _left(share: float) -> str:
-    """Return what is left of the safe basin of a base at rest."""
+    """Return the fraction of the safe basin that survives, in words."""
     return chance(share) if 0.0 < share < 1.0 else "all" if share else "nothing"
 
 

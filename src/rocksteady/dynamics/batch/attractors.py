@@ -84,7 +84,7 @@ class Attractors(Result):
         return np.array([str(kind.value) for kind in KINDS])[self.kind]
 
     def describe(self) -> Description:
-        """Return how many there are of each kind, and a row for each."""
+        """Return the number of motions of each kind, with one row per motion."""
         counts = Counter(self.labels.tolist())
         words = ", ".join(f"{count:,} {name}" for name, count in counts.most_common())
         names = ("period", "impacts", "highest", "lowest", "lyapunov", "after")

@@ -57,7 +57,7 @@ class Efficiency(Result):
         return " and ".join(part.label for part in self.measure)
 
     def describe(self) -> Description:
-        """Return how narrow the curve over the measure is, and how well it separates runs."""
+        """Return the dispersion of the curve over the measure, and how well it separates runs."""
         spread = "" if math.isnan(self.beta) else f"beta {number(self.beta)}, "
         return Description(
             headline=f"{self.label} for {self.state}: {spread}AIC {number(self.aic, 4)}",

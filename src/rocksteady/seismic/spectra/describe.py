@@ -145,7 +145,7 @@ def _size(row: dict[str, Any]) -> str:
 
 
 def _course(rows: Sequence[dict[str, Any]], key: str, of: int) -> str:
-    """Return what becomes of some blocks over their size, or of one over the scale.
+    """Return the fates of blocks over their size, or of one block over the scale.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 LEAST_TILT, MOST_TILT = math.radians(6.0), math.radians(11.0)
-"""Tilt as which a small one is drawn."""
+"""Tilt at which a small one is drawn."""
 PART_OF_ALPHA = 0.6
 """Of the slenderness, which the drawn tilt does not exceed."""
 DEEP = 0.24
@@ -281,7 +281,7 @@ class _Drawing:
 
     @property
     def gap(self) -> float:
-        """Return the distance of words and lines of measure from what they measure."""
+        """Return the distance of dimension lines from the block."""
         return max(0.06 * self.size, 0.9 * self.small * self.per_point)
 
     @property

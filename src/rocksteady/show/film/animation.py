@@ -229,7 +229,7 @@ def shaking_words(scene: BlockScene, motion: Pulse | PeriodicMotion) -> str:
 
 
 def tipping_words(scene: BlockScene) -> str:
-    """Return at which tilts the block tips."""
+    """Return the tilts at which the block tips, in words."""
     if scene.one_sided:
         return "tips beyond, θ = α"
     return "tips beyond, |θ| = α" if scene.symbol == "α" else "tips beyond, θ = α₊, −α₋"

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 NEARLY = 8
-"""Difference from the paper, of 255, that is none."""
+"""Largest difference from the paper, of 255, that counts as paper."""
 SAMPLES = 12
 """Frames from which the colours of all are taken."""
 

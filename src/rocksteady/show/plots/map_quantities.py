@@ -33,7 +33,7 @@ PERIOD_STEPS = (0.6, 0.35, 0.1, -0.15, -0.4, -0.6)
 MOST_PERIODS = len(PERIOD_STEPS)
 """Longest orbit with a fill of its own; the next fill is that of all longer ones."""
 LINE_WORDS, LINE_WIDTH = "tipping angle", 0.9
-"""Of the line where a peak is 1."""
+"""Name of the line at a peak of 1."""
 USUAL = 0.98
 """Quantile of the sizes of Lyapunov exponents that the colours reach: a few tend to -infinity."""
 

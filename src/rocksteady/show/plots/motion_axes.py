@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 HEADROOM = 0.15
 """Part of the height of a time history that is left free above it for words and the legend."""
 WALL_SHARE = 0.08
-"""Of the angles above 0: how much of the wall is shown below it."""
+"""Depth of the wall below 0, in parts of the angles above it."""
 Box = tuple[float, float, float, float]
 """Left and lower end, width and height, in parts of the axes."""
 

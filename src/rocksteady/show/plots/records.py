@@ -36,7 +36,7 @@ LEGEND_HOLDS = 6
 """Spectra that have a legend entry each; more are drawn alike."""
 
 LONGEST_NAME = 0.3
-"""Length of a name at the end of a line, in parts of the axes, that leaves these wide enough."""
+"""Longest name at the end of a line, in parts of the width of the axes."""
 LEAST_SHOWN = 3.0e-4
 """Smallest ordinate over the largest that an axis of powers shows."""
 

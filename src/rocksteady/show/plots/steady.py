@@ -44,7 +44,7 @@ LOGARITHMIC_SPAN = 30.0
 MOST_NAMED = 6
 """Response curves up to which each has its name on its line."""
 LONGEST_NAME = 0.3
-"""Length of a name at the end of a line, in parts of the axes, that leaves these wide enough."""
+"""Longest name at the end of a line, in parts of the width of the axes."""
 SHADES = 3
 """Lightness steps of orbits, in turn."""
 BOUNDARIES: dict[str, tuple[str, Any]] = {
@@ -418,7 +418,7 @@ def _set_peaks(
 
 
 def _widen(axes: "Axes", part: float) -> None:
-    """Move the right end of an axis, so that a part of it is free."""
+    """Extend an axis to the right to leave room for names."""
     end = axes.transAxes + axes.transData.inverted()
     axes.set_xlim(right=float(end.transform((1.0 / (1.0 - part), 0.0))[0]))
 

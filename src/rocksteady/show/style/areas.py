@@ -25,17 +25,17 @@ if TYPE_CHECKING:
     from matplotlib.patches import Patch
 
 MOST_HATCHED = 60
-"""Cells along a side each of which is wide enough for a pattern."""
+"""Most cells along a side that are wide enough for a pattern each."""
 MOST_OUTLINED = 200
 """The same for an outline."""
 MOST_PATTERNED = 600
-"""Cells along a side by which a pattern finds its borders: nearer than the width of a line."""
+"""Most cells along a side at which a pattern follows its border."""
 ON_DARK, ON_LIGHT = 0.3, -0.4
-"""Part of white or black that makes a pattern out of its fill: seen, and quieter than a border."""
+"""Parts of white or black that turn a fill into the colour of its pattern."""
 LETTER, LINE = 0.82, 1.9
 """Room of a letter and of a line, in parts of the size of a word on an area."""
 WIDE_ENOUGH = 0.9
-"""Part of the most room with which a word has enough, so that it stands in the middle of that."""
+"""Fraction of the largest room that is enough for a word, which stands amid such places."""
 MARK = 6.0
 """Radius around marks of which words keep clear [points]."""
 SAMPLES = 220
@@ -50,7 +50,7 @@ class Area(NamedTuple):
     hatch: str = ""
     """Its pattern; empty for none."""
     word: str = ""
-    """What stands upon it where it is large; empty for nothing."""
+    """Word written on it where it is large; empty for none."""
 
 
 def pattern_ink(fill: str) -> str:

@@ -24,7 +24,7 @@ def draw_limit(axes: "Axes", at: float, name: str, *, zorder: float = 3.0) -> No
     name
         Its name.
     zorder
-        Over what it is drawn.
+        Drawing order of the line.
     """
     width = line_scale(axes)
     axes.axvline(at, color=inks_of(axes).limit, lw=width, ls=DASHED, zorder=zorder)

@@ -44,7 +44,7 @@ def _role(light: str, dark: str, means: str) -> Any:
 
 
 def _ramp(light: str, dark: str, means: str) -> Any:
-    """Return the same of five colours, from nothing to most."""
+    """Return a field of `Inks` for a ramp of five colours, from nothing to most."""
     metadata = {"dark": tuple(dark.split()), "means": means}
     return field(default=tuple(light.split()), metadata=metadata)
 

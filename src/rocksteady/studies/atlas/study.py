@@ -91,7 +91,7 @@ class Atlas:
 
     @property
     def answer(self) -> Answer:
-        """In how much of the plane several motions exist, and what becomes of a block at rest."""
+        """Share of the plane with several motions, and the fates of a block at rest."""
         return atlas_answer(self.found, self.rest)
 
     @property

@@ -271,7 +271,7 @@ def described(
 
 
 def opening(view: "ExplorerView", tab: str) -> str:
-    """Return what the page shows first: its block, the shaking in its units, and the tab."""
+    """Return the initial view of the page: block, shaking in its units, and tab."""
     block = view.block or DimensionlessBlock(restitution=1.0)
     words = [] if view.block is None else [block.describe().headline]
     if view.motion is not None:

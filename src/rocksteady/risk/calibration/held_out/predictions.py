@@ -129,7 +129,7 @@ class Predictions(Result):
         )
 
     def _likely(self, count: int) -> str:
-        """Return how many tests more likely fall than not."""
+        """Return the number of tests that fall with more than even chance, in words."""
         return f"{counted(count, plural(len(self.test), 'test'), 'more likely fall')} than not"
 
     def _answer(self, likely: int) -> Answer:

@@ -39,7 +39,7 @@ EVENTS = {
     PointType.PERIOD_DOUBLING: "period doubles",
     PointType.GRAZING: "grazes",
 }
-"""What happens at each bifurcation, as its mark says."""
+"""Words beside the mark of each bifurcation."""
 
 
 class Flight(NamedTuple):

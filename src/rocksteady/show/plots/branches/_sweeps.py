@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 SWEEPS = {1: ("upward sweep", "^", "quiet", "up"), -1: ("downward sweep", "v", "edge", "down")}
-"""Name, marker, role of the colour and short name of a sweep by its direction."""
+"""Name, marker, colour role and short name of each sweep, by direction."""
 SIZE, CLOUD = 3.6, 1.5
 """Size of dots, and of those of motions that do not repeat."""
 APERIODIC = "aperiodic"

@@ -219,7 +219,7 @@ class Words:
         return written
 
     def emptiest_corner(self, width: float, height: float) -> Corner:
-        """Return the corner in which a legend of a size [points] hides least, and no words."""
+        """Return the corner where a legend of a size [points] covers fewest points and no word."""
         size = np.array([width, height])
         weights = [(self.points, 1.0), *((places, 1e3) for places, _ in self.taken)]
 

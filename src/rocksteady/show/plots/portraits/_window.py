@@ -34,7 +34,7 @@ class Window(NamedTuple):
     ends: tuple[float, float, float, float]
     """Lowest and highest abscissa, lowest and highest ordinate."""
     factors: Floats
-    """By which angles and velocities are multiplied before they are drawn, shape (2,)."""
+    """Factors of angles and velocities before they are drawn, shape (2,)."""
     gap: float
     """Room between the axes and a legend to their right [points]."""
 

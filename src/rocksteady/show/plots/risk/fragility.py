@@ -51,7 +51,7 @@ NOT_RUN = 0.14
 BEYOND = 1.35
 """Factor by which a picture goes beyond the intensities that were run."""
 EVENTS = {"uplift": ("lifting", "lift"), "overturned": ("falling", "fall")}
-"""What damage states are called after "probability of" and after "half"."""
+"""Words for damage states after "probability of" and after "half"."""
 HEIGHTS = (0.78, 0.7, 0.62, 0.54, 0.46, 0.38, 0.3, 0.22, 0.14)
 """Probabilities beside which the name of a curve or a band may stand, in order of preference."""
 NO_CURVE = {

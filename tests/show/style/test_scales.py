@@ -1,0 +1,61 @@
+"""Axes in the units that were given: their factors, and the dimensionless ones on the far side."""
+
+import math
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rocksteady import Block, DimensionlessBlock
+from rocksteady.show.style.palette import LABELS
+from rocksteady.show.style.scales import draw_far_axes, scale_of
+
+BLOCK = Block.rectangle(width=0.4, height=2.0)
+
+
+def far_axes(axes: Axes) -> list[str]:
+    return [str(each.get_xlabel() or each.get_ylabel()) for each in axes.child_axes]
+
+
+def test_factors_are_those_of_the_units() -> None:
+    g = 9.80665
+    for name, factor in (
+        ("pt", 1.0 / BLOCK.p),
+        ("amplitude", BLOCK.uplift_acceleration / g),
+        ("frequency_ratio", BLOCK.p / (2.0 * math.pi)),
+        ("angle", math.degrees(BLOCK.alpha)),
+        ("velocity", math.degrees(BLOCK.alpha) * BLOCK.p),
+    ):
+        scale = scale_of(name, BLOCK)
+        assert scale.factor == pytest.approx(factor, rel=1e-14)
+        assert (scale.far, scale_of(name, None).label) == (LABELS[name], LABELS[name])
+        assert scale_of(name, DimensionlessBlock(restitution=0.8)) == scale_of(name, None)
+
+
+@pytest.mark.parametrize("kind", ["linear", "log"])
+def test_a_far_axis_reads_the_dimensionless_values(kind: str) -> None:
+    axes = Figure(figsize=(7.0, 4.0)).add_subplot()
+    scale = scale_of("frequency_ratio", BLOCK)
+    axes.set(xscale=kind, xlim=(1.0 * scale.factor, 8.0 * scale.factor))
+    assert not draw_far_axes(axes, scale)
+    (far,) = axes.child_axes
+    axes.figure.draw_without_rendering()  # type: ignore[union-attr]
+    np.testing.assert_allclose(far.get_xlim(), (1.0, 8.0))
+
+
+def test_narrow_and_low_axes_have_none_and_of_panels_the_uppermost_alone() -> None:
+    right, up = scale_of("pt", BLOCK), scale_of("angle", BLOCK)
+    for size, count in (((7.0, 4.0), 2), ((3.3, 4.0), 0), ((7.0, 1.6), 0)):
+        axes = Figure(figsize=size).add_subplot()
+        assert draw_far_axes(axes, right, up) is bool(count)
+        assert len(axes.child_axes) == count
+    first, second = Figure(figsize=(7.0, 8.0)).subplots(2, sharex=True)
+    for axes in (first, second):
+        draw_far_axes(axes, right, up)
+    assert far_axes(first) == [LABELS["pt"], LABELS["angle"]]
+    assert far_axes(second) == [LABELS["angle"]]
+    free, other = Figure(figsize=(7.0, 8.0)).subplots(2)
+    for axes in (free, other):
+        draw_far_axes(axes, right)
+    assert far_axes(free) == far_axes(other) == [LABELS["pt"]]
