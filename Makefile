@@ -214,7 +214,7 @@ mutants: .venv library ## change single places of the sources, and count what te
 	$(BIN)/python -m tools.mutants
 
 .PHONY: gallery
-gallery: .venv library ## draw every picture on one page, light and dark, wide and narrow: out/gallery.html
+gallery: .venv library ## draw every picture on one page, light and dark, wide and narrow, in grey: out/gallery
 	$(BIN)/python -m tools.gallery
 
 .PHONY: architecture

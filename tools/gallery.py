@@ -1,7 +1,8 @@
-"""Draw every kind of picture on one page: light, dark, and in a column of a journal.
+"""Draw every kind of picture on one page: light, dark, in a column of a journal, and in grey.
 
-The page shows too what a terminal and a report look like, and the words of the colours. Run by
-`make gallery`; it is there to be looked at, when anything that is drawn has changed.
+Beside them stand a terminal, a report and the explorer, wide and as on a phone, and the words of
+the colours. Run by `make gallery`; it is there to be looked at, when anything that is drawn has
+changed.
 """
 
 import contextlib
@@ -23,7 +24,7 @@ from rocksteady.show.style.tokens import DARK, LIGHT, Inks, meanings
 from tests.public.calls import calls, close_pictures
 from tools.freeze.results import figures, room
 
-OUT = Path("out/gallery.html").absolute()
+OUT = Path("out/gallery").absolute()
 COLUMN = 84.0
 """Width of a column of a journal [mm]."""
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>Every picture</title><style>
@@ -32,7 +33,9 @@ body {{ font: 14px/1.5 system-ui, sans-serif; margin: 20px;
 section {{ border-top: 1px solid {light.hair}; padding: 12px 0 }}
 h2 {{ font-size: 17px; margin: 0 0 8px }}
 div {{ display: flex; flex-wrap: wrap; gap: 12px; align-items: flex-start }}
-img {{ width: 600px; background: {light.paper} }} img.column {{ width: 318px }}
+img {{ width: 600px; background: {light.paper} }}
+img.dark {{ background: {dark.paper} }} img.column {{ width: 318px }}
+img.grey {{ filter: grayscale(1) }} iframe {{ height: 844px; border: 1px solid {light.edge} }}
 pre {{ padding: 12px; background: {light.paper}; margin: 0 }}
 pre.dark {{ background: {dark.page}; color: {dark.ink} }}
 i {{ display: inline-block; width: 28px; height: 20px; border: 1px solid {light.edge} }}
@@ -41,10 +44,17 @@ i {{ display: inline-block; width: 28px; height: 20px; border: 1px solid {light.
 SCREENS = (
     "simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
     "steady --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2",
-    "overturn --width-m 0.4 --height-m 2 --pulse one-sine",
+    "overturn --width-m 0.4 --height-m 2 --pulse one-sine --freq-hz 2",
     "screens --width-m 0.6 --height-m 2 --pga-g 0.4 --pgv-m-s 0.4",
 )
 """Commands whose screens are shown."""
+PAGES = {
+    "report/report.html": "assess --example --out report --force",
+    "explorer.html": "explore --no-browser --out explorer.html --force",
+}
+"""Pages that are shown, wide and as on a phone, and the commands that write them."""
+WIDE, PHONE = 1280, 390
+"""Widths of a window and of a phone [px]."""
 
 
 def pictures() -> Iterator[tuple[str, Callable[[Page], Any]]]:
@@ -75,7 +85,10 @@ def shown(draw: Callable[[Page], Any]) -> Iterator[str]:
             with palette.on_paper(inks):
                 data = figure_bytes(draw(page), "png")
             look = f"{'dark ' if inks.dark else ''}{'column' if page.width_mm else ''}"
-            yield f'<img class="{look}" src="data:image/png;base64,{b64encode(data).decode()}">'
+            source = f"data:image/png;base64,{b64encode(data).decode()}"
+            yield f'<img class="{look}" src="{source}">'
+            if page.width_mm and not inks.dark:
+                yield f'<img class="column grey" src="{source}">'
             close_pictures()
 
 
@@ -87,7 +100,18 @@ def screen(words: str) -> str:
     with contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
         sys.argv = ["rocksteady", *words.split()]
         main()
+    assert printed.getvalue(), words
     return f"$ rocksteady {words}\n{printed.getvalue()}"
+
+
+def pages() -> Iterator[str]:
+    """Write each page beside the gallery, and yield it, wide and as on a phone, as HTML."""
+    with contextlib.chdir(OUT):
+        for file, words in PAGES.items():
+            screen(words)
+            assert Path(file).is_file(), file
+            frames = (f'<iframe src="{file}" width="{width}"></iframe>' for width in (WIDE, PHONE))
+            yield f"<section><h2>{file}</h2><div>{''.join(frames)}</div></section>"
 
 
 def swatches(inks: Inks) -> Iterator[str]:
@@ -103,6 +127,7 @@ def main(only: str = "") -> None:
     """Write the page, or only the pictures whose name has a text in it."""
     mpl.use("agg")
     parts = [HEAD.format(light=LIGHT, dark=DARK)]
+    OUT.mkdir(parents=True, exist_ok=True)
     with contextlib.chdir(room()):
         for name, draw in pictures():
             if only in name:
@@ -117,10 +142,10 @@ def main(only: str = "") -> None:
                 f"<section><div><pre>{t}</pre><pre class=dark>{t}</pre></div></section>"
                 for t in texts
             ]
-            parts += ["<section>", *swatches(LIGHT), *swatches(DARK), "</section>"]
-    OUT.parent.mkdir(exist_ok=True)
-    OUT.write_text("\n".join(parts), encoding="utf-8")
-    print(f"written: {OUT}")
+            parts += [*pages(), "<section>", *swatches(LIGHT), *swatches(DARK), "</section>"]
+    file = OUT / "index.html"
+    file.write_text("\n".join(parts), encoding="utf-8")
+    print(f"written: {file}")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import Block, DimensionlessBlock
+from rocksteady import Block, DimensionlessBlock, Pulse, simulate
 from rocksteady.show.style.palette import LABELS
 from rocksteady.show.style.scales import draw_far_axes, scale_of
 
@@ -59,3 +59,20 @@ def test_narrow_and_low_axes_have_none_and_of_panels_the_uppermost_alone() -> No
     for axes in (free, other):
         draw_far_axes(axes, right)
     assert far_axes(free) == far_axes(other) == [LABELS["pt"]]
+
+
+def test_blocks_that_share_axes_have_the_scales_alone_that_they_share() -> None:
+    axes = Figure(figsize=(7.0, 4.0)).add_subplot()
+    pulse = Pulse.from_si(BLOCK, shape="one-sine", acceleration_m_s2=3.0, frequency_hz=2.5)
+    first = simulate(BLOCK, pulse)
+    first.plot(axes)
+    limits = axes.get_xlim(), axes.get_ylim()
+    assert [each.get_visible() for each in axes.child_axes] == [True, True]
+    twice = Block.rectangle(width=0.8, height=4.0)  # of the same slenderness
+    simulate(twice, pulse).plot(axes)
+    shown = {
+        str(each.get_xlabel() or each.get_ylabel()): each.get_visible() for each in axes.child_axes
+    }
+    assert shown == {LABELS["pt"]: False, LABELS["angle"]: True}
+    for (low, high), (least, most) in zip((axes.get_xlim(), axes.get_ylim()), limits, strict=True):
+        assert low <= least < most <= high

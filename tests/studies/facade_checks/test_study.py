@@ -16,7 +16,8 @@ from rocksteady.errors import InputError, ModelError, OutputError
 from rocksteady.motions import make_synthetic_suite
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.studies.facade_checks import study as module
-from rocksteady.studies.facade_checks._checked_walls import METHODS
+from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE
+from rocksteady.studies.facade_checks._pictures import worked_figure
 from rocksteady.studies.facade_checks.study import SCHEMA, facade_checks, parts_of, plane_of
 from tests.every import every
 from tests.outputs import unrendered
@@ -112,6 +113,18 @@ def test_a_worked_wall_disagrees_as_its_kind_says() -> None:
             assert history.overturn_time_pt is not None
         else:
             assert history.peak == pytest.approx(share, rel=1e-9)
+
+
+def test_the_limit_of_a_run_is_in_the_unit_of_its_curve() -> None:
+    for wall in study().worked:
+        run = worked_figure(wall).axes[2]
+        (curve,) = (line for line in run.lines if len(np.ravel(line.get_xdata())) > 100)
+        unit = math.degrees(wall.history.block.alpha)  # type: ignore[union-attr]
+        drawn = np.asarray(curve.get_ydata(), dtype=float)
+        if wall.history.overturn_time_pt is None:
+            assert np.abs(drawn).max() == pytest.approx(wall.history.peak * unit, rel=1e-3)
+        levels = {float(np.ravel(line.get_ydata())[0]) for line in run.lines if line.is_dashed()}
+        assert any(level == pytest.approx(SHARE * unit) for level in levels)
 
 
 @pytest.mark.slow

@@ -117,12 +117,15 @@ def plot_trajectory(
     headroom = max(HEADROOM, LINE / size_of(axes)[1]) if place == "inside" else 0.0
     if ends is not None and size_of(axes)[1] >= LEAST_FOR_WORDS:
         headroom = max(headroom, 0.7 * LINE / size_of(axes)[1])
-    axes.set(
-        xlabel=time.label,
-        ylabel=angle.label,
-        ylim=angle_limits(trajectory, path[1], angle.factor, headroom=headroom),
-        xlim=time_limits(trajectory, start * time.factor, end * time.factor),
-    )
+    limits = {
+        "ylim": angle_limits(trajectory, path[1], angle.factor, headroom=headroom),
+        "xlim": time_limits(trajectory, start * time.factor, end * time.factor),
+    }
+    if axes.has_data():  # of another run, which stays in the picture
+        for name, (low, high) in limits.items():
+            first, last = getattr(axes, f"get_{name}")()
+            limits[name] = min(low, first), max(high, last)
+    axes.set(xlabel=time.label, ylabel=angle.label, **limits)
     if trajectory.block.one_sided:
         draw_wall(axes, "y")
     axes.plot(*path, color=inks.motion)

@@ -70,7 +70,8 @@ def fits_far_axes(axes: "Axes") -> bool:
 def draw_far_axes(axes: "Axes", right: Scale | None = None, up: Scale | None = None) -> bool:
     """Draw the dimensionless axes on the far sides of axes in units, where these have room.
 
-    Of panels that share an abscissa the uppermost alone has one.
+    Of panels that share an abscissa the uppermost alone has one. Where results of several blocks
+    share axes, a scale that is not the same for all of them is not drawn.
 
     Parameters
     ----------
@@ -99,6 +100,12 @@ def draw_far_axes(axes: "Axes", right: Scale | None = None, up: Scale | None = N
 def _draw_far_axis(axes: "Axes", which: str, scale: Scale) -> None:
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
 
+    present = [each for each in axes.child_axes if str(each.get_gid()).startswith(f"far {which}")]
+    for each in present:  # of another result on the same axes
+        if each.get_gid() != f"far {which} {scale.factor!r}":
+            each.set_visible(False)
+    if present:
+        return
     functions = (lambda values: values / scale.factor, lambda values: values * scale.factor)
     if which == "x":
         far = axes.secondary_xaxis("top", functions=functions)
@@ -106,6 +113,7 @@ def _draw_far_axis(axes: "Axes", which: str, scale: Scale) -> None:
     else:
         far = axes.secondary_yaxis("right", functions=functions)
         far.set_ylabel(scale.far)
+    far.set_gid(f"far {which} {scale.factor!r}")
     far.set_zorder(2.5)  # above filled cells
     axis, kind = (far.xaxis, axes.get_xscale()) if which == "x" else (far.yaxis, axes.get_yscale())
     if kind == "log":

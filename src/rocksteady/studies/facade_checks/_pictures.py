@@ -1,5 +1,6 @@
 """Pictures of the study: verdicts over slenderness and height, ratios, worked walls."""
 
+import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 from rocksteady import plots
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend, line_scale, text_size
+from rocksteady.show.style.limits import name_level_end
 from rocksteady.show.style.page import SCREEN, Page
 from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of
 from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE, CheckedWalls
@@ -121,7 +123,7 @@ def _fill(
         return
     cells = np.ma.masked_array(np.zeros(chosen.shape), ~chosen)
     style: dict[str, Any] = {"cmap": ListedColormap([colour]), "zorder": 0.9}
-    axes.pcolormesh(*edges, cells, edgecolors="face", lw=0.3, **style)
+    axes.pcolormesh(*edges, cells, rasterized=True, **style)
     if hatch:
         inks = inks_of(axes)
         ink = inks.on_falls if colour == inks.falls else inks.ink
@@ -265,15 +267,11 @@ def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
         plots.trajectory(wall.history, third, span=_span(wall), legend="none")
         name = palette.shortened(wall.runs.records[wall.governing], 24)
         third.set_title(f"Run under {name}, {wall.direction}")
-        third.set_ylabel(r"$\theta/\theta_0 = d/d_0$")
-        third.axhline(SHARE, color=inks_of(third).limit, lw=0.9, ls=DASHED)
-        third.set_ylim(top=min(third.get_ylim()[1], 1.6))
-        if third.get_ylim()[1] > SHARE:
-            third.annotate(
-                r"$d_{\mathrm{SLV}}$", (1.0, SHARE), (3.0, 0.0), xycoords=("axes fraction", "data"),
-                textcoords="offset points", va="center", color=inks_of(third).limit,
-                fontsize=text_size(third, 8.0), annotation_clip=False,
-            )  # fmt: skip
+        tilted = math.degrees(wall.history.block.alpha)
+        limit = SHARE * tilted  # of theta over that at d0
+        third.axhline(limit, color=inks_of(third).limit, lw=0.9, ls=DASHED)
+        third.set_ylim(top=min(third.get_ylim()[1], 1.6 * tilted))
+        name_level_end(third, limit, r"$d_{\mathrm{SLV}}$", left=True)
     return figure
 
 
