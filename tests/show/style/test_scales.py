@@ -70,9 +70,7 @@ def test_blocks_that_share_axes_have_the_scales_alone_that_they_share() -> None:
     assert [each.get_visible() for each in axes.child_axes] == [True, True]
     twice = Block.rectangle(width=0.8, height=4.0)  # of the same slenderness
     simulate(twice, pulse).plot(axes)
-    shown = {
-        str(each.get_xlabel() or each.get_ylabel()): each.get_visible() for each in axes.child_axes
-    }
+    shown = dict(zip(far_axes(axes), (each.get_visible() for each in axes.child_axes), strict=True))
     assert shown == {LABELS["pt"]: False, LABELS["angle"]: True}
     for (low, high), (least, most) in zip((axes.get_xlim(), axes.get_ylim()), limits, strict=True):
         assert low <= least < most <= high

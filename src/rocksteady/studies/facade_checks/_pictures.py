@@ -1,6 +1,5 @@
 """Pictures of the study: verdicts over slenderness and height, ratios, worked walls."""
 
-import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from rocksteady.show.style import palette
 from rocksteady.show.style.legends import draw_legend, line_scale, text_size
 from rocksteady.show.style.limits import name_level_end
 from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.scales import scale_of
 from rocksteady.show.style.tokens import DASHED, HATCHES, inks_of
 from rocksteady.studies.facade_checks._checked_walls import METHODS, SHARE, CheckedWalls
 from rocksteady.studies.facade_checks._findings import CLASSES
@@ -267,7 +267,7 @@ def worked_figure(wall: WorkedWall, *, page: Page = SCREEN) -> "Figure":
         plots.trajectory(wall.history, third, span=_span(wall), legend="none")
         name = palette.shortened(wall.runs.records[wall.governing], 24)
         third.set_title(f"Run under {name}, {wall.direction}")
-        tilted = math.degrees(wall.history.block.alpha)
+        tilted = scale_of("angle", wall.history.block).factor
         limit = SHARE * tilted  # of theta over that at d0
         third.axhline(limit, color=inks_of(third).limit, lw=0.9, ls=DASHED)
         third.set_ylim(top=min(third.get_ylim()[1], 1.6 * tilted))
