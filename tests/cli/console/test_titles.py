@@ -1,5 +1,7 @@
 """Titles of pictures: what shakes which block, with the names and signs of records."""
 
+import math
+
 from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse
 from rocksteady.cli.console.titles import block_text, case_text
 from rocksteady.model.facts import block_values, harmonic_values, restitution_values
@@ -17,9 +19,13 @@ def test_a_title_names_what_shakes_which_block() -> None:
     words = case_text(
         {"pulse": pulse.shape, "model": "nonlinear", **harmonic_values(EVEN, shaking)}
     )
-    assert words.startswith("ricker pulse, A = 2, Ω = 4, restitution ")
+    accel = 2.0 * EVEN.alpha
+    frequency = 4.0 * EVEN.p / (2.0 * math.pi)
+    units = f"{accel:.3g} g (A = 2), {frequency:.3g} Hz (Ω = 4)"
+    assert words.startswith(f"ricker pulse, {units}, restitution ")
     assert words.endswith(f"{block_text(block_values(EVEN))}, nonlinear model")
-    alphas = f"α = {LEANING.alpha:.3g}/{LEANING.negative.alpha:.3g} rad"
+    degrees = (f"{math.degrees(alpha):.3g}°" for alpha in (LEANING.alpha, LEANING.negative.alpha))
+    alphas = f"α = {'/'.join(degrees)}"
     assert alphas in case_text(harmonic_values(LEANING, shaking))
 
 

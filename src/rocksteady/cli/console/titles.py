@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from typing import Any, Final
 
+from rocksteady.results.numbers import angle, quantity
 from rocksteady.show.style.palette import shortened
 
 SIGN_CHANGED: Final = re.compile("sign changed: ")
@@ -24,7 +25,11 @@ def case_text(values: dict[str, Any]) -> str:
         up += turned_text(values.get("vertical_processing", []))
         parts.insert(0, f"{shortened(values['record'])}{up}, PGA {values['pga_g']:.3g} g")
     elif "amplitude" in values:
-        parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
+        shaking = f"A = {values['amplitude']:.4g}", f"Ω = {values['frequency_ratio']:.4g}"
+        if "accel_g" in values:
+            units = quantity(values["accel_g"], "g"), quantity(values["freq_hz"], "Hz")
+            shaking = tuple(f"{unit} ({bare})" for unit, bare in zip(units, shaking, strict=True))
+        parts.insert(0, ", ".join(shaking))
     else:
         parts.insert(0, "free rocking")
     if "pulse" in values:
@@ -49,5 +54,6 @@ def restitution_text(values: dict[str, Any]) -> str:
 def block_text(block: dict[str, Any]) -> str:
     """Return slenderness and rate of a block; where its sides differ both slendernesses."""
     if "negative" in block:  # four numbers leave no room for the rest of the title
-        return f"α = {block['alpha_rad']:.3g}/{block['negative']['alpha_rad']:.3g} rad"
-    return f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s"
+        ends = (block, block["negative"])
+        return f"α = {'/'.join(angle(side['alpha_rad']) for side in ends)}"
+    return f"α = {angle(block['alpha_rad'])}, p = {block['p_rad_s']:.4g} rad/s"
