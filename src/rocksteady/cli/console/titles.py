@@ -25,10 +25,10 @@ def case_text(values: dict[str, Any]) -> str:
         up += turned_text(values.get("vertical_processing", []))
         parts.insert(0, f"{shortened(values['record'])}{up}, PGA {values['pga_g']:.3g} g")
     elif "amplitude" in values:
-        shaking = f"A = {values['amplitude']:.4g}", f"Ω = {values['frequency_ratio']:.4g}"
+        shaking = [f"A = {values['amplitude']:.4g}", f"Ω = {values['frequency_ratio']:.4g}"]
         if "accel_g" in values:
-            units = quantity(values["accel_g"], "g"), quantity(values["freq_hz"], "Hz")
-            shaking = tuple(f"{unit} ({bare})" for unit, bare in zip(units, shaking, strict=True))
+            units = [quantity(values["accel_g"], "g"), quantity(values["freq_hz"], "Hz")]
+            shaking = [f"{unit} ({bare})" for unit, bare in zip(units, shaking, strict=True)]
         parts.insert(0, ", ".join(shaking))
     else:
         parts.insert(0, "free rocking")
