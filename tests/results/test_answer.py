@@ -55,6 +55,16 @@ def test_eight_lines_hold_the_first_facts_that_fit_whatever_the_console_has() ->
         assert not any("second" in line or "third" in line for line in printed(answer, width))
 
 
+def test_a_long_command_makes_way_for_a_fact() -> None:
+    facts = [("first", "a reason of many words " * 6), ("scaled", "by up to 46.7 x: check these")]
+    for count, stays in ((2, True), (12, False)):
+        command = f"rocksteady fragility {'--levels 0.4,0.8,1.6 ' * count}".strip()
+        lines = printed(Answer("No answer yet.", facts, follow_up=command))
+        assert any("46.7 x" in line for line in lines)
+        assert any(line.startswith("next:") for line in lines) is stays
+        assert len(lines) <= MOST_LINES
+
+
 def test_rows_are_beside_the_eight_lines_and_at_most_twelve() -> None:
     rows = [(f"screen {i}", "passes") for i in range(20)]
     lines = printed(Answer("It passes.", FACTS, rows))

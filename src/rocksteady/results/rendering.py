@@ -4,6 +4,7 @@ import re
 import textwrap
 import unicodedata
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Literal
 
@@ -37,6 +38,9 @@ NEXT = "next:"
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
 
+LONG_COMMAND = 3
+"""Lines of a command that stays beside facts without room."""
+
 MANY = 7
 """Columns of a table from which on they stand closer together."""
 
@@ -68,8 +72,8 @@ def printable(text: object, *, keep: str = "") -> str:
 def print_answer(answer: Answer, console: "Console") -> None:
     """Print an answer on a console: the sentence, rows and facts, and the command that follows.
 
-    Facts are cut to what eight lines of 80 columns hold, whatever the console has.  Below 60
-    columns a label stands on a line of its own.
+    Facts are cut to what eight lines of 80 columns hold, whatever the console has; a long command
+    makes way for them.  Below 60 columns a label stands on a line of its own.
     """
     from rich.text import Text
 
@@ -80,7 +84,11 @@ def print_answer(answer: Answer, console: "Console") -> None:
     indent = max([15, *(len(label) for label, _ in (*rows, *facts))]) + 4
     narrow = console.width < NARROW
     start = 4 if narrow else indent
-    for label, words in (*rows, *_fitting(answer, facts, indent)):
+    shown = list(_fitting(answer, facts, indent))
+    if len(shown) < len(facts) and len(_command(answer, WIDTH).split("\n")) > LONG_COMMAND:
+        answer = replace(answer, follow_up="")  # a caveat is worth more
+        shown = list(_fitting(answer, facts, indent))
+    for label, words in (*rows, *shown):
         lines = _filled(words, width - start, whole=True).split("\n")
         gap = "\n    " if narrow else " " * (indent - len(label) - 2)
         console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
