@@ -34,6 +34,9 @@ A console that has no styles of these names, as one of a notebook, leaves the wo
 NEXT = "next:"
 """Before the command that follows."""
 
+PART = re.compile(r"""(?:\$'(?:\\.|[^'\\])*'|'[^']*'|"[^"]*"|.)+?(?= -(?!m )|$)""")
+"""Words of a command up to its next flag, or to its end; what is in quotes is one."""
+
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
 
@@ -85,7 +88,8 @@ def print_answer(answer: Answer, console: "Console") -> None:
         gap = "\n    " if narrow else " " * (indent - len(label) - 2)
         console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
     if answer.follow_up:
-        console.print(Text.assemble((NEXT, "next"), f" {_command(answer, width)}"))
+        command = Text.assemble((NEXT, "next"), f" {_command(answer, width)}")
+        console.print(command, soft_wrap=True)  # a line end within quotes is one more character
 
 
 def _fitting(
@@ -129,9 +133,12 @@ def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "
 
 
 def _continued(command: str, width: int) -> str:
-    """Return a command in lines that end in a backslash, broken before its flags."""
+    """Return a command in lines that end in a backslash, broken before its flags.
+
+    Within quotes a backslash would be one more character.
+    """
     lines = [""]
-    for part in re.split(r" (?=-(?!m ))", command):
+    for part in map(str.lstrip, PART.findall(command)):
         if lines[-1] and len(lines[-1]) + len(part) + 3 > width:
             lines[-1] += " \\"
             lines.append(f"  {part}")
