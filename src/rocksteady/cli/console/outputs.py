@@ -22,21 +22,26 @@ INCOMPLETE = 3
 """Exit code of a command that could not decide the question."""
 
 
-WRITTEN = ("--plot", "--csv", "--netcdf", "--animate", "--out")
+WRITTEN = ("--plot", "--csv", "--netcdf", "--animate", "--out", "--runs")
 """Flags of files that are written, of which a picture keeps the name alone."""
 NO_PART = ("--force", "--resume", "--more", "--quiet", "--json")
 """Flags that change no picture."""
+BY_WHOM = ("--executor", "--workers", "--chunk")
+"""Flags with a value that change none either: what is computed is the same bit by bit."""
 
 
 def command_line() -> str:
     """Return the command as it was typed, as a picture keeps it."""
-    kept = ["rocksteady"]
-    for word in terminal.arguments:
+    kept, words = ["rocksteady"], iter(terminal.arguments)
+    for word in words:
         flag, equals, value = word.partition("=")
         if kept[-1] in WRITTEN:
             kept.append(Path(word).name)
         elif equals and flag in WRITTEN:
             kept.append(f"{flag}={Path(value).name}")
+        elif flag in BY_WHOM:
+            if not equals:
+                next(words, None)
         elif word not in NO_PART:
             kept.append(word)
     return command_of(kept)
