@@ -3,13 +3,16 @@
 import io
 import re
 import subprocess
+from functools import partial
 
 import pytest
+from rich.cells import cell_len
 from rich.console import Console
 
 from rocksteady.cli.console.shell import quoted
 from rocksteady.results.answer import MOST_FACTS, MOST_LINES, MOST_ROWS, Answer
-from rocksteady.results.rendering import print_answer
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.rendering import WIDTH, print_answer, print_description
 
 
 def printed(answer: Answer, width: int = 80) -> list[str]:
@@ -106,3 +109,23 @@ def test_a_command_that_follows_is_broken_outside_quotes_alone(name: str) -> Non
     script = f'rocksteady() {{ shift; printf "%s|" "$@"; }}; {shown}'
     ran = subprocess.run(["bash", "-c", script], capture_output=True, check=True)
     assert ran.stdout.decode() == "".join(f"{word}|" for word in words)
+
+
+@pytest.mark.parametrize("letter", ["x", "波", "e\u0301"])
+@pytest.mark.parametrize("width", [40, 80])
+def test_a_long_label_is_cut_in_the_middle_and_leaves_room(letter: str, width: int) -> None:
+    label = f"begin {letter * 200} end"
+    rows = [(label, "12 %, falls")]
+    described = Description("One object.", [Fact(key="", label=label, value="falls")])
+    for print_on in (
+        partial(print_answer, Answer("It falls.", [("lifts at", "0.25 g")], rows)),
+        partial(print_description, described),
+    ):
+        stream = io.StringIO()
+        print_on(Console(file=stream, width=width, soft_wrap=True))
+        lines = stream.getvalue().splitlines()
+        assert max(map(cell_len, lines)) <= WIDTH
+        shown = " ".join(lines)
+        assert "begin" in shown
+        assert " end" in shown
+        assert "falls" in shown

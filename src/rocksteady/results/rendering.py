@@ -40,6 +40,12 @@ PART = re.compile(r"""(?:\$'(?:\\.|[^'\\])*'|'[^']*'|"[^"]*"|.)+?(?= -(?!m )|$)"
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
 
+LONGEST = 40
+"""Columns of a label; the middle of a longer one, as the name of an object, is left out."""
+
+LEAST = 20
+"""Columns of words beside a label, however narrow a console is."""
+
 MANY = 7
 """Columns of a table from which on they stand closer together."""
 
@@ -74,18 +80,19 @@ def print_answer(answer: Answer, console: "Console") -> None:
     Facts are cut to what eight lines of 80 columns hold, whatever the console has.  Below 60
     columns a label stands on a line of its own.
     """
+    from rich.cells import cell_len
     from rich.text import Text
 
     width = min(console.width, WIDTH)
     _say(console, answer.sentence, "sentence", width)
-    rows = [(printable(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
-    facts = [(printable(label), printable(words)) for label, words in answer.stated]
-    indent = max([15, *(len(label) for label, _ in (*rows, *facts))]) + 4
+    rows = [(_cut(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
+    facts = [(_cut(label), printable(words)) for label, words in answer.stated]
+    indent = max([15, *(cell_len(label) for label, _ in (*rows, *facts))]) + 4
     narrow = console.width < NARROW
     start = 4 if narrow else indent
     for label, words in (*rows, *_fitting(answer, facts, indent)):
         lines = _filled(words, width - start, whole=True).split("\n")
-        gap = "\n    " if narrow else " " * (indent - len(label) - 2)
+        gap = "\n    " if narrow else " " * (indent - cell_len(label) - 2)
         console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
     if answer.follow_up:
         command = Text.assemble((NEXT, "next"), f" {_command(answer, width)}")
@@ -124,6 +131,17 @@ def _row(begins: str, label: str, gap: str, words: str) -> "Text":
     return Text.assemble(begins, parts[0], gap, parts[1])
 
 
+def _cut(label: str) -> str:
+    """Return a label as it is printed, without the middle of a long one."""
+    from rich.cells import cell_len, set_cell_size
+
+    shown = printable(label)
+    if cell_len(shown) <= LONGEST:
+        return shown
+    begin, end = (set_cell_size(each, LONGEST // 2 - 1) for each in (shown, shown[::-1]))
+    return f"{begin.rstrip()}…{end[::-1].lstrip()}"
+
+
 def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "") -> None:
     """Print a text in lines, in the style of a role."""
     from rich.text import Text
@@ -157,16 +175,17 @@ def print_description(description: Description, console: "Console") -> None:
     console
         Console of rich: of a terminal, or of a text in memory.
     """
+    from rich.cells import cell_len
     from rich.text import Text
 
     width = min(console.width, WIDTH)
     _say(console, description.headline, "sentence", width)
-    facts = [(printable(fact.label), fact) for fact in description.facts if fact.label]
-    indent = max((len(label) for label, _ in facts), default=0) + 2
+    facts = [(_cut(fact.label), fact) for fact in description.facts if fact.label]
+    indent = max((cell_len(label) for label, _ in facts), default=0) + 2
     for label, fact in facts:
         # A path is one word, and stays whole to be copied.
         lines = _filled(printable(fact.words), width - indent, whole=True).split("\n")
-        gap = " " * (indent - len(label))
+        gap = " " * (indent - cell_len(label))
         console.print(_row("", label, gap, f"\n{'':{indent}}".join(lines)))
     for table in description.tables:
         if not (table.columns and table.rows):
@@ -183,6 +202,7 @@ def print_description(description: Description, console: "Console") -> None:
 def _filled(text: str, width: int, *, whole: bool = False) -> str:
     """Return a text in lines; no break parts a number from its per cent sign, or a whole word."""
     tied = text.replace(" %", "\N{NO-BREAK SPACE}%")
+    width = max(width, LEAST)
     lines = textwrap.fill(tied, width, break_long_words=not whole, break_on_hyphens=not whole)
     return lines.replace("\N{NO-BREAK SPACE}%", " %")
 
