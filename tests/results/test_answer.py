@@ -2,12 +2,17 @@
 
 import io
 import re
+import subprocess
+from functools import partial
 
 import pytest
+from rich.cells import cell_len
 from rich.console import Console
 
+from rocksteady.cli.console.shell import quoted
 from rocksteady.results.answer import MOST_FACTS, MOST_LINES, MOST_ROWS, Answer
-from rocksteady.results.rendering import print_answer
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.rendering import WIDTH, print_answer, print_description
 
 
 def printed(answer: Answer, width: int = 80) -> list[str]:
@@ -96,3 +101,41 @@ def test_no_line_is_longer_than_the_console_or_80_columns(width: int) -> None:
 
 def test_on_a_narrow_console_labels_stand_on_lines_of_their_own() -> None:
     assert printed(Answer("It falls.", FACTS[:1]), 40) == ["It falls.", "  lifts at", "    0.25 g"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["2009 - the main shock - EW.csv", "it's - 9.csv", "a\n -b.csv", "-c '-d -e.csv", '"'],
+)
+def test_a_command_that_follows_is_broken_outside_quotes_alone(name: str) -> None:
+    words = ["--width-m", "0.5", "--record", name, name, "-A", "-0.5", "--height-m", "2"]
+    command = " ".join(["rocksteady overturn", *map(quoted, words)])
+    lines = printed(Answer("It falls.", follow_up=command), 40)
+    assert len(lines) > 2
+    narrow = io.StringIO()
+    print_answer(Answer("It falls.", follow_up=command), Console(file=narrow, width=40))
+    assert narrow.getvalue().splitlines() == lines, "with and without lines broken by the console"
+    shown = "\n".join(lines[1:]).removeprefix("next: ")
+    script = f'rocksteady() {{ shift; printf "%s|" "$@"; }}; {shown}'
+    ran = subprocess.run(["bash", "-c", script], capture_output=True, check=True)
+    assert ran.stdout.decode() == "".join(f"{word}|" for word in words)
+
+
+@pytest.mark.parametrize("letter", ["x", "波", "e\u0301"])
+@pytest.mark.parametrize("width", [40, 80])
+def test_a_long_label_is_cut_in_the_middle_and_leaves_room(letter: str, width: int) -> None:
+    label = f"begin {letter * 200} end"
+    rows = [(label, "12 %, falls")]
+    described = Description("One object.", [Fact(key="", label=label, value="falls")])
+    for print_on in (
+        partial(print_answer, Answer("It falls.", [("lifts at", "0.25 g")], rows)),
+        partial(print_description, described),
+    ):
+        stream = io.StringIO()
+        print_on(Console(file=stream, width=width, soft_wrap=True))
+        lines = stream.getvalue().splitlines()
+        assert max(map(cell_len, lines)) <= WIDTH
+        shown = " ".join(lines)
+        assert "begin" in shown
+        assert " end" in shown
+        assert "falls" in shown

@@ -35,11 +35,20 @@ A console that has no styles of these names, as one of a notebook, leaves the wo
 NEXT = "next:"
 """Label of the command that follows."""
 
+PART = re.compile(r"""(?:\$'(?:\\.|[^'\\])*'|'[^']*'|"[^"]*"|.)+?(?= -(?!m )|$)""")
+"""Words of a command up to its next flag, or to its end; what is in quotes is one."""
+
 NARROW = 60
 """Columns of a terminal below which a label stands on a line of its own."""
 
 LONG_COMMAND = 3
 """Lines of a command that stays beside facts without room."""
+
+LONGEST = 40
+"""Columns of a label; the middle of a longer one, as the name of an object, is left out."""
+
+LEAST = 20
+"""Columns of words beside a label, however narrow a console is."""
 
 MANY = 7
 """Columns of a table from which on they stand closer together."""
@@ -75,13 +84,14 @@ def print_answer(answer: Answer, console: "Console") -> None:
     Facts are cut to what eight lines of 80 columns hold, whatever the console has; a long command
     makes way for them.  Below 60 columns a label stands on a line of its own.
     """
+    from rich.cells import cell_len
     from rich.text import Text
 
     width = min(console.width, WIDTH)
     _say(console, answer.sentence, "sentence", width)
-    rows = [(printable(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
-    facts = [(printable(label), printable(words)) for label, words in answer.stated]
-    indent = max([15, *(len(label) for label, _ in (*rows, *facts))]) + 4
+    rows = [(_cut(label), printable(words)) for label, words in answer.rows[:MOST_ROWS]]
+    facts = [(_cut(label), printable(words)) for label, words in answer.stated]
+    indent = max([15, *(cell_len(label) for label, _ in (*rows, *facts))]) + 4
     narrow = console.width < NARROW
     start = 4 if narrow else indent
     shown = list(_fitting(answer, facts, indent))
@@ -90,10 +100,11 @@ def print_answer(answer: Answer, console: "Console") -> None:
         shown = list(_fitting(answer, facts, indent))
     for label, words in (*rows, *shown):
         lines = _filled(words, width - start, whole=True).split("\n")
-        gap = "\n    " if narrow else " " * (indent - len(label) - 2)
+        gap = "\n    " if narrow else " " * (indent - cell_len(label) - 2)
         console.print(_row("  ", label, gap, f"\n{'':{start}}".join(lines)))
     if answer.follow_up:
-        console.print(Text.assemble((NEXT, "next"), f" {_command(answer, width)}"))
+        command = Text.assemble((NEXT, "next"), f" {_command(answer, width)}")
+        console.print(command, soft_wrap=True)  # a line end within quotes is one more character
 
 
 def _fitting(
@@ -128,6 +139,17 @@ def _row(begins: str, label: str, gap: str, words: str) -> "Text":
     return Text.assemble(begins, parts[0], gap, parts[1])
 
 
+def _cut(label: str) -> str:
+    """Return a label as it is printed, without the middle of a long one."""
+    from rich.cells import cell_len, set_cell_size
+
+    shown = printable(label)
+    if cell_len(shown) <= LONGEST:
+        return shown
+    begin, end = (set_cell_size(each, LONGEST // 2 - 1) for each in (shown, shown[::-1]))
+    return f"{begin.rstrip()}…{end[::-1].lstrip()}"
+
+
 def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "") -> None:
     """Print a text in lines, in the style of a role."""
     from rich.text import Text
@@ -137,9 +159,12 @@ def _say(console: "Console", words: str, role: str, width: int, *, keep: str = "
 
 
 def _continued(command: str, width: int) -> str:
-    """Return a command in lines that end in a backslash, broken before its flags."""
+    """Return a command in lines that end in a backslash, broken before its flags.
+
+    Within quotes a backslash would be one more character.
+    """
     lines = [""]
-    for part in re.split(r" (?=-(?!m ))", command):
+    for part in map(str.lstrip, PART.findall(command)):
         if lines[-1] and len(lines[-1]) + len(part) + 3 > width:
             lines[-1] += " \\"
             lines.append(f"  {part}")
@@ -158,16 +183,17 @@ def print_description(description: Description, console: "Console") -> None:
     console
         Console of rich: of a terminal, or of a text in memory.
     """
+    from rich.cells import cell_len
     from rich.text import Text
 
     width = min(console.width, WIDTH)
     _say(console, description.headline, "sentence", width)
-    facts = [(printable(fact.label), fact) for fact in description.facts if fact.label]
-    indent = max((len(label) for label, _ in facts), default=0) + 2
+    facts = [(_cut(fact.label), fact) for fact in description.facts if fact.label]
+    indent = max((cell_len(label) for label, _ in facts), default=0) + 2
     for label, fact in facts:
         # A path is one word, and stays whole to be copied.
         lines = _filled(printable(fact.words), width - indent, whole=True).split("\n")
-        gap = " " * (indent - len(label))
+        gap = " " * (indent - cell_len(label))
         console.print(_row("", label, gap, f"\n{'':{indent}}".join(lines)))
     for table in description.tables:
         if not (table.columns and table.rows):
@@ -184,6 +210,7 @@ def print_description(description: Description, console: "Console") -> None:
 def _filled(text: str, width: int, *, whole: bool = False) -> str:
     """Return a text in lines; no break parts a number from its per cent sign, or a whole word."""
     tied = text.replace(" %", "\N{NO-BREAK SPACE}%")
+    width = max(width, LEAST)
     lines = textwrap.fill(tied, width, break_long_words=not whole, break_on_hyphens=not whole)
     return lines.replace("\N{NO-BREAK SPACE}%", " %")
 

@@ -231,3 +231,11 @@ def test_a_picture_of_the_program_has_its_command(kind: str, tmp_path: Path) -> 
     made_by = (f"rocksteady {__version__}", f"rocksteady {command} --plot a.{kind}")
     assert origin_of(one, kind) == made_by
     assert str(tmp_path).encode() not in one
+
+
+def test_a_picture_keeps_no_folder_of_runs_and_not_who_computed_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    words = "map --runs /home/me/runs --executor tcp://node:8786 --workers=2 --chunk 64 -r 0.8"
+    monkeypatch.setattr(terminal, "arguments", words.split())
+    assert command_line() == "rocksteady map --runs runs -r 0.8"

@@ -258,6 +258,21 @@ def test_a_part_of_a_run_that_falls_ends_where_it_is_told() -> None:
     assert film.reel.times[-1] == run.end_time_pt
 
 
+def test_a_fall_for_which_there_are_no_frames_is_left_out() -> None:
+    block = Block.rectangle(width=0.3, height=1.5)
+    run = simulate(
+        block,
+        Harmonic(amplitude=5.0, frequency_ratio=300.0),
+        start=State(angle=0.9, velocity=3.0),
+    )
+    assert fall_to_ground(run, block.alpha) is not None
+    film = film_of(run)
+    assert film.fall is None
+    assert film.reel.times[-1] == run.end_time_pt
+    with pytest.raises(InputError, match="fps"):
+        film_of(run, fps=0.0)
+
+
 def test_a_film_is_on_the_paper_of_the_users_figures() -> None:
     run = shaken()
     assert not film_of(run).inks.dark

@@ -1,6 +1,7 @@
 """Pictures of results that people ask for first: they show what was computed, in role colours."""
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -125,6 +126,20 @@ def test_hazard_curves_are_their_rates_and_carry_their_names() -> None:
         rs.plots.hazard_curve([curves[0], other], axes())
 
 
+def test_names_of_curves_that_end_together_do_not_cover_each_other() -> None:
+    rates = np.array([1e-1, 1e-2, 1e-4])
+    levels = np.array([0.05, 0.2, 1.0])
+    curves = [
+        HazardCurve(measure="pgv_m_s", levels=levels, rates=factor * rates, name=name)
+        for factor, name in ((1.0, "mean"), (1.01, "50 %"), (1.02, "n" * 100))
+    ]
+    drawn = rs.plots.hazard_curve(curves, axes())
+    names = [text for text in drawn.texts if "once" not in text.get_text()]
+    assert [len(text.get_text()) for text in names] == [4, 4, 31]
+    boxes = [text.get_window_extent() for text in names]
+    assert all(low.y1 <= high.y0 for low, high in pairwise(boxes))
+
+
 # -------------------------------------------------------------------------------------- neighbours
 
 
@@ -189,6 +204,19 @@ def test_a_grid_has_a_curve_for_each_amplitude_and_a_sized_block_its_own_units()
     assert {"A = 0.5", "A = 1"} <= {text.get_text() for text in legend.get_texts()}
     assert "Hz" in drawn.get_xlabel()
     assert "°" in drawn.get_ylabel()
+
+
+def test_what_the_legend_of_steady_states_names_is_seen() -> None:
+    states = rs.formulas.steady_states(2.0, np.linspace(2.0, 8.0, 5), 0.8)
+    drawn = states.plot(axes())
+    assert states.peak is not None
+    assert states.peak[1].max() < 0.0, "a solution that passes through the base"
+    assert drawn.get_ylim()[0] < states.peak[1].min()
+    # One frequency of another stability than both beside it is a dot: a line of one has no length.
+    pair = rs.formulas.steady_states(4.0, np.array([2.0, 8.0]), 0.8)
+    assert pair.stable[0].tolist() == [False, True]
+    dots = [line for line in pair.plot(axes()).lines if line.get_marker() == "."]
+    assert [np.isfinite(line.get_ydata()).sum() for line in dots] == [1, 1]
 
 
 def test_a_point_is_drawn_as_a_period_of_its_motions() -> None:

@@ -1,6 +1,5 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
-import shlex
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -9,6 +8,7 @@ import typer
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.console.refusals import needs, refuse
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -125,7 +125,7 @@ def maps(
         "" if cycles is None else f"--cycles {cycles}",
         "--model nonlinear" if model == "nonlinear" else "",
         "" if refine is None else f"--refine {refine}",
-        "" if sweep.out is None else f"--out {shlex.quote(str(sweep.out))} --resume",
+        "" if sweep.out is None else f"--out {quoted(sweep.out)} --resume",
     ]
     further = options.follow_up("map", shaking, series, block, start, *chosen, "--plot map.png")
     output.leave(

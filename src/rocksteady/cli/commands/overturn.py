@@ -3,13 +3,13 @@
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
-from shlex import quote
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.refusals import FlagError, both, flags_of, missing, refuse
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -188,7 +188,7 @@ def overturn(
     description = result.describe()
     typed = {**conflicting, **of_kicks, "--scales": scales, "--resolution": resolution}
     typed = {**typed, "--model": model, "--pulse": None}
-    flags = [f"{name} {quote(str(value))}" for name, value in typed.items() if value is not None]
+    flags = [f"{name} {quoted(value)}" for name, value in typed.items() if value is not None]
     more = options.follow_up(
         "overturn" + " --kick" * kick, pulse, recorded, suite, reading, *flags, block, "--more"
     )

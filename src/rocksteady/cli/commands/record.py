@@ -4,12 +4,12 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
 from rocksteady.cli.console.refusals import FlagError, needs
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
@@ -113,15 +113,13 @@ def record(
     if len(rows) == 1:
         answer = described(recordings[0], measures[0], printed)
         sized_as = block if block.given else "--width-m 0.5 --height-m 2"
-        follow_up = options.follow_up(
-            f"simulate --record {quote(str(files[0]))}", reading, sized_as
-        )
+        follow_up = options.follow_up(f"simulate --record {quoted(files[0])}", reading, sized_as)
         if measures[0].drifts and reading.baseline == ReadingFlags.baseline:
             mended = replace(reading, baseline="linear")
-            follow_up = options.follow_up(f"record {quote(str(files[0]))}", mended)
+            follow_up = options.follow_up(f"record {quoted(files[0])}", mended)
         output.leave("record", answer, values=rows[0], follow_up=follow_up)
     else:
-        names = " ".join(quote(str(file)) for file in files)
+        names = " ".join(map(quoted, files))
         more = options.follow_up(f"record {names}", reading, block, "--more")
         more = more if len(more) < LONGEST else ""
         answer = table_of(recordings, measures)

@@ -1,6 +1,5 @@
 """Output of a command: JSON on standard output, and files written whole or not at all."""
 
-import shlex
 import sys
 from itertools import count
 from pathlib import Path
@@ -8,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.progress import progress
+from rocksteady.cli.console.shell import command_of, quoted
 from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import json_text, save_whole
 
@@ -22,24 +22,29 @@ INCOMPLETE = 3
 """Exit code of a command that could not decide the question."""
 
 
-WRITTEN = ("--plot", "--csv", "--netcdf", "--animate", "--out")
+WRITTEN = ("--plot", "--csv", "--netcdf", "--animate", "--out", "--runs")
 """Flags of files that are written, of which a picture keeps the name alone."""
 NO_PART = ("--force", "--resume", "--more", "--quiet", "--json")
 """Flags that change no picture."""
+BY_WHOM = ("--executor", "--workers", "--chunk")
+"""Flags with a value that change none either: what is computed is the same bit by bit."""
 
 
 def command_line() -> str:
     """Return the command as it was typed, as a picture keeps it."""
-    kept = ["rocksteady"]
-    for word in terminal.arguments:
+    kept, words = ["rocksteady"], iter(terminal.arguments)
+    for word in words:
         flag, equals, value = word.partition("=")
         if kept[-1] in WRITTEN:
             kept.append(Path(word).name)
         elif equals and flag in WRITTEN:
             kept.append(f"{flag}={Path(value).name}")
+        elif flag in BY_WHOM:
+            if not equals:
+                next(words, None)
         elif word not in NO_PART:
             kept.append(word)
-    return shlex.join(kept)
+    return command_of(kept)
 
 
 def announce_compilation(kernel: str) -> None:
@@ -85,14 +90,14 @@ def again(context: "typer.Context", *flags: str, but: tuple[str, ...] = ()) -> s
         if name in ("--csv", "--plot", *but):
             del words[: 0 if equals else 1]
         elif word not in ("--more", "--quiet", "--force"):
-            kept.append(shlex.quote(word))
+            kept.append(quoted(word))
     return " ".join([*kept, *flags])
 
 
 def report_command(context: "typer.Context", out: Path | None) -> str:
     """Return the command that opens the report of --out, or writes it to a new folder."""
     if out is not None:
-        return f"python3 -m webbrowser {shlex.quote(str(out / 'report.html'))}"
+        return f"python3 -m webbrowser {quoted(out / 'report.html')}"
     folders = (f"answer{number or ''}" for number in count())
     return again(context, f"--out {next(each for each in folders if not Path(each).exists())}")
 

@@ -1,11 +1,12 @@
 """Flags shared by several commands: one spelling, help text and unit each."""
 
-import shlex
 from dataclasses import dataclass, field, fields
 from functools import partial
 from typing import Any
 
 import typer
+
+from rocksteady.cli.console.shell import quoted
 
 FLAG = "flag"
 """Key of the typer option in the metadata of a field."""
@@ -67,9 +68,7 @@ def follow_up(command: str, *parts: object) -> str:
                 continue
             name = each.metadata[NAME]
             values = value if isinstance(value, list | tuple) else [value]
-            words += [
-                name if item is True else f"{name} {shlex.quote(str(item))}" for item in values
-            ]
+            words += [name if item is True else f"{name} {quoted(item)}" for item in values]
     return " ".join(filter(None, words))
 
 

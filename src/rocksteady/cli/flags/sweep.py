@@ -1,6 +1,5 @@
 """Flags for sweeps: executor, number of workers, and storage of results."""
 
-import shlex
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -14,6 +13,7 @@ import typer
 from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.progress import Meter, sweeping
 from rocksteady.cli.console.refusals import both, refuse
+from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, check_ending
 from rocksteady.errors import OutputError, UnfinishedError
@@ -194,7 +194,7 @@ class SweepFlags:
                 kept = f"{finished:,} of {cells:,} cells are kept in {where}; to go on:"
                 if finished == cells:
                     kept = f"all {cells:,} cells are kept in {where}; to see the answer:"
-                print(f"{kept}\n  {printable(resuming(arguments))}", file=sys.stderr)
+                print(f"{kept}\n  {resuming(arguments)}", file=sys.stderr)
             raise
 
 
@@ -249,7 +249,7 @@ def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
         elif parts.folder.is_dir():
             print(
                 f"finished parts are kept in {printable(parts.study)}; to go on:\n"
-                f"  {printable(resuming(context.find_root().obj))}",
+                f"  {resuming(context.find_root().obj)}",
                 file=sys.stderr,
             )
         raise
@@ -258,4 +258,4 @@ def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
 def resuming(arguments: list[str]) -> str:
     """Return the command that continues a sweep which was begun with some arguments."""
     kept = [argument for argument in arguments if argument not in ("--resume", "--force")]
-    return shlex.join(["rocksteady", *kept, "--resume"])
+    return command_of(["rocksteady", *kept, "--resume"])

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from rocksteady.dynamics.history.fall import Fall, fall_to_ground
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.fourier import PeriodicMotion
@@ -291,11 +292,16 @@ def film_of(
     alpha: float | None = None,
 ) -> Film:
     """Return the film that `animate` plays; its parameters and errors are the same."""
-    fall = None
     if span is None:
         fall = fall_to_ground(trajectory, shape_of(trajectory, alpha).alpha)
-    until = trajectory.shown_to_pt if fall is None else fall.lands_pt
-    return Film(trajectory, reel_of(trajectory, span, speed, fps, until), alpha, fall)
+        reel = None
+        if fall is not None:
+            with suppress(InputError):  # too many frames with the fall may be few without
+                reel = reel_of(trajectory, None, speed, fps, fall.lands_pt)
+        if reel is not None:
+            return Film(trajectory, reel, alpha, fall)
+    reel = reel_of(trajectory, span, speed, fps, trajectory.shown_to_pt)
+    return Film(trajectory, reel, alpha, None)
 
 
 @checked
@@ -322,7 +328,7 @@ def animate(
         From `rocksteady.simulate`.
     span
         Pivot times p t between which the film runs; default: the whole run, and the fall that
-        follows it.
+        follows it where there are frames for both.
     speed
         What passes in a second of the film: for a `rocksteady.Block` seconds, so that 1 is real
         time; for a dimensionless block forcing periods of harmonic shaking, else pivot time.

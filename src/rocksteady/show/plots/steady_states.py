@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.arrays import Floats
 from rocksteady.dynamics.steady.states import SteadyStates, compute_steady_orbit
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
@@ -91,6 +92,7 @@ def plot_steady_states(
     if len(kept) > MOST:
         kept = [kept[at] for at in np.linspace(0, len(kept) - 1, MOST).round().astype(int)]
     drawn: dict[str, Any] = {}
+    lowest = 0.0
     for key, colour in zip(kept, inks.series("motion", len(kept)), strict=True):
         mine = np.array([each == key for each in keys])
         x = inputs[name][mine] * (1.0 if across is None else across.factor)
@@ -109,6 +111,10 @@ def plot_steady_states(
                 if not np.isfinite(shown).any():
                     continue
                 axes.plot(x[order], shown, color=colour, ls=dash, lw=1.6)
+                alone = _alone(shown)
+                if np.isfinite(alone).any():
+                    axes.plot(x[order], alone, ".", color=colour, ms=4.0)
+                lowest = min(lowest, float(np.nanmin(shown)))
                 drawn.setdefault(label, Line2D([], [], color=inks.motion, ls=dash))
         if key:
             words = zip(others, key, strict=True)
@@ -119,12 +125,19 @@ def plot_steady_states(
         ylabel=up.label,
         xscale="log" if spaced_by_ratio(np.unique(inputs[name])) else "linear",
     )
-    axes.set_ylim(bottom=0.0)
+    if lowest == 0.0:  # a solution that is no motion may lie below the base
+        axes.set_ylim(bottom=0.0)
     draw_far_axes(axes, across, up)
     place = place_of(axes, legend, "below")
     entries = {name: drawn[name] for name in (*DASHES, *drawn) if name in drawn}
     draw_legend(axes, place, handles=[*entries.values()], labels=[*entries])
     return axes
+
+
+def _alone(values: Floats) -> Floats:
+    """Return those values that no line shows, as both neighbours are NaN, and NaN elsewhere."""
+    beside = np.pad(np.isfinite(values), 1)
+    return np.where(beside[:-2] | beside[2:], np.nan, values)
 
 
 def _orbits(states: SteadyStates, axes: "Axes", legend: LegendPlace | None) -> "Axes":

@@ -1,6 +1,5 @@
 """`rocksteady explore`: the explorer, a page that computes while it is touched."""
 
-import shlex
 import shutil
 import tempfile
 from collections.abc import Sequence
@@ -12,6 +11,7 @@ from rocksteady.cli.commands.record import all_recordings
 from rocksteady.cli.console.browser import show
 from rocksteady.cli.console.outputs import announce_file
 from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -265,7 +265,7 @@ def described(
             ("opens on", opening(view, str(state["tab"]))),
             ("records", ", ".join(names)),
         ],
-        follow_up=f"python3 -m webbrowser {shlex.quote(str(given))}",
+        follow_up=f"python3 -m webbrowser {quoted(given)}",
     )
     return Description("the explorer, in one file for any browser", facts, answer=answer)
 

@@ -1,6 +1,5 @@
 """`rocksteady paper`: every figure and statement of Tso and Wong (1989), recomputed."""
 
-import shlex
 from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING
@@ -9,6 +8,7 @@ import typer
 
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.sweep import resumable_study
@@ -96,7 +96,7 @@ def described(study: "Study", out: Path, files: list[Path]) -> Description:
     ]
     rows = [{"id": claim.id, "statement": claim.statement} for claim in wrong]
     columns = [Column("id", "", left=True), Column("statement", "", left=True)]
-    page = shlex.quote(str(out / "report.html"))
+    page = quoted(out / "report.html")
     return Description(
         sentence,
         tables=[Table("", rows, columns, title="Not as the paper says", most=len(rows))],

@@ -1,6 +1,5 @@
 """`rocksteady study`: studies of the block itself, each a folder of pictures, data and a page."""
 
-import shlex
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from rocksteady.cli.console.help import HelpfulGroup
 from rocksteady.cli.console.outputs import announce_compilation
 from rocksteady.cli.console.progress import progress
 from rocksteady.cli.console.refusals import OncePerFlag
+from rocksteady.cli.console.shell import quoted
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.ensemble import SuiteFlags, values_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -183,7 +183,7 @@ def facade_checks(
 def _leave(name: str, result: Any, output: OutputFlags, out: Path, files: list[Path]) -> None:
     """Print what came out, how many files there are, and how to open the page."""
     values = {**result.values(), "out": str(out), "files": [file.name for file in files]}
-    page = shlex.quote(str(out / f"{name}.html"))
+    page = quoted(out / f"{name}.html")
     answer = replace(
         result.answer,
         facts=[*result.answer.facts, ("files", f"{len(files)} in {out}")],

@@ -1,6 +1,5 @@
 """`rocksteady calibrate`: from what fell and what stood to a block that predicts."""
 
-import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +15,7 @@ from rocksteady.cli.console.outputs import (
 )
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import flags_of, refuse
+from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.groups import OutputFlags, grouped
@@ -189,7 +189,7 @@ def _write(
     if out is not None:
         from rocksteady.show.calibration.calibration_folder import write_calibration
 
-        command = shlex.join(["rocksteady", *context.find_root().obj])
+        command = command_of(["rocksteady", *context.find_root().obj])
         for file in write_calibration(calibration, out, command=command, force=output.force):
             announce_file(file)
     output.write_csv(lambda: calibration.validation.predictions.describe().tables[0])

@@ -1,6 +1,5 @@
 """`rocksteady assess`: from an object to an answer."""
 
-import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +15,7 @@ from rocksteady.cli.console.outputs import (
 )
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, missing, refuse
+from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import PeakFlags, RowFlags, demand_flag, probability, sized_block
@@ -301,7 +301,7 @@ def _write_folder(
     """Write the folder of an answer, and name its files."""
     from rocksteady.show.assessment.folder import write_assessment
 
-    command = shlex.join(["rocksteady", *context.find_root().obj])
+    command = command_of(["rocksteady", *context.find_root().obj])
     for written in write_assessment(result, out, command=command, files=files, force=force):
         announce_file(written)
 

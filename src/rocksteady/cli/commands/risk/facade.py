@@ -1,6 +1,5 @@
 """`rocksteady facade`: checks of a facade against overturning, static and dynamic."""
 
-import shlex
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +14,7 @@ from rocksteady.cli.console.outputs import (
     report_command,
 )
 from rocksteady.cli.console.refusals import FlagError, needs, refuse
+from rocksteady.cli.console.shell import command_of
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import named_model
 from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
@@ -343,7 +343,7 @@ def _write(
     if out is not None:
         from rocksteady.show.facade.facade_folder import write_facade
 
-        command = shlex.join(["rocksteady", *context.find_root().obj])
+        command = command_of(["rocksteady", *context.find_root().obj])
         for written in write_facade(
             check,
             out,

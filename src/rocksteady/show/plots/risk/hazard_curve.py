@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
-from rocksteady.show.style.legends import text_size
 from rocksteady.show.style.limits import name_level_end
+from rocksteady.show.style.line_ends import LineEnd, name_line_ends
 from rocksteady.show.style.tokens import DASHED, inks_of
 
 if TYPE_CHECKING:
@@ -63,22 +64,21 @@ def plot_hazard_curve(
             "draw one picture for each measure",
         )
     axes = axes_or_new(ax)
-    inks, small = inks_of(axes), text_size(axes, 8.0)
+    inks = inks_of(axes)
     named = len(each) > 1
+    ends: list[LineEnd] = []
     for curve, colour in zip(each, inks.series("base", len(each)), strict=True):
         axes.plot(curve.levels, curve.rates, color=colour, marker=".", ms=4.0, lw=1.6)
         if named and curve.name:
-            axes.annotate(
-                literal(curve.name), (curve.levels[-1], curve.rates[-1]), (4.0, 0.0),
-                textcoords="offset points", va="center", fontsize=small, color=colour,
-                annotation_clip=False,
-            )  # fmt: skip
+            ends.append(LineEnd(literal(palette.shortened(curve.name)), curve.rates, colour))
     axes.set(
         xscale="log",
         yscale="log",
         xlabel=literal(measures.pop()),
         ylabel="annual rate of exceedance",
     )
+    if ends:
+        name_line_ends(axes, ends)
     low, high = axes.get_ylim()
     if low < 1.0 / RETURN < high:
         axes.axhline(1.0 / RETURN, color=inks.limit, ls=DASHED, lw=1.0, zorder=0.9)
