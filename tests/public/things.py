@@ -160,6 +160,9 @@ def things() -> dict[str, Any]:
         "object": described,
         "facts": rs.risk.compute_object_facts(described),
         "assessment": assessed,
+        "assessed runs": rs.assess_object(
+            described.with_peaks(pga_g=0.5, pgv_m_s=0.3), [record, other]
+        ),
         "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
         "output": rs.sweeps.Output(name="value"),
         "map": maps,

@@ -122,7 +122,9 @@ def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> No
     with table.open(newline="") as lines:
         rows = list(csv.DictReader(lines))
     assert len(rows) == 4 * 3 * 2
-    assert {"record", "level", "direction", "status", "peak_angle", "uplift_time_s"} <= set(rows[0])
+    assert {"record", "level_m_s", "direction", "status", "peak_angle", "uplift_time_s"} <= set(
+        rows[0]
+    )
     with xarray.open_dataset(data) as kept:
         assert kept.attrs["kind"] == "rocking ensemble"
         assert dict(kept.sizes)["record"] == 4
