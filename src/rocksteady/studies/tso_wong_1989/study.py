@@ -7,7 +7,7 @@ from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rocksteady import __version__
 from rocksteady.errors import InputError
@@ -25,9 +25,6 @@ from rocksteady.studies.tso_wong_1989.figures.histories import History, historie
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
 from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
-
-if TYPE_CHECKING:
-    pass
 
 SCHEMA = "rocksteady/paper/1"
 REFERENCE = (
