@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -133,6 +133,14 @@ def put_beside(
             zorder=5.0,
             annotation_clip=False,
         )
+
+
+def name_rows(axes: "Axes", names: Sequence[str], **text: Any) -> None:
+    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` is how names are written."""
+    axes.set_yticks(range(len(names)), names, **text)
+    axes.set_ylim(len(names) - 0.4, -0.6)
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
 
 
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
