@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 from rocksteady import Execution, __version__
 from rocksteady.results.answer import Answer
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
-from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.analysis.columns import columns
@@ -36,6 +35,7 @@ from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_famil
 from rocksteady.studies.atlas.pages.report import command, report_html
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
+from rocksteady.studies.saving import Saved
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -52,7 +52,7 @@ OURS = rf"({'|'.join(PICTURES)})\.(png|svg|pdf)|({'|'.join(TABLES)})\.csv|atlas\
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Atlas:
+class Atlas(Saved):
     """The plane of frequency and amplitude for one restitution.
 
     Attributes
@@ -75,6 +75,7 @@ class Atlas:
         Run time of the computation [s].
     """
 
+    ours = OURS
     plane: Plane
     families: tuple[FamilyMap, ...]
     bands: tuple[BandsAt, ...]
@@ -128,44 +129,7 @@ class Atlas:
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
-    def save(
-        self,
-        folder: Path | str,
-        *,
-        force: bool = False,
-        parts: Parts | None = None,
-        done: Done = nothing,
-    ) -> list[Path]:
-        """Write pictures, tables, ``atlas.json`` and the page ``atlas.html``.
-
-        Parameters
-        ----------
-        folder
-            Made if it does not exist, in an existing folder.
-        force
-            Whether files of these names in it are replaced; others stay.
-        parts
-            Where what is finished is kept: nothing half written is left elsewhere.
-        done
-            Called with the name of each picture, and of the page, when it has been written.
-
-        Returns
-        -------
-        list of Path
-            The written files.
-
-        Raises
-        ------
-        OutputError
-            If the folder cannot be made or written, or a file exists and `force` is off.
-        """
-        check_folder(folder, OURS, force=force)
-        if parts is not None:
-            parts.begin()
-        within = None if parts is None else parts.folder
-        return fill_folder(folder, lambda stage: self._write(stage, done), within=within)
-
-    def _write(self, stage: Path, done: Done) -> None:
+    def write(self, stage: Path, done: Done) -> None:
         """Write every file into a hidden folder."""
         began = time.perf_counter()
         every = (*self.lines, *(line for window in self.strips for line in window.lines))

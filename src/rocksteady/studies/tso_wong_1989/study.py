@@ -17,6 +17,7 @@ from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
 from rocksteady.studies.processes import in_processes
+from rocksteady.studies.saving import fill_study
 from rocksteady.studies.tso_wong_1989._report import ReportedPanel, report_html
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict
@@ -135,12 +136,7 @@ class Study:
         """
         only = () if self.claims else [timed.panel.id for timed in self.panels]
         check_folder(folder, only, force=force)
-        if parts is not None:
-            parts.begin()
-        within = None if parts is None else parts.folder
-        return folders.fill_folder(
-            folder, lambda stage: self._write(stage, parts, done, processes), within=within
-        )
+        return fill_study(folder, lambda stage: self._write(stage, parts, done, processes), parts)
 
     def _write(self, stage: Path, parts: Parts | None, done: Done, processes: int) -> None:
         """Write every file into a hidden folder."""
