@@ -2,7 +2,7 @@
 
 from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.groups import ScreenFlags, grouped
 
 HELP = (
     "Check that this installation computes the right bits.\n\n"
@@ -20,14 +20,13 @@ def doctor(
     check: bool = options.output_flag(
         "--check", "Leave with exit code 1 where a value differs.", default=False
     ),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> int:
     """Run `rocksteady doctor`; `HELP` is what its users read."""
     announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation
 
     report = check_installation()
-    OutputFlags(as_json=as_json, more=more, quiet=quiet).leave("doctor", report.describe())
+    output.leave("doctor", report.describe())
     return NEGATIVE if check and not report.equal else 0
