@@ -28,7 +28,9 @@ from rocksteady.model.motions.segments import Still
 
 if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+    from rocksteady.model.equations import Model
     from rocksteady.model.motions.segments import Motion
+    from rocksteady.outcomes import Status
 
 
 FRICTION_STEP = 0.02
@@ -52,6 +54,20 @@ class Physical:
         segments: Floats
         sides: Floats
         rows: Floats
+        model: Model
+        status: Status
+
+        @property
+        def peak(self) -> float: ...
+
+        @property
+        def side_peaks(self) -> tuple[float, float]: ...
+
+        @property
+        def impact_count(self) -> int: ...
+
+        @property
+        def growth(self) -> float: ...
 
         @property
         def end_time_pt(self) -> float: ...
@@ -67,6 +83,8 @@ class Physical:
 
         @property
         def _facts(self) -> RunFacts: ...
+
+        def _times(self, pt: ArrayLike) -> Floats: ...
 
         def __call__(self, pt: ArrayLike) -> Samples: ...
 
