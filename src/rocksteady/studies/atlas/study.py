@@ -15,7 +15,7 @@ from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.analysis.columns import columns
 from rocksteady.studies.atlas.analysis.families import FamilyMap, family_map
-from rocksteady.studies.atlas.analysis.from_rest import MARKED, PARTS, FromRest, from_rest
+from rocksteady.studies.atlas.analysis.from_rest import MARKED, PARTS, FromRest, from_rest, in_steps
 from rocksteady.studies.atlas.analysis.lines import Line, family_lines
 from rocksteady.studies.atlas.analysis.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
 from rocksteady.studies.atlas.analysis.windows import Window, windows
@@ -103,22 +103,12 @@ class Atlas(Saved):
     def values(self) -> dict[str, Any]:
         """Return the key numbers as plain values: what ``atlas.json`` holds."""
         plane = self.plane
+        ends = ("frequency_ratio_from", "frequency_ratio_to", "amplitude_from", "amplitude_to")
         return {
             "version": __version__,
             "restitution": plane.restitution,
             "orders": list(plane.orders),
-            "window": dict(
-                zip(
-                    (
-                        "frequency_ratio_from",
-                        "frequency_ratio_to",
-                        "amplitude_from",
-                        "amplitude_to",
-                    ),
-                    plane.window,
-                    strict=True,
-                )
-            ),
+            "window": dict(zip(ends, plane.window, strict=True)),
             "cells": {"amplitude": len(plane.amplitudes), "frequency_ratio": len(plane.ratios)},
             "families": [family_values(family, self.lines) for family in self.families],
             "bands": [vars(band) for band in self.bands],
@@ -263,9 +253,8 @@ def atlas(
             at_marks = columns(plane, order, marked(plane), run=kept(f"marked-{order}", COLUMNS))
             bands += [bands_at(column, order) for column in at_marks]
         done(f"borders, n = {order}")
-    coexisting = coexistence(
-        plane, run=replace(kept("coexistence", CELLS), progress=_in_steps(done))
-    )
+    beside = in_steps(1, CELLS, lambda _: done("side by side"))
+    coexisting = coexistence(plane, run=replace(kept("coexistence", CELLS), progress=beside))
     strips = windows(coexisting)
     done("windows")
     rest = from_rest(plane, run=how, parts=parts, done=done)
@@ -303,16 +292,3 @@ def steps(plane: Plane) -> int:
     """Return the number of times that `atlas` reports progress."""
     searched = len(plane.amplitudes) * len(plane.ratios) // CELLS
     return len(plane.orders) * (len(plane.ratios) + 1) + searched + 1 + PARTS
-
-
-def _in_steps(done: Done) -> Callable[[int], None]:
-    """Return what a sweep calls with numbers of cells, some of which make a step."""
-    passed = 0
-
-    def swept(cells: int) -> None:
-        nonlocal passed
-        before, passed = passed, passed + cells
-        for _ in range(before // CELLS, passed // CELLS):
-            done("side by side")
-
-    return swept

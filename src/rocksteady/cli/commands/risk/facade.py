@@ -127,15 +127,11 @@ def facade(
     from rocksteady.risk.facades.read_facade import EXAMPLE, read_facade
 
     tongue = _chosen("--language", language, LANGUAGES)
-    state, signs = (
-        _chosen("--limit-state", limit_state, STATES),
-        _chosen("--directions", directions, SIGNS),
-    )
+    state = _chosen("--limit-state", limit_state, STATES)
+    signs = _chosen("--directions", directions, SIGNS)
     equations = None if model is None else named_model(model)
-    factor, level = (
-        None if text is None else number(flag, text)
-        for flag, text in (("--scale", scale), ("--pga-g", pga_g))
-    )
+    factor = None if scale is None else number("--scale", scale)
+    level = None if pga_g is None else number("--pga-g", pga_g)
     flags = {
         "--scale": scale,
         "--pga-g": pga_g,
