@@ -35,7 +35,7 @@ def test_the_json_keeps_the_contract(folder: Path) -> None:
     found = compute_fragility(
         Block.rectangle(width=0.32, height=1.8),
         [read_record(file) for file in files],
-        stripes=Levels(levels=[0.3, 0.8, 2.0]),
+        levels=Levels(levels=[0.3, 0.8, 2.0]),
         restitution=RestitutionBand(draws=1),
         fitting=FitOptions(bands=None),
     )
