@@ -37,7 +37,7 @@ def fill_study(
 
 
 class Saved:
-    """A computed study with a page: a base of those that write all of their files at once."""
+    """A computed study whose pictures, tables, numbers and page are written at once."""
 
     ours: ClassVar[str]
     """Names of the files, as a regular expression."""

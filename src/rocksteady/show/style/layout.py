@@ -136,7 +136,7 @@ def put_beside(
 
 
 def name_rows(axes: "Axes", names: Sequence[str], **text: Any) -> None:
-    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` is how names are written."""
+    """Name the rows 0, 1, 2, ... of axes, the first on top; `text` sets how they are written."""
     axes.set_yticks(range(len(names)), names, **text)
     axes.set_ylim(len(names) - 0.4, -0.6)
     axes.tick_params(axis="y", length=0.0)

@@ -160,9 +160,9 @@ def from_rest(
 
 
 def in_steps(steps: int, cells: int, done: Callable[[int], None]) -> Callable[[int], None]:
-    """Return what a sweep calls with numbers of cells, and which numbers the steps that they make.
+    """Return a progress callback that counts cells and reports the number of each completed step.
 
-    There are some steps to a number of cells.
+    There are `steps` steps in every `cells` cells.
     """
     passed = 0
 
