@@ -236,6 +236,14 @@ release: wheels sdist ## the files of a release in dist/: wheels, sources, bill 
 	$(BIN)/python -m tools.release recipe --out dist
 	cd dist && sha256sum rocksteady* > SHA256SUMS && cat SHA256SUMS
 
+.PHONY: ready
+ready: .venv ## whether a tag can be released: TAG=v0.1.0; what is missing, with what to do
+	@$(BIN)/python -m tools.release check $(if $(TAG),--tag "$(TAG)")
+
+.PHONY: site
+site: docs ## manual and explorer as one folder for any host: out/site
+	$(BIN)/python -m tools.release site --manual out/manual --out out/site
+
 .PHONY: bench-gpu
 bench-gpu: .venv library gpu ## measure the kernels on a GPU, ten minutes; writes its part of docs/benchmarks.md
 	@mkdir -p out docs

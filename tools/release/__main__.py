@@ -1,6 +1,6 @@
-"""Make what a release needs: ``python -m tools.release sdist|metadata|bill|recipe|check``.
+"""Make what a release needs: ``python -m tools.release sdist|metadata|bill|recipe|site|check``.
 
-Exit codes: 0 done, 1 where something is missing for a release.
+Exit codes: 0 done, 1 where something is missing or wrong.
 """
 
 import argparse
@@ -14,6 +14,7 @@ from rocksteady import __version__
 from tools.release.materials import bill
 from tools.release.project import CODEMETA, ROOT, address, codemeta, faults
 from tools.release.recipe import recipe
+from tools.release.site import site
 
 NAME = f"rocksteady-{__version__}"
 
@@ -29,13 +30,18 @@ def main(arguments: list[str]) -> int:
     conda.add_argument("--out", type=Path, required=True, help="folder of the source distribution")
     conda.add_argument("--url", help="address from which conda-forge fetches it")
     conda.add_argument("--maintainer", action="append", help="name of an account; repeat it")
+    hosted = commands.add_parser("site", help="the manual and the page for any host")
+    hosted.add_argument("--manual", type=Path, required=True, help="folder of the built manual")
+    hosted.add_argument("--out", type=Path, required=True, help="folder of the site")
     checking = commands.add_parser("check", help="whether a tag can be released")
     checking.add_argument("--tag", default=f"v{__version__}")
     given = parser.parse_args(arguments)
-    if given.command == "check":
-        missing = faults(given.tag)
-        print("\n".join(missing) or f"{given.tag} can be released")
-        return 1 if missing else 0
+    if given.command in {"check", "site"}:
+        of_tag = given.command == "check"
+        wrong = faults(given.tag) if of_tag else site(given.manual, given.out)
+        done = f"{given.tag} can be released" if of_tag else f"wrote {given.out}"
+        print("\n".join(wrong) or done)
+        return 1 if wrong else 0
     if given.command == "metadata":
         file, text = CODEMETA, codemeta()
     elif given.command == "bill":

@@ -73,6 +73,7 @@ def _of(package: Distribution) -> dict[str, Any]:
     head = package.metadata
     (licence,) = head.get_all("License-Expression") or (None,)
     texts = [each for each in head.get_all("Classifier") or () if each.startswith("License ::")]
+    texts = texts or [each.partition("\n")[0] for each in head.get_all("License") or ()]
     named = [{"license": {"name": each.rpartition(" :: ")[2]}} for each in texts]
     licences = [{"expression": licence}] if licence else named
     component = _component(head["Name"], package.version)
