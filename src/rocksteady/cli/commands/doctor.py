@@ -51,15 +51,15 @@ def doctor(
     announce_compilation("attractors.settle_cells")
     from rocksteady.installation.check import check_installation
 
-    found = check_installation()
-    OutputFlags(as_json=as_json, more=more, quiet=quiet).leave("doctor", found.describe())
+    installation = check_installation()
+    OutputFlags(as_json=as_json, more=more, quiet=quiet).leave("doctor", installation.describe())
     if report is not None:
-        save_text("--report", report, report_text(found))
+        save_text("--report", report, report_text(installation))
         announce_file(report)
-    return NEGATIVE if check and not found.equal else 0
+    return NEGATIVE if check and not installation.equal else 0
 
 
-def report_text(found: "Installation") -> str:
+def report_text(installation: "Installation") -> str:
     """Return the report of an installation: all facts, dependencies, variables; in Markdown.
 
     The home folder is written as ``~``.
@@ -69,7 +69,7 @@ def report_text(found: "Installation") -> str:
     installed = {_name(each.metadata["Name"]): each.version for each in distributions()}
     versions = [f"{name:16} {installed[name]}" for name in names if name in installed]
     variables = [f"{name}={os.environ[name]}" for name in sorted(os.environ) if VARIABLE in name]
-    parts = [found.summary(more=True).rstrip(), *versions, *variables]
+    parts = [installation.summary(more=True).rstrip(), *versions, *variables]
     text = "\n".join(parts).replace(str(Path.home()), "~")
     return f"```text\n{text}\n```\n"
 
