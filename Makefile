@@ -15,7 +15,7 @@ FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
 WHEEL := build/wheel
 # What the tests of the package import; those of pages, pictures and tools need the checkout's environment.
-WHEEL_NEEDS := hypothesis mpmath psutil pytest pytest-xdist python-flint
+WHEEL_NEEDS := hypothesis mpmath psutil pytest pytest-xdist python-flint statsmodels
 WHEEL_TESTS := $(addprefix tests/,dynamics kernels model records results risk seismic sweep)
 INSTALL := pip install --quiet --no-compile --constraint constraints.txt
 EXTRAS := bench,build,cluster,dev,docs,gpu,jit,records
@@ -222,7 +222,7 @@ tests-wheel: ## pytest on the wheel of this machine in dist/, in an environment 
 	@rm -rf $(WHEEL)
 	@$(call create-environment,$(WHEEL))
 	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --no-index --no-deps --find-links dist rocksteady
-	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --constraint constraints.txt rocksteady $(WHEEL_NEEDS)
+	$(WHEEL)/$(PROGRAMS)/python -m pip install --quiet --constraint constraints.txt 'rocksteady[cluster,jit,records]' $(WHEEL_NEEDS)
 	$(WHEEL)/$(PROGRAMS)/rocksteady doctor --check
 	$(WHEEL)/$(PROGRAMS)/python -m pytest -n $(WORKERS) --dist worksteal -o cache_dir=$(WHEEL)/pytest $(WHEEL_TESTS)
 
