@@ -33,6 +33,10 @@ LABEL_PLACES = [
 """Where a label may stand [points], seen from its point, in the order of preference."""
 
 
+FEWEST_TICKS = 3
+"""Ticks of a logarithmic axis below which those of a linear one are taken."""
+PLAIN = 8e-5
+"""End of an axis below which its ticks are powers of ten."""
 TICK_ROOM = 62.0
 """Length of a decade [points] below which it has one tick."""
 
@@ -158,15 +162,29 @@ def spaced_by_ratio(values: ArrayLike) -> bool:
 
 def plain_ticks(axes: "Axes") -> None:
     """Write the ticks of logarithmic axes as numbers."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+    from matplotlib.ticker import (
+        FixedLocator,
+        FuncFormatter,
+        Locator,
+        LogFormatterMathtext,
+        LogLocator,
+        MaxNLocator,
+        NullFormatter,
+    )
 
     for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
         if scale == "log":
             low, high = axis.get_view_interval()
             room = size_of(axes)[0 if axis is axes.xaxis else 1]
             sparse = room < TICK_ROOM * math.log10(high / low)
-            axis.set_major_locator(LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0)))
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            locator: Locator = LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0))
+            within = [at for at in locator.tick_values(low, high) if low <= at <= high]
+            if len(within) < FEWEST_TICKS and high < 10.0 * low:
+                even = MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+                locator = FixedLocator([at for at in even if low <= at <= high])
+            axis.set_major_locator(locator)
+            plain = FuncFormatter(lambda value, _: f"{value:.12f}".rstrip("0").rstrip("."))
+            axis.set_major_formatter(plain if low > PLAIN else LogFormatterMathtext())
             axis.set_minor_formatter(NullFormatter())
 
 
@@ -184,6 +202,7 @@ def region_centres(
     floor: float = 0.0,
     *,
     point: tuple[float, float] | None = None,
+    taken: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0),
 ) -> dict[int, tuple[float, float]]:
     """Return where each region has most room for its number; too narrow ones are left out.
 
@@ -195,6 +214,8 @@ def region_centres(
         Ends of the amplitude axis; it is logarithmic where the floor is above 0.
     point
         A marked (frequency_ratio, amplitude), from which the numbers keep away.
+    taken
+        Ends of a legend's box in parts of the axes: x, y, x, y.
     """
     from scipy.ndimage import distance_transform_edt
 
@@ -208,7 +229,10 @@ def region_centres(
     spread = np.geomspace if spaced_by_ratio(w) else np.linspace
     columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
     columns = np.append(columns, len(w) - 1)
-    clear = np.ones((rows, rows), dtype=bool)
+    left, low, right, high = (round(rows * each) for each in taken)
+    free = np.ones((rows, rows), dtype=bool)
+    free[low:high, left:right] = False
+    clear = free.copy()
     for curve in (curves.symmetry_breaking, curves.heteroclinic):
         above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
         clear &= (above[1:, 1:] == above[:-1, 1:]) & (above[1:, 1:] == above[1:, :-1])
@@ -219,7 +243,7 @@ def region_centres(
     for number in range(1, 6):
         room = np.zeros((rows, rows))
         # Clear of the other curves and the point where that is possible.
-        for allowed in (clear, True):
+        for allowed in (clear, free):
             inside = np.pad((region[:, columns] == number) & allowed, 1)
             room = distance_transform_edt(inside)[1:-1, 1:-1]
             if room.max() > 5.0:
