@@ -1,6 +1,7 @@
 """Keys: what a legend explains is drawn, and lies within the limits of the axes."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from tests.show.seen import form_of
 from tests.show.test_visual_language import SHAPES, drawn
 
 
-def colours_of(artist: Artist) -> set[str]:
+def colours_of(artist: Any) -> set[str]:
     """Return the colours of what an artist fills, marks and draws."""
     if isinstance(artist, Line2D):
         return {

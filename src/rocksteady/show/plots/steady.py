@@ -21,6 +21,7 @@ from rocksteady.show.plots.branches.views import AnyBlock, shared_size
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import (
     CORNERS,
+    LEAST_ROOM,
     axes_or_new,
     extent,
     region_centres,
@@ -261,7 +262,8 @@ def draw_regions(
         x, y = (CORNERS[corner] * (1.0 - np.array([wide, tall]))).tolist()
         taken = x, y, x + wide, y + tall
         words.take_box(*taken)
-    regions = region_centres(curves, ceiling, floor, taken=taken, point=point)
+    room = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
+    regions = region_centres(curves, ceiling, floor, taken=taken, point=point, least=room)
     centres = {number: (across.factor * x, up.factor * y) for number, (x, y) in regions.items()}
     _number_regions(axes, centres)
     words.take([*centres.values()], 6.0)
