@@ -14,9 +14,10 @@ import runpy
 import sys
 from base64 import b64encode
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 from unittest.mock import patch
 
 import matplotlib as mpl
@@ -77,7 +78,8 @@ WIDE, PHONE = 1280, 390
 """Widths of a window and of a phone [px]."""
 
 
-class Asked(NamedTuple):
+@dataclass(frozen=True)
+class Asked:
     """A plot that an example draws, to be drawn again on other paper."""
 
     name: str

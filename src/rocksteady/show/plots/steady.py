@@ -262,9 +262,13 @@ def draw_regions(
         x, y = (CORNERS[corner] * (1.0 - np.array([wide, tall]))).tolist()
         taken = x, y, x + wide, y + tall
         words.take_box(*taken)
-    room = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
-    regions = region_centres(curves, ceiling, floor, taken=taken, point=point, least=room)
-    centres = {number: (across.factor * x, up.factor * y) for number, (x, y) in regions.items()}
+    least = max(LEAST_ROOM, 0.75 * text_size(axes, 9.5) / size_of(axes)[1])
+    centres = {
+        number: (across.factor * x, up.factor * y)
+        for number, (x, y) in region_centres(
+            curves, ceiling, floor, taken=taken, point=point, least=least
+        ).items()
+    }
     _number_regions(axes, centres)
     words.take([*centres.values()], 6.0)
     if point is not None:
