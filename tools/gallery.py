@@ -113,7 +113,8 @@ def asked(folder: str = "") -> list[Asked]:
         return note
 
     names = [name for name in rs.plots.__all__ if name != "animate"]
-    with patch.multiple(rs.plots, **{name: noted(getattr(rs.plots, name)) for name in names}):
+    notes: dict[str, Any] = {name: noted(getattr(rs.plots, name)) for name in names}
+    with patch.multiple(rs.plots, **notes):
         for script in sorted((EXAMPLES / folder).rglob("*.py")):
             runpy.run_path(str(script))
             close_pictures()
