@@ -214,8 +214,9 @@ def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | N
         return _fit_of_text(annotation, names, numbers)
     annotation = getattr(annotation, "__value__", annotation)  # ArrayLike from Python 3.12 on
     origin, inner = get_origin(annotation), get_args(annotation)
-    values = [get_args(getattr(part, "__value__", None)) or (part,) for part in inner]
-    inner = tuple(part for value in values for part in value)
+    if origin in (Union, types.UnionType):
+        values = [get_args(getattr(part, "__value__", None)) or (part,) for part in inner]
+        inner = tuple(part for value in values for part in value)
     if any("_SupportsArray" in str(get_origin(part)) for part in inner):  # ArrayLike
         array = _array_or_names if Sequence[str] in inner else numeric_array
         return _either([array, _nothing]) if types.NoneType in inner else array
