@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.cli.console.outputs import NEGATIVE, announce_compilation, announce_file
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.groups import OutputFlags, check_ending, grouped
+from rocksteady.cli.flags.groups import ScreenFlags, check_ending, grouped
 from rocksteady.show.export.files import check_writable, save_text
 
 if TYPE_CHECKING:
@@ -40,9 +40,8 @@ def doctor(
         "--report FILE", "Save a report for an issue, with the home folder as ~: .md or .txt."
     ),
     force: bool = options.force(),
-    as_json: bool = options.as_json(),
-    more: bool = options.more(),
-    quiet: bool = options.quiet(),
+    *,
+    output: ScreenFlags,
 ) -> int:
     """Run `rocksteady doctor`; `HELP` is what its users read."""
     check_ending("--report", report, ".md", ".txt")
@@ -52,7 +51,7 @@ def doctor(
     from rocksteady.installation.check import check_installation
 
     installation = check_installation()
-    OutputFlags(as_json=as_json, more=more, quiet=quiet).leave("doctor", installation.describe())
+    output.leave("doctor", installation.describe())
     if report is not None:
         save_text("--report", report, report_text(installation))
         announce_file(report)
