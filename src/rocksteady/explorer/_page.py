@@ -15,6 +15,7 @@ from rocksteady.explorer._palette import page_theme, style_variables
 from rocksteady.explorer._program import program
 from rocksteady.explorer._still import still_picture
 
+SHEETS = ("style.css", "story.css")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
@@ -44,7 +45,8 @@ def document(
         If a part of the page breaks a rule that joining depends on.
     """
     code = program()
-    style = style_variables() + (PARTS / "style.css").read_text(encoding="utf-8")
+    sheets = [(PARTS / name).read_text(encoding="utf-8") for name in SHEETS]
+    style = style_variables() + "".join(sheets)
     policy = (
         f"default-src 'none'; script-src {_hash(code)} 'wasm-unsafe-eval'; "
         f"style-src {_hash(style)}; worker-src blob:; img-src data: blob:; "

@@ -106,6 +106,7 @@ def state_of(view: ExplorerView, *, on_records: bool) -> dict[str, str]:
     sized = not isinstance(view.block, DimensionlessBlock)
     nonlinear = on_records and sized if view.model is None else view.model.name == "nonlinear"
     state = {
+        "at": "push" if view == ExplorerView() and not on_records else "lab",
         "tab": view.tab or ("quake" if on_records else "explore"),
         "model": "nonlinear" if nonlinear else "linear",
         "start": _start_text(view.start),

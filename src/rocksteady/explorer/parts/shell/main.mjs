@@ -1,9 +1,11 @@
 // Where the script begins, in the page and in its workers.
 
+/** @import { App } from './app.mjs' */
 import { kernels } from '../kernels/loader.mjs';
 import { jobs } from '../work/jobs.mjs';
 import { makePool } from '../work/pool.mjs';
 import { serve } from '../work/worker.mjs';
+import { makeStory } from '../story/story.mjs';
 import { element, makeApp } from './app.mjs';
 import { makeControls } from './controls.mjs';
 import { addExamples, addHelp } from './help.mjs';
@@ -12,6 +14,7 @@ import { applyTheme, darkSystem, makeTabs, printInLight, showTab } from './layou
 import { addMenus } from './menus.mjs';
 import { motionsPutIn } from './motions.mjs';
 import { placePanels } from './places.mjs';
+import { openPlaces } from './rooms.mjs';
 import { describePanels } from './tables.mjs';
 
 /** Begin. */
@@ -28,9 +31,23 @@ async function openPage() {
   const pool = makePool(module, blockText('program'), (job, args) => jobs[job](found, args));
   const app = makeApp(found, pool, JSON.parse(blockText('first-view')));
   app.motions = motionsPutIn(blockText('motions'));
+  applyTheme(app);
+  await openPlaces(app, { story: () => makeStory(app, turn), lab: () => openLab(app) });
+  darkSystem().addEventListener('change', () => applyTheme(app));
+  let { look } = app.state;
+  document.addEventListener('state', () => {
+    if (app.state.look !== look) applyTheme(app);
+    ({ look } = app.state);
+  });
+  printInLight(app);
+  app.set({}, { push: false });
+  document.documentElement.dataset.ready = 'true';
+}
+
+/** Make the laboratory. @param {App} app */
+async function openLab(app) {
   makeTabs(app);
   showTab(app);
-  applyTheme(app);
   await turn();
   makeControls(app);
   await turn();
@@ -41,16 +58,12 @@ async function openPage() {
   listenToKeys(app);
   describePanels(app);
   await turn();
-  let { look, tab } = app.state;
+  let { tab } = app.state;
   document.addEventListener('state', () => {
     if (app.state.tab !== tab) showTab(app);
-    if (app.state.look !== look) applyTheme(app);
-    ({ look, tab } = app.state);
+    ({ tab } = app.state);
   });
-  darkSystem().addEventListener('change', () => applyTheme(app));
-  printInLight(app);
-  app.set({}, { push: false });
-  document.documentElement.dataset.ready = 'true';
+  showTab(app);
 }
 
 /** Let the browser do what waits: no task of the opening takes long. @returns {Promise<void>} */
