@@ -23,6 +23,7 @@ const IDLE_EVERY = 6.5; // [s]
 /** A hand that nudges the ground while nobody has touched it: times [s] and places [m]. */
 const NUDGE = /** @type {const} */ ([[0, 0], [0.18, 0.15], [0.36, 0]]);
 const GLOW = 0.3; // [s] of an impact
+const NARROW_PAGE = 700; // [px]
 const INSTRUCTION = 'Drag left or right, or use the arrow keys.';
 const PROMPT = 'Push the ground.';
 
@@ -127,8 +128,9 @@ export function makeLanding(app) {
   };
 
   const view = makeView(canvas, (pen, width, height) => {
-    const { theme } = app, size = Math.min(0.43 * height, 0.86 * width, 460);
-    const level = Math.round(0.7 * height);
+    const { theme } = app, narrow = width < NARROW_PAGE;
+    const size = Math.min(0.43 * height, 0.78 * width, 460);
+    const level = Math.round((narrow ? 0.62 : 0.7) * height); // as in story.css
     unit = size / HEIGHT;
     const x = width / 2 + (ground.place - camera) * unit;
     if (touched) drawTrace(pen, width, height);
@@ -137,7 +139,7 @@ export function makeLanding(app) {
     for (const { time: at, side } of hits.slice(-4)) {
       drawFlash(pen, theme, x + side * shape.halfWidth * unit, level, 1 - (time - at) / GLOW);
     }
-    const handX = width / 2 + (hand - camera) * unit, handY = level + Math.min(46, 0.2 * (height - level));
+    const handX = width / 2 + (hand - camera) * unit, handY = level + Math.min(42, 0.2 * (height - level));
     for (const to of [-1, 1]) {
       drawLine(pen, theme, [handX + 20 * to, handY, handX + 38 * to, handY], 'ink', 2.5);
       for (const up of [-7, 7]) {
@@ -145,7 +147,7 @@ export function makeLanding(app) {
       }
     }
     drawRing(pen, theme, handX, handY, held ? 14 : 11);
-    if (width > 700) write(pen, theme, 'ticks 10 cm', width - 32, level + 28, { align: 'right' });
+    if (!narrow) write(pen, theme, 'ticks 10 cm', width - 32, level + 28, { align: 'right' });
   });
 
   /** @param {CanvasRenderingContext2D} pen @param {number} width @param {number} height */

@@ -159,24 +159,24 @@ export function drawReel(pen, theme, reel, time, { flashes = true, ...at }) {
 export function drawHistory(pen, theme, reel, time, { area, seconds, base }) {
   const [left, top, width, height] = area, middle = top + 0.5 * height;
   const across = (/** @type {number} */ at) => left + (at / seconds) * width;
-  const up = (/** @type {number} */ angle) => middle - Math.max(-1.25, Math.min(1.25, angle)) * 0.36 * height;
+  const up = (/** @type {number} */ angle) => middle - Math.max(-1.3, Math.min(1.3, angle)) * 0.3 * height;
   drawLine(pen, theme, [left, middle, left + width, middle], 'hair');
   for (const edge of [-1, 1]) drawLine(pen, theme, [left, up(edge), left + width, up(edge)], 'ink', 1, [5, 4]);
   write(pen, theme, `tipping angle ${degreeText(reel.block.alpha)}`, left, up(1) - 5);
   write(pen, theme, 'tilt', left + width, up(1) - 5, { role: 'motion', bold: true, align: 'right' });
   if (base) {
-    const low = top + 0.97 * height, points = 240;
+    const low = top + 0.98 * height, points = 240;
     drawCurve(pen, theme, points, (k) => {
       const at = (k / (points - 1)) * seconds;
-      return [across(at), low - base(at) * 0.07 * height];
+      return [across(at), low - base(at) * 0.06 * height];
     }, { role: 'base', width: 1.25 });
-    write(pen, theme, 'ground', left + width, low - 6, { role: 'base', bold: true, align: 'right' });
+    write(pen, theme, 'ground', left + width, low - 7, { role: 'base', bold: true, align: 'right' });
   }
   const { angle, step, impacts } = reel, count = Math.min(angle.length, Math.ceil(seconds / step) + 1);
   const place = (/** @type {number} */ k) => /** @type {const} */ ([across(k * step), up(angle[k])]);
   pen.save();
   pen.beginPath();
-  pen.rect(left - 2, middle - 0.47 * height, width + 4, 0.94 * height);
+  pen.rect(left - 2, middle - 0.42 * height, width + 4, 0.84 * height);
   pen.clip();
   drawCurve(pen, theme, count, place, { role: 'motion', width: 1.25, opacity: BACK });
   drawCurve(pen, theme, Math.min(count, Math.floor(time / step) + 1), place, { role: 'motion', width: 2.75 });

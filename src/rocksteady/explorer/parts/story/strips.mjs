@@ -27,10 +27,10 @@ export function drawStrip(pen, theme, cells, [left, top, width, height]) {
     const { name, words } = cells[from], x = left + from * step, wide = (to - from) * step;
     fillClass(pen, theme, name, { left: x, top, width: wide + (to < cells.length ? 0.5 : 0), height });
     pen.font = theme.strong;
-    const fits = words.find((word) => pen.measureText(word).width < wide - 14);
+    const fits = words.find((word) => pen.measureText(word).width < wide - 8);
     if (fits) {
       const how = { bold: true, role: ON[name] ?? 'ink', over: FILLS[name] };
-      write(pen, theme, fits, x + 9, top + height / 2 + 4, how);
+      write(pen, theme, fits, x + Math.min(9, (wide - pen.measureText(fits).width) / 2), top + height / 2 + 4, how);
     }
     from = to;
   }

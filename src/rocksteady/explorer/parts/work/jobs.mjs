@@ -7,6 +7,7 @@ import { endingsOf } from '../physics/coexisting.mjs';
 import { designCells, designNeighbours, designRun } from '../physics/demand/design.mjs';
 import { pulseFates, pulseHistory } from '../physics/demand/pulse.mjs';
 import { pulseWindows } from '../physics/demand/windows.mjs';
+import { baseReel } from '../physics/push/falling.mjs';
 import { historyOf, longSection } from '../physics/history.mjs';
 import { crowdReels } from '../physics/story/crowd.mjs';
 import { stateFates } from '../physics/story/fates.mjs';
@@ -20,6 +21,7 @@ const SETTLED_FLIGHTS = 100_000;
 
 /** @type {Record<string, (kernels: Kernels, args: any) => unknown>} */
 export const jobs = {
+  baseReel,
   cascadeOf,
   crowdReels,
   designCells: (kernels, asked) => timed(() => designCells(kernels, asked)),

@@ -1,9 +1,12 @@
 // Runs that follow a fall until the block lies on the ground, as far as the equations go.
 
-import { sidesOf } from '../case.mjs';
+import { GRAVITY, sidesOf } from '../case.mjs';
+import { baseCourse } from '../demand/run.mjs';
+import { harmonicTable, pulseTable, recordTable } from '../motions.mjs';
 import { firstRows, flightsAt, runOf, statesAt } from '../run.mjs';
 
 /** @import { Floats, Kernels } from '../../kernels/loader.mjs' */
+/** @import { GroundMotion } from '../motions.mjs' */
 /** @import { RecordBlock } from '../quake/record.mjs' */
 /** @import { How, Run } from '../run.mjs' */
 
@@ -13,6 +16,7 @@ import { firstRows, flightsAt, runOf, statesAt } from '../run.mjs';
  * @property {RecordBlock} block
  * @property {number} step  between the samples
  * @property {Float64Array} angle  theta/alpha, up to the end of the film
+ * @property {Float64Array} velocity  du/d(pt)
  * @property {boolean} falls
  * @property {number | null} overturns  when it passes alpha for the last time
  * @property {number} peak  largest |theta|/alpha up to then
@@ -67,25 +71,64 @@ export function reelOf(kernels, block, table, seconds, how = {}) {
  */
 function filmed(kernels, block, run, seconds) {
   const { p, alpha } = block;
-  const times = Float64Array.from({ length: Math.ceil(seconds / REEL_STEP) + 1 }, (_, k) =>
-    k * REEL_STEP * p);
+  const times = reelTimes(seconds, p);
   const reached = times.findIndex((time) => time > run.end);
   const count = reached < 0 ? times.length : reached;
   const states = statesAt(kernels, run.tables, run.rows, flightsAt(run.starts, times.subarray(0, count)));
-  const angle = new Float64Array(times.length);
-  angle.set(states.subarray(0, count));
+  const [angle, velocity] = [0, count].map((from) => {
+    const held = new Float64Array(times.length).fill(states[from + count - 1] || 0);
+    held.set(states.subarray(from, from + count));
+    return held;
+  });
   // The linear model goes on past the ground.
   const flat = (0.5 * Math.PI) / alpha, beyond = angle.findIndex((here) => Math.abs(here) >= flat);
   const falls = run.status === 'overturned' || beyond >= 0, down = beyond < 0 ? count : beyond;
-  if (falls && down) angle.fill(Math.sign(angle[down - 1]) * flat, down);
+  if (falls && down) {
+    angle.fill(Math.sign(angle[down - 1]) * flat, down);
+    velocity.fill(0, down);
+  }
   const { time, side, before } = run.impacts;
   const seconded = (/** @type {number} */ at) => at / p;
   return {
-    block, step: REEL_STEP, angle, falls,
+    block, step: REEL_STEP, angle, velocity, falls,
     overturns: run.overturned === null ? null : run.overturned / p,
     peak: Math.max(run.peaks[0], run.peaks[1]),
     impacts: { time: time.map(seconded), side, speed: before.map(Math.abs) },
   };
+}
+
+/**
+ * A block at rest under a pulse, harmonic shaking or a motion.
+ * @typedef {object} FilmAsked
+ * @property {RecordBlock} block
+ * @property {number} seconds
+ * @property {{ shape: string, amplitude: number, ratio: number }} [pulse]
+ * @property {{ amplitude: number, ratio: number }} [harmonic]
+ * @property {GroundMotion} [motion]
+ */
+
+/**
+ * Film a block at rest, with the accelerations of its base over alpha g: a job of the pool.
+ * @param {Kernels} kernels
+ * @param {FilmAsked} asked
+ * @returns {Reel & { base: Float64Array }}
+ */
+export function baseReel(kernels, { block, seconds, pulse, harmonic, motion }) {
+  const { nonlinear, p, alpha } = block;
+  const table = motion ? recordTable(kernels, motion, nonlinear, p, alpha * GRAVITY)
+    : pulse ? pulseTable(kernels, pulse.shape, pulse.amplitude, pulse.ratio, { nonlinear })
+      : harmonicTable(kernels, {
+        amplitude: harmonic?.amplitude ?? 0, frequencyRatio: harmonic?.ratio ?? 1, nonlinear,
+      });
+  const [rows, columns] = table.shape, starts = new Float64Array(rows);
+  for (let row = 1; row < rows; row++) starts[row] = starts[row - 1] + table.values[(row - 1) * columns];
+  const base = baseCourse(kernels, table, starts, reelTimes(seconds, p));
+  return { ...reelOf(kernels, block, table, seconds), base };
+}
+
+/** @param {number} seconds @param {number} p */
+function reelTimes(seconds, p) {
+  return Float64Array.from({ length: Math.ceil(seconds / REEL_STEP) + 1 }, (_, k) => k * REEL_STEP * p);
 }
 
 /**

@@ -11,7 +11,7 @@ import { runOf } from '../run.mjs';
 /**
  * @typedef {object} Swing
  * @property {Reel} reel
- * @property {number[]} rocks  times of full rocks, from the largest tilt to the next on that side [s]
+ * @property {number[]} rocks  times from impact to impact [s]
  * @property {number} quarter  from letting go to the first impact [s]
  */
 
@@ -29,23 +29,19 @@ const RELEASE_TILTS = 48, RELEASE_SPEEDS = 60;
 export function letGo(kernels, block, tilt, seconds) {
   const start = { ...STANDING, side: 1, angle: tilt };
   const reel = reelOf(kernels, block, stillTable(kernels), seconds, { start });
-  const { time } = reel.impacts, tops = [0];
-  // On a still base a flight is the same up and down.
-  for (let k = 0; k + 1 < time.length; k++) tops.push(0.5 * (time[k] + time[k + 1]));
-  const rocks = [];
-  for (let k = 2; k < tops.length; k += 2) rocks.push(tops[k] - tops[k - 2]);
-  return { reel, rocks, quarter: time[0] ?? NaN };
+  const { time } = reel.impacts;
+  return { reel, rocks: Array.from(time.subarray(1), (at, k) => at - time[k]), quarter: time[0] };
 }
 
 /**
- * Return how long a full rock takes that reaches a tilt and loses nothing, over tilts.
+ * Return how long it takes from impact to impact, over the tilt that is reached between them.
  * @param {Kernels} kernels
  * @param {RecordBlock} block
  * @returns {{ tilt: number, time: number }[]}
  */
 export function rockTimes(kernels, block) {
   return Array.from({ length: RELEASE_TILTS }, (_, k) => (k + 1) / (RELEASE_TILTS + 0.5)).map((tilt) => ({
-    tilt, time: 4 * firstImpact(kernels, block, { angle: tilt }),
+    tilt, time: 2 * firstImpact(kernels, block, { angle: tilt }),
   }));
 }
 

@@ -1,7 +1,7 @@
 // 4. One shaking, two fates: the basins under the finger, and the block dropped into one.
 
 /** @import { App } from '../../shell/app.mjs' */
-/** @import { Area } from '../draw.mjs' */
+/** @import { Area, Role } from '../draw.mjs' */
 /** @import { Fate } from '../../physics/story/fates.mjs' */
 /** @import { Reel } from '../../physics/push/falling.mjs' */
 import { GRAVITY } from '../../physics/case.mjs';
@@ -23,6 +23,35 @@ const ANSWERS = {
   undecided: 'From here it is not known after 300 periods.',
 };
 
+/** @type {readonly Fate[]} */
+const FATES = ['rest', 'rocking', 'overturned', 'undecided'];
+/** Word of a region, its colour and that below it. @type {Record<Fate, [string, Role, Role]>} */
+const WORDS = {
+  rest: ['rests', 'ink', 'rest'], rocking: ['rocks', 'onRocks', 'rocks'],
+  overturned: ['falls', 'onFalls', 'falls'], undecided: ['', 'ink', 'paper'],
+};
+const LEAST_ROOM = 36; // [px] of a region for its word
+
+/**
+ * Return where the regions have most room for a word, and their shares.
+ * @param {Fate[]} fates
+ */
+function regionWords(fates) {
+  return FATES.filter((fate) => fates.includes(fate)).map((fate) => {
+    const at = (/** @type {number} */ row, /** @type {number} */ column) => row >= 0 && row < SIDE
+      && column >= 0 && column < SIDE && fates[row * SIDE + column] === fate;
+    let best = { room: 0, row: 0, column: 0 };
+    for (let row = 0; row < SIDE; row++) {
+      for (let column = 0; column < SIDE; column++) {
+        let half = 0;
+        while (at(row, column - half) && at(row, column + half) && at(row - half, column) && at(row + half, column)) half++;
+        if (2 * half > best.room) best = { room: 2 * half, row, column };
+      }
+    }
+    return { fate, share: fates.filter((each) => each === fate).length / fates.length, ...best };
+  });
+}
+
 /** Return the answer of a fate. @param {Fate} fate */
 export function fateAnswer(fate) {
   return ANSWERS[fate];
@@ -38,6 +67,8 @@ export function makeFates(app) {
   let reel;
   /** @type {(Fate | undefined)[]} */
   const fates = new Array(SIDE * SIDE);
+  /** @type {ReturnType<typeof regionWords> | null} */
+  let words = null;
   /** @type {Area | null} */
   let plane = null;
   const middle = (/** @type {number} */ k) => REACH * ((2 * k + 1) / SIDE - 1);
@@ -50,12 +81,13 @@ export function makeFates(app) {
   };
   const view = makeView(canvas, (pen, width, height) => {
     const { theme, state } = app, narrow = width < NARROW;
-    const wide = narrow ? 0.34 * width : 0.3 * width, y = Math.round((narrow ? 0.8 : 0.72) * height);
-    const unit = Math.min(0.62 * wide, 0.5 * height, 260), turn = 2 * Math.PI * hertz * player.time;
+    const wide = (narrow ? 0.24 : 0.3) * width, y = Math.round((narrow ? 0.8 : 0.72) * height);
+    const unit = Math.min((narrow ? 1.1 : 0.62) * wide, 0.5 * height, 260), turn = 2 * Math.PI * hertz * player.time;
     const x = 0.5 * wide - travel * Math.sin(turn) * unit;
     drawGround(pen, theme, { width: wide, height: 30, y, x, unit });
     drawReel(pen, theme, reel, player.time, { x, y, unit, shape: reelShape(reel) });
-    const left = wide + 44, side = Math.min(width - left - 10, height - 62), top = 26;
+    const left = wide + 44, high = height - 62, top = 26;
+    const side = narrow ? high : Math.min(width - left - 10, high);
     plane = [left, top, width - left - 10, side];
     const area = plane, across = (/** @type {number} */ u) => left + ((u / REACH + 1) / 2) * area[2];
     const up = (/** @type {number} */ v) => top + ((1 - v / REACH) / 2) * side;
@@ -64,12 +96,13 @@ export function makeFates(app) {
     pen.beginPath();
     pen.rect(...area);
     pen.clip();
-    const { angle, step } = reel, count = Math.floor(player.time / step);
+    const { angle, velocity, step } = reel, count = Math.floor(player.time / step);
     const place = (/** @type {number} */ k) => /** @type {const} */ ([across(angle[k]),
-      up((angle[k + 1] - angle[k]) / (step * block.p))]);
+      up(velocity[k])]);
     drawCurve(pen, theme, count, place, { role: 'paper', width: 4 });
     drawCurve(pen, theme, count, place, { role: 'motion', width: 1.75 });
     pen.restore();
+    drawWords(pen, area);
     for (const mark of [-1, 0, 1]) {
       const tilt = ((180 / Math.PI) * mark * block.alpha).toFixed(0);
       write(pen, theme, `${tilt}°`, across(mark), top + side + 16, { role: 'quiet', align: 'center' });
@@ -84,39 +117,36 @@ export function makeFates(app) {
   /** @param {CanvasRenderingContext2D} pen @param {Area} area */
   const drawFates = (pen, [left, top, width, height]) => {
     const { theme } = app, step = width / SIDE, tall = height / SIDE;
-    /** @type {[Fate, 'rest' | 'rocking' | 'overturned' | 'undecided', string][]} */
-    const all = [['rest', 'rest', 'rests'], ['rocking', 'rocking', 'rocks'],
-      ['overturned', 'overturned', 'falls'], ['undecided', 'undecided', '']];
-    for (const [fate, name, word] of all) {
-      let count = 0;
-      /** @type {{ wide: number, x: number, y: number }} */
-      let longest = { wide: 0, x: 0, y: 0 };
+    for (const fate of FATES) {
       pen.beginPath();
       for (let row = 0; row < SIDE; row++) {
         for (let from = 0; from < SIDE; from++) {
           if (fates[row * SIDE + from] !== fate) continue;
           let to = from;
           while (to < SIDE && fates[row * SIDE + to] === fate) to++;
-          const x = left + from * step, y = top + height - (row + 1) * tall;
-          pen.rect(x, y, (to - from) * step + 0.4, tall + 0.4);
-          if (to - from > longest.wide) longest = { wide: to - from, x: x + ((to - from) * step) / 2, y };
-          count += to - from;
+          pen.rect(left + from * step, top + height - (row + 1) * tall, (to - from) * step + 0.4, tall + 0.4);
           from = to;
         }
       }
-      if (!count) continue;
       pen.save();
       pen.clip();
-      fillClass(pen, theme, name, { left, top, width, height });
+      fillClass(pen, theme, fate, { left, top, width, height });
       pen.restore();
-      const share = `${word} ${Math.round((100 * count) / fates.length)} %`;
-      if (!word || fates.includes(undefined) || longest.wide * step < 70) continue;
-      const on = /** @type {const} */ ({ rest: 'ink', rocking: 'onRocks', overturned: 'onFalls', undecided: 'ink' });
-      const over = /** @type {const} */ ({ rest: 'rest', rocking: 'rocks', overturned: 'falls', undecided: 'rest' });
-      write(pen, theme, share, longest.x, longest.y + 4, { bold: true, align: 'center', role: on[fate], over: over[fate] });
     }
     drawLine(pen, theme, [left, top + height, left + width, top + height], 'ink');
     drawLine(pen, theme, [left, top, left, top + height], 'ink');
+  };
+  /** @param {CanvasRenderingContext2D} pen @param {Area} area */
+  const drawWords = (pen, [left, top, width, height]) => {
+    if (fates.includes(undefined)) return;
+    words ??= regionWords(/** @type {Fate[]} */ (fates));
+    for (const { fate, share, column, row, room } of words) {
+      if ((room * width) / SIDE < LEAST_ROOM) continue;
+      const x = left + ((column + 0.5) / SIDE) * width, y = top + (1 - (row + 0.5) / SIDE) * height;
+      const [word, role, over] = WORDS[fate], how = { bold: true, align: /** @type {const} */ ('center'), role, over };
+      write(pen, app.theme, word, x, y - 3, how);
+      write(pen, app.theme, `${Math.round(100 * share)} %`, x, y + 12, how);
+    }
   };
   const player = makePlayer(app, view, SECONDS, () => [reel]);
   const change = () => {

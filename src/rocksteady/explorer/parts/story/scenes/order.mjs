@@ -3,7 +3,7 @@
 /** @import { App } from '../../shell/app.mjs' */
 /** @import { Area } from '../draw.mjs' */
 /** @import { Cascade, Order } from '../../physics/story/order.mjs' */
-import { HAIR, ORDER_PERIODS, ORDER_RATIO, ORDER_RESTITUTION, PARTED } from '../../physics/story/order.mjs';
+import { ORDER_PERIODS, ORDER_RATIO, ORDER_RESTITUTION } from '../../physics/story/order.mjs';
 import { rectangle } from '../../physics/story/pulses.mjs';
 import { drawCurve, drawLine, drawRing, inArea, write } from '../draw.mjs';
 import { sceneOf, tieSlider } from '../scene.mjs';
@@ -27,8 +27,8 @@ export function orderAnswer({ kind, period: repeats, parted }, period) {
   if (kind === 'unsymmetric' && repeats === 1) return 'One steady motion, unlike to the two sides.';
   if (kind === 'unsymmetric') return `It repeats only every ${EVERY[repeats] ?? `${repeats}th`} period.`;
   if (parted === null) return `It never repeats; two blocks part slowly, over more than ${ORDER_PERIODS} periods.`;
-  return `It never repeats: two blocks 0.000001 apart are ${PARTED} apart after ${parted} periods, `
-    + `${(parted * period).toFixed(0)} s.`;
+  return 'It never repeats: two blocks a millionth apart differ by a tenth of the tipping angle after '
+    + `${parted} periods, ${(parted * period).toFixed(0)} s.`;
 }
 
 /** Make the scene. @param {App} app */
@@ -93,7 +93,7 @@ export function makeOrder(app) {
   const drawApart = (pen, { apart, kind }, [left, top, width, height]) => {
     const { theme } = app, across = (/** @type {number} */ k) => left + (k / ORDER_PERIODS) * width;
     const up = (/** @type {number} */ power) => top + (Math.max(LOWEST, power) / LOWEST) * height;
-    write(pen, theme, `how far two blocks are apart, that began ${HAIR.toFixed(6)} apart`, 4, top - 14);
+    write(pen, theme, 'how far two blocks are apart that began a millionth apart', 4, top - 14);
     for (const power of [0, -2, -4, -6, LOWEST]) {
       drawLine(pen, theme, [left, up(power), left + width, up(power)], 'hair');
       const text = power ? `10${[...String(-power)].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('').replace(/^/, '⁻')}` : '1';

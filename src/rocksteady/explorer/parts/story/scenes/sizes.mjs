@@ -51,14 +51,14 @@ export function makeSizes(app) {
   };
   const view = makeView(canvas, (pen, width, height) => {
     const { theme } = app, { length } = app.state, y = Math.round(0.58 * height);
-    const unit = Math.min((0.9 * y) / 2.1, width / 5.8), low = Math.round(0.06 * height);
+    const unit = Math.min((0.9 * y) / 2.1, width / 5.8), low = Math.max(34, Math.round(0.06 * height));
     const gone = SIZES_STRENGTH * GRAVITY * length * length * pulsePlace(player.time / length);
     const shift = Math.min(0.3, gone) * unit;
     drawGround(pen, theme, { width, height: low, y, x: shift, unit });
     [0.14, 0.36, 0.66].forEach((part, k) => {
       const x = part * width + shift, shape = reelShape(reels[k]);
       drawReel(pen, theme, reels[k], player.time, { x, y, unit, shape, width: 2.25 });
-      write(pen, theme, `${HEIGHTS[k]} m`, x, y + low - 8, { size: 13, align: 'center', bold: true });
+      write(pen, theme, `${HEIGHTS[k]} m`, x, y + low - 7, { size: 13, align: 'center', bold: true });
     });
     const area = /** @type {Area} */ ([46, 0.75 * height, width - 60, 0.17 * height]);
     const [left, top, wide, high] = strip = area;

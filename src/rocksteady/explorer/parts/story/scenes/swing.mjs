@@ -14,7 +14,7 @@ import { heard } from '../sound.mjs';
 import { dragOn, makeView } from '../view.mjs';
 import { degreeText } from '../words.mjs';
 
-const SECONDS = 5, LONGEST_ROCK = 3.2; // [s]
+const SECONDS = 5, LONGEST_ROCK = 1.8, PENDULUM = 1.1; // [s]
 const FIFTH = 4;
 
 /** Make the scene. @param {App} app */
@@ -33,9 +33,8 @@ export function makeSwing(app) {
   const go = () => {
     swing = letGo(app.kernels, block, app.state.tilt, SECONDS);
     const { rocks } = swing;
-    answer(rocks.length > FIFTH
-      ? `The first full rock takes ${rocks[0].toFixed(2)} s, the fifth ${rocks[FIFTH].toFixed(2)} s.`
-      : `The first full rock takes ${rocks[0].toFixed(2)} s.`);
+    answer(`From impact to impact the first rock takes ${rocks[0].toFixed(2)} s, `
+      + `the fifth ${rocks[FIFTH].toFixed(2)} s.`);
   };
   const view = makeView(canvas, (pen, width, height) => {
     const { theme } = app, narrow = width < NARROW;
@@ -70,14 +69,14 @@ export function makeSwing(app) {
     const up = (/** @type {number} */ time) => low - (time / LONGEST_ROCK) * height;
     drawLine(pen, theme, [left, top, left, low], 'ink');
     drawLine(pen, theme, [left, low, left + width, low], 'ink');
-    for (const time of [1, 2, 3]) {
+    for (const time of [0.5, 1, 1.5]) {
       drawLine(pen, theme, [left, up(time), left + width, up(time)], 'hair');
       write(pen, theme, String(time), left - 8, up(time) + 4, { role: 'quiet', align: 'right' });
     }
     for (const tilt of [0, 0.25, 0.5, 0.75, 1]) {
       write(pen, theme, degreeText(tilt * block.alpha), across(tilt), low + 17, { role: 'quiet', align: 'center' });
     }
-    write(pen, theme, 'time of one full rock [s]', left - 14, top - 12);
+    write(pen, theme, 'time from impact to impact [s]', left - 14, top - 12);
     write(pen, theme, 'tilt it reaches', left + width, low + 34, { align: 'right' });
     pen.save();
     pen.beginPath();
@@ -85,18 +84,18 @@ export function makeSwing(app) {
     pen.clip();
     drawCurve(pen, theme, times.length, (k) => [across(times[k].tilt), up(times[k].time)], { role: 'ink', width: 1.25 });
     pen.restore();
-    drawLine(pen, theme, [left, up(1.9), left + width, up(1.9)], 'quiet', 1, [2, 3]);
-    write(pen, theme, 'a pendulum: always the same', across(0.04), up(1.9) - 6, { role: 'quiet' });
+    drawLine(pen, theme, [left, up(PENDULUM), left + width, up(PENDULUM)], 'quiet', 1, [2, 3]);
+    write(pen, theme, 'a pendulum: always the same', across(0.04), up(PENDULUM) - 6, { role: 'quiet' });
     const { time } = swing.reel.impacts, { angle, step } = swing.reel;
     for (let k = 1; k < time.length && time[k] <= player.time; k++) {
       let top = 0;
       for (let j = Math.ceil(time[k - 1] / step); j * step < time[k]; j++) top = Math.max(top, Math.abs(angle[j]));
       pen.beginPath();
-      pen.arc(across(top), up(2 * (time[k] - time[k - 1])), 4.5, 0, 2 * Math.PI);
+      pen.arc(across(top), up(time[k] - time[k - 1]), 4.5, 0, 2 * Math.PI);
       pen.fillStyle = theme.motion;
       pen.fill();
     }
-    drawRing(pen, theme, across(app.state.tilt), up(Math.min(LONGEST_ROCK, 4 * swing.quarter)), 7);
+    drawRing(pen, theme, across(app.state.tilt), up(Math.min(LONGEST_ROCK, 2 * swing.quarter)), 7);
   };
 
   tieSlider(app, 'tilt', {

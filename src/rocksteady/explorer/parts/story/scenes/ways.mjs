@@ -66,13 +66,14 @@ export function makeWays(app) {
     speak();
   };
   const view = makeView(canvas, (pen, width, height) => {
-    const { theme } = app, narrow = width < NARROW, high = 0.66 * height;
-    const wide = (narrow ? 0.42 : 0.36) * width, y = Math.round(0.88 * high);
-    const unit = Math.min(0.66 * high, 0.68 * wide, 300), x = 0.5 * wide;
-    drawGround(pen, theme, { width: wide, height: 26, y, x, unit });
+    const { theme } = app, narrow = width < NARROW, high = (narrow ? 0.36 : 0.66) * height;
+    const wide = (narrow ? 1 : 0.42) * width, y = Math.round(0.84 * high);
+    const unit = Math.min(0.8 * high, 0.44 * wide, 300), x = 0.5 * wide;
+    drawGround(pen, theme, { width: wide, height: Math.min(26, high - y), y, x, unit });
     drawReel(pen, theme, reel, player.time, { x, y, unit, shape: reelShape(reel) });
     history = drawHistory(pen, theme, reel, player.time, {
-      area: [wide + 24, 16, width - wide - 38, high - 40], seconds: SECONDS,
+      seconds: SECONDS,
+      area: narrow ? [14, high + 10, width - 28, 0.28 * height] : [wide + 24, 16, width - wide - 38, high - 40],
       base: (time) => pulseShape(time * WAYS.frequency),
     });
     const area = /** @type {Area} */ ([14, 0.8 * height, width - 28, 0.11 * height]);
@@ -80,7 +81,7 @@ export function makeWays(app) {
     const across = (/** @type {number} */ g) => left + ((g - WEAKEST) / (STRONGEST - WEAKEST)) * length;
     write(pen, theme, 'what it does, over the strength of the push', left, top - 26);
     if (cells.length) drawStrip(pen, theme, cells, area);
-    for (const g of [0.2, 0.4, 0.6, 0.8, 1, 1.2, STRONGEST]) {
+    for (const g of [0.2, 0.4, 0.6, 0.8, 1, ...(narrow ? [] : [1.2]), STRONGEST]) {
       const last = g === STRONGEST, text = `${g.toFixed(1)}${last ? ' g' : ''}`;
       write(pen, theme, text, across(g), top + tall + 16, { role: 'quiet', align: last ? 'right' : 'center' });
     }
