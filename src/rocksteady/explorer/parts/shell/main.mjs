@@ -24,6 +24,7 @@ export function start() {
 }
 
 async function openPage() {
+  element('story').hidden = true; // until it is known that it can compute
   if (typeof WebAssembly === 'undefined') throw new Error('this browser has no WebAssembly');
   if (typeof DecompressionStream === 'undefined') throw new Error('this browser is too old');
   const module = await WebAssembly.compile(await unpacked(blockText('kernels')));
@@ -92,6 +93,6 @@ async function unpacked(text) {
 function refusal(error) {
   console.error(error);
   document.documentElement.dataset.ready = 'false';
-  element('refusal').hidden = false;
+  element('story').hidden = element('refusal').hidden = false;
   element('cause').textContent = error instanceof Error ? error.message : String(error);
 }

@@ -179,7 +179,7 @@ export function makeLanding(app) {
     if (hits.length) write(pen, theme, 'impacts', left, middle + 18, { role: 'impact', bold: true });
   };
 
-  const busy = () => held !== null || keys !== 0 || (state.side !== 0 && !lies)
+  const busy = () => held !== null || keys !== 0 || (idle && events.length > 1) || (state.side !== 0 && !lies)
     || Math.abs(ground.speed) > 1e-4 || Math.abs(hand - ground.place) > 1e-4
     || Math.abs(camera - ground.place) > 2e-3 || time - pushed < QUIET.for + 0.1
     || (hits.length > 0 && time - hits[hits.length - 1].time < GLOW);
