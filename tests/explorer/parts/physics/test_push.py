@@ -16,7 +16,7 @@ BLOCK = Block.rectangle(width=0.3, height=1.0)
 PIXEL = 1.0 / 250.0
 """Of a small phone [m]; a larger window has smaller ones."""
 PUSHED = """
-const { PUSH_STEP, STILL_GROUND, handAt, pulledGround } = await import(parts('physics/push/spring.mjs'));
+const { PUSH_STEP, STILL_GROUND, pulledGround } = await import(parts('physics/push/spring.mjs'));
 const { STANDING, pushOn } = await import(parts('physics/push/pushed.mjs'));
 const { rectangleOf } = await import(parts('physics/case.mjs'));
 const measures = rectangleOf(kernels, { width: 0.3, height: 1 });
@@ -35,7 +35,7 @@ for (const count of asked.frames) {
     const step = pushOn(kernels, block, state, Float64Array.from(samples));
     ({ state, lies } = step);
     peak = Math.max(peak, step.peak);
-    impacts.push(...step.impacts.map(({ time, side, speed }) => [at * PUSH_STEP + time, side, speed]));
+    impacts.push(...step.impacts.map(({ time, side }) => [at * PUSH_STEP + time, side]));
   }
   at += count;
 }

@@ -42,7 +42,7 @@ PULSES = (
     HEAD
     + """
 answer(asked.map(({ width, height, restitution, strength, hertz }) => plain({
-  reel: pulseReel(kernels, rectangle(kernels, width, height, restitution ?? undefined), strength, hertz, 5),
+  reel: pulseReel(kernels, rectangle(kernels, width, height, restitution), strength, hertz, 5),
 })));
 """
 )
@@ -156,7 +156,7 @@ def test_the_cascade_has_the_kinds_and_periods_of_the_package(in_node: InNode) -
     for each in found["orders"]:
         # What repeats draws two blocks together; what does not, parts them.
         if each["period"]:
-            assert each["apart"][-1] < 1e-6
+            assert each["apart"][-1] < 1e-5
 
 
 def test_the_cabinet_and_its_neighbours_end_as_the_package_says(in_node: InNode) -> None:
@@ -175,8 +175,8 @@ def test_the_cabinet_and_its_neighbours_end_as_the_package_says(in_node: InNode)
 
 
 STORY = {
-    "alpha": 0.2914567944778671, "lift": 0.3, "reach": 0.124, "top": 0.412, "impacts": 3, "peak": 0.5,
-    "angle": 0.2, "rocks": False, "lies": False, "quiet": True,
+    "alpha": 0.2914567944778671, "lift": 0.3, "reach": 0.124, "top": 0.412, "impacts": 3,
+    "peak": 0.5, "angle": 0.2, "rocks": False, "lies": False, "quiet": True,
 }  # fmt: skip
 TOLD: list[tuple[dict[str, Any], str, str]] = [
     ({"lies": True}, "It fell. You moved the ground 12 cm at 0.41 g.", "after 3 impacts"),

@@ -65,6 +65,8 @@ async function openLab(app) {
     ({ tab } = app.state);
   });
   showTab(app);
+  app.touch(...Object.keys(app.state)); // no panel knows the state yet
+  app.set({}, { push: false });
 }
 
 /** Let the browser do what waits: no task of the opening takes long. @returns {Promise<void>} */
