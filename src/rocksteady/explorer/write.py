@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from rocksteady.errors import InputError, OutputError
+from rocksteady.errors import InputError, OutputError, Words
 from rocksteady.explorer._motions import motions_of
 from rocksteady.explorer._page import document, scene_document
 from rocksteady.explorer._program import SCENES
@@ -94,11 +94,12 @@ def scene_alone(view: ExplorerView, records: Sequence[Record | Recording] | None
     if view.scene not in SCENES:
         raise InputError(
             "embed",
-            view.scene,
+            Words("True without a scene") if view.scene is None else view.scene,
             f"one scene stands alone: {', '.join(SCENES)}",
             "give the view a scene, or leave embed out",
         )
-    if records or view != ExplorerView(scene=view.scene):
+    plain = state_of(ExplorerView(scene=view.scene), on_records=False)
+    if records or state_of(view, on_records=False) != plain:
         raise InputError(
             "embed", True, "a scene has its own blocks and motions", "leave the others out"
         )

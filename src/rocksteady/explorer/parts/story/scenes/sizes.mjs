@@ -17,6 +17,7 @@ export const HEIGHTS = [0.5, 1, 2], SLIM = 4; // [m]; height over width
 export const SIZES_STRENGTH = 0.45; // [g]
 const SECONDS = 5, SHORTEST = 0.12, LONGEST = 2.4; // [s]
 const CELLS = 140;
+const LOW = 480; // [px] below which the picture needs its height for captions
 
 /** Return the answer of three fates, the smallest block first. @param {readonly boolean[]} falls */
 export function sizesAnswer(falls) {
@@ -50,7 +51,7 @@ export function makeSizes(app) {
     answer(sizesAnswer(reels.map(({ falls }) => falls)));
   };
   const view = makeView(canvas, (pen, width, height) => {
-    const { theme } = app, { length } = app.state, y = Math.round(0.58 * height);
+    const { theme } = app, { length } = app.state, y = Math.round((height < LOW ? 0.5 : 0.58) * height);
     const unit = Math.min((0.9 * y) / 2.1, width / 5.8), low = Math.max(34, Math.round(0.06 * height));
     const gone = SIZES_STRENGTH * GRAVITY * length * length * pulsePlace(player.time / length);
     const shift = Math.min(0.3, gone) * unit;
